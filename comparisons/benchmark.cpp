@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../tools/mesh_file.hpp"
+#include "contest_report.hpp"
+#include "contests.hpp"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+namespace {
+
+using namespace kith::comparison;
+
+namespace options = boost::program_options;
+
+/// The peers that this program was built with.
+struct peer {
+    std::string name;
+    std::string (*version)();
+    std::vector<contest> (*contests)(const course_settings&);
+};
+const std::vector<peer> peers{
+    {"cgal", cgal_version, cgal_contests},
+#if defined(KITH_WITH_OPENMESH)
+    {"openmesh", openmesh_version, openmesh_contests},
+#endif
+#if defined(KITH_WITH_OPENSUBDIV)
+    {"opensubdiv", opensubdiv_version, opensubdiv_contests},
+#endif
+};
+
+bool is_in(const std::string& list, const std::string& word)
+{
+    std::istringstream words(list);
+    for (std::string one; std::getline(words, one, ',');)
+        if (one == word)
+            return true;
+    return false;
+}
+
+std::string all_peers()
+{
+    std::string result;
+    for (const auto& peer : peers)
+        result += (result.empty() ? "" : ",") + peer.name;
+    return result;
+}
+
+/// Nothing when --help was asked for, which is then answered.
+std::optional<options::variables_map> parse(int count, char** words)
+{
+    options::options_description all("Options");
+    all.add_options()("help", "this text")(
+        "peers", options::value<std::string>()->default_value(all_peers()), "whom to compare with")(
+        "schemes",
+        options::value<std::string>()->default_value("catmull-clark,loop,butterfly,doo-sabin,sqrt3"),
+        "what to refine with")("mesh", options::value<std::string>(), "refine this mesh, too: OFF, OBJ, PLY, STL")(
+        "faces-target", options::value<double>()->default_value(4718592), "about how many faces to refine to")(
+        "repeats", options::value<int>()->default_value(5), "runs of each; medians are printed")(
+        "threads", options::value<int>()->default_value(1), "kith's threads; the peers have one")(
+        "json", options::value<std::string>(), "write all runs to this file");
+    options::variables_map values;
+    store(options::parse_command_line(count, words, all), values);
+    notify(values);
+    if (values.count("help")) {
+        std::cout
+            << "Usage: benchmark [options]\nRefines with other libraries and with kith, in turn, and compares time and "
+               "memory.\n\n"
+            << all;
+        return std::nullopt;
+    }
+    if (values["repeats"].as<int>() < 1 or values["threads"].as<int>() < 1 or values["faces-target"].as<double>() < 1)
+        throw options::error("--repeats, --threads and --faces-target are 1 or more");
+    return values;
+}
+
+course_settings settings_from(const options::variables_map& values)
+{
+    course_settings result{values["faces-target"].as<double>(), {}, {}};
+    if (values.count("mesh")) {
+        const auto file = values["mesh"].as<std::string>();
+        const auto soup = kith::tool::read_mesh_file(file);
+        result.mesh_name = std::filesystem::path(file).filename().string();
+        result.mesh = std::make_shared<const kith::basic_mesh<>>(kith::make_mesh(soup.points, soup.faces));
+    }
+    return result;
+}
+
+void run_all(const options::variables_map& values)
+{
+#if defined(_OPENMP)
+    omp_set_num_threads(1); // no threads in this process: it forks
+#endif
+    const auto settings = settings_from(values);
+    auto facts = machine();
+    facts["threads of kith"] = std::to_string(values["threads"].as<int>());
+    facts["runs"] = std::to_string(values["repeats"].as<int>()) + " of each in turn, medians";
+    std::vector<contest> contests;
+    for (const auto& peer : peers)
+        if (is_in(values["peers"].as<std::string>(), peer.name)) {
+            facts[peer.name] = peer.version();
+            std::ranges::move(peer.contests(settings), std::back_inserter(contests));
+        }
+    std::erase_if(contests,
+                  [&](const contest& one) { return not is_in(values["schemes"].as<std::string>(), one.scheme); });
+    if (contests.empty())
+        throw options::error("--peers and --schemes: there is nothing that both name");
+    print(facts);
+    for (auto& contest : contests) {
+        run(contest, values["repeats"].as<int>(), values["threads"].as<int>());
+        print(contest);
+    }
+    if (values.count("json"))
+        write_json(values["json"].as<std::string>(), facts, contests);
+}
+
+} // namespace
+
+int main(int count, char** words)
+{
+    try {
+        if (const auto values = parse(count, words))
+            run_all(*values);
+        return 0;
+    } catch (const options::error& error) {
+        std::cerr << error.what() << '\n';
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+}

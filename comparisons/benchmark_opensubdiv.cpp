@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contests.hpp"
+#include "opensubdiv_peer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace kith::comparison {
+
+namespace {
+
+/// Topology of all levels and the points of the last one.
+template <class Real>
+struct refined {
+    opensubdiv_peer::mesh topology;
+    opensubdiv_points<Real> points;
+};
+
+template <class Real>
+std::shared_ptr<const basic_mesh<std::array<Real, 3>>> with_reals(const basic_mesh<>& mesh)
+{
+    storage<std::array<Real, 3>> points(mesh.vertex_count());
+    std::ranges::transform(mesh.points(), points.begin(), [](const auto& p) {
+        return std::array<Real, 3>{Real(p[0]), Real(p[1]), Real(p[2])};
+    });
+    return std::make_shared<const basic_mesh<std::array<Real, 3>>>(std::move(points), mesh.topology());
+}
+
+template <class Real, class Scheme>
+contest make_contest(const course& course, const Scheme& scheme, bool full)
+{
+    const std::string what = std::string(full ? "full" : "minimal") + (std::same_as<Real, float> ? ", float" : "");
+    const auto theirs = [=]() -> work {
+        auto output = std::make_shared<refined<Real>>(opensubdiv_peer::make(*course.control, scheme));
+        return [=, control_points = opensubdiv_peer::points_of<Real>(*course.control)] {
+            opensubdiv_peer::refine(output->topology, course.levels, full);
+            output->points = opensubdiv_peer::interpolate<Real>(output->topology, control_points);
+            return output;
+        };
+    };
+    return {std::string(scheme_name<Scheme>()),
+            course.name,
+            course.levels,
+            course.faces,
+            {{opensubdiv_peer::version() + ", " + what, theirs, {}},
+             native_contestant(std::string(full ? "kith, native" : "kith, native, faces only") +
+                                   (std::same_as<Real, float> ? ", float" : ""),
+                               with_reals<Real>(*course.control),
+                               scheme,
+                               course.levels,
+                               full ? connect::everything : connect::faces)}};
+}
+
+template <class Scheme>
+void add_opensubdiv_contests(std::vector<contest>& list, const course_settings& settings)
+{
+    const auto scheme = Scheme::like(library::opensubdiv);
+    for (const auto& course : courses(scheme, settings)) {
+        list.push_back(make_contest<double>(course, scheme, false));
+        list.push_back(make_contest<float>(course, scheme, false));
+        list.push_back(make_contest<double>(course, scheme, true));
+    }
+}
+
+} // namespace
+
+std::string opensubdiv_version()
+{
+    return opensubdiv_peer::version();
+}
+
+std::vector<contest> opensubdiv_contests(const course_settings& settings)
+{
+    std::vector<contest> result;
+    add_opensubdiv_contests<catmull_clark>(result, settings);
+    add_opensubdiv_contests<loop>(result, settings);
+    return result;
+}
+
+} // namespace kith::comparison

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contest.hpp"
+#include "courses.hpp"
+
+#include <kith/refine.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kith::comparison {
+
+// One source file for each peer. The version is told even where there is nothing to run.
+std::string cgal_version();
+std::vector<contest> cgal_contests(const course_settings& settings);
+std::string openmesh_version();
+std::vector<contest> openmesh_contests(const course_settings& settings);
+std::string opensubdiv_version();
+std::vector<contest> opensubdiv_contests(const course_settings& settings);
+
+/// kith from a native mesh to a native mesh.
+template <class Point, class Scheme>
+contestant native_contestant(std::string name, std::shared_ptr<const basic_mesh<Point>> control, const Scheme& scheme,
+                             int levels, connect last_level)
+{
+    return {std::move(name),
+            [=]() -> work {
+                return
+                    [=] { return std::make_shared<basic_mesh<Point>>(refine(*control, scheme, levels, {last_level})); };
+            },
+            {}};
+}
+
+/// The peer's own refinement, kith's on meshes of the peer, and kith's on the native mesh: the mesh types of the peers
+/// that refine in place are always complete, so `native` is what compares with them.
+template <class Peer, class Scheme>
+void add_contests(std::vector<contest>& list, const course_settings& settings)
+{
+    using mesh = typename Peer::mesh;
+    const auto scheme = Scheme::like(Peer::conventions);
+    for (const auto& [name, control, levels, faces] : courses(scheme, settings)) {
+        const auto make = [control = control] { return std::make_shared<mesh>(Peer::make(*control).value()); };
+        const auto theirs = [=, levels = levels]() -> work {
+            return [=, input = make()] {
+                Peer::refine(*input, scheme, levels);
+                return input;
+            };
+        };
+        const auto ours = [=, levels = levels]() -> work {
+            return [=, input = make()] { return std::make_shared<mesh>(refine(*input, scheme, levels)); };
+        };
+        list.push_back({std::string(scheme_name<Scheme>()),
+                        name,
+                        levels,
+                        faces,
+                        {{Peer::version(), theirs, {}},
+                         {"kith, on its meshes", ours, {}},
+                         native_contestant("kith, native", control, scheme, levels, connect::everything),
+                         native_contestant("kith, native, faces only", control, scheme, levels, connect::faces)}});
+    }
+}
+
+} // namespace kith::comparison

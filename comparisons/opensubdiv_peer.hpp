@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../tools/polygon_soup.hpp"
+
+#include <kith/catmull_clark.hpp>
+#include <kith/loop.hpp>
+
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/far/topologyRefiner.h>
+#include <opensubdiv/far/topologyRefinerFactory.h>
+#include <opensubdiv/sdc/crease.h>
+#include <opensubdiv/version.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::comparison {
+
+/// What OpenSubdiv interpolates.
+template <class Real>
+struct opensubdiv_point {
+    std::array<Real, 3> at;
+
+    void Clear(void* = nullptr) { at = {0, 0, 0}; }
+    void AddWithWeight(const opensubdiv_point& other, Real weight)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            at[i] += weight * other.at[i];
+    }
+};
+
+/// The points of one level. Not cleared first: Interpolate does that.
+template <class Real>
+using opensubdiv_points = std::unique_ptr<opensubdiv_point<Real>[]>;
+
+/// OpenSubdiv's uniform refinement, level by level, on one processor.
+struct opensubdiv_peer {
+    using mesh = std::unique_ptr<OpenSubdiv::Far::TopologyRefiner>;
+
+    static std::string version()
+    {
+        return "OpenSubdiv " + std::to_string(OPENSUBDIV_VERSION_MAJOR) + '.' +
+               std::to_string(OPENSUBDIV_VERSION_MINOR) + '.' + std::to_string(OPENSUBDIV_VERSION_PATCH);
+    }
+
+    /// The mesh with nothing refined yet; its creases and boundary corners are the scheme's.
+    template <class Scheme>
+    static mesh make(const basic_mesh<>& native, const Scheme& scheme)
+    {
+        namespace far = OpenSubdiv::Far;
+        namespace sdc = OpenSubdiv::Sdc;
+        std::vector<int> degrees, vertices;
+        for (std::size_t f = 0; f < native.face_count(); ++f) {
+            degrees.push_back(int(native.face(f).size()));
+            vertices.insert(vertices.end(), native.face(f).begin(), native.face(f).end());
+        }
+        far::TopologyDescriptor description;
+        description.numVertices = int(native.vertex_count());
+        description.numFaces = int(native.face_count());
+        description.numVertsPerFace = degrees.data();
+        description.vertIndicesPerFace = vertices.data();
+        std::vector<int> crease_ends, corners;
+        std::vector<float> crease_sharpness, corner_sharpness;
+        for (const auto& [edge, sharpness] : scheme.sharpness.edges()) {
+            crease_ends.insert(crease_ends.end(), {end_of(native, 2 * edge), end_of(native, 2 * edge + 1)});
+            crease_sharpness.push_back(told(sharpness));
+        }
+        for (const auto& [vertex, sharpness] : scheme.sharpness.vertices()) {
+            corners.push_back(int(vertex));
+            corner_sharpness.push_back(told(sharpness));
+        }
+        description.numCreases = int(crease_sharpness.size());
+        description.creaseVertexIndexPairs = crease_ends.data();
+        description.creaseWeights = crease_sharpness.data();
+        description.numCorners = int(corners.size());
+        description.cornerVertexIndices = corners.data();
+        description.cornerWeights = corner_sharpness.data();
+        sdc::Options options;
+        options.SetCreasingMethod(scheme.sharpness.method == crease_method::uniform ? sdc::Options::CREASE_UNIFORM
+                                                                                    : sdc::Options::CREASE_CHAIKIN);
+        options.SetVtxBoundaryInterpolation(scheme.corners == boundary_corner::kept
+                                                ? sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
+                                                : sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+        using factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
+        return mesh(factory::Create(description, factory::Options(type_of(scheme), options)));
+    }
+
+    /// `full`: with all connectivity of the last level, else with its face-vertex lists only.
+    static void refine(const mesh& refiner, int levels, bool full)
+    {
+        OpenSubdiv::Far::TopologyRefiner::UniformOptions options(levels);
+        options.fullTopologyInLastLevel = full;
+        refiner->RefineUniform(options);
+    }
+
+    /// The points of the last level; those between are dropped as soon as they have been used.
+    template <class Real>
+    static opensubdiv_points<Real> interpolate(const mesh& refiner, std::span<const opensubdiv_point<Real>> control)
+    {
+        const OpenSubdiv::Far::PrimvarRefinerReal<Real> interpolation(*refiner);
+        opensubdiv_points<Real> last;
+        const opensubdiv_point<Real>* coarse = control.data();
+        for (int level = 1; level <= refiner->GetMaxLevel(); ++level) {
+            const auto count = std::size_t(refiner->GetLevel(level).GetNumVertices());
+            auto fine = std::make_unique_for_overwrite<opensubdiv_point<Real>[]>(count);
+            auto* out = fine.get();
+            interpolation.Interpolate(level, coarse, out);
+            last = std::move(fine);
+            coarse = last.get();
+        }
+        return last;
+    }
+
+    /// The control points in the form that `interpolate` takes.
+    template <class Real>
+    static std::vector<opensubdiv_point<Real>> points_of(const basic_mesh<>& native)
+    {
+        std::vector<opensubdiv_point<Real>> result;
+        for (const auto& [x, y, z] : native.points())
+            result.push_back({{Real(x), Real(y), Real(z)}});
+        return result;
+    }
+
+    static tool::polygon_soup soup(const mesh& refiner, const opensubdiv_points<double>& points)
+    {
+        const auto& last = refiner->GetLevel(refiner->GetMaxLevel());
+        tool::polygon_soup result;
+        for (int v = 0; v < last.GetNumVertices(); ++v)
+            result.points.push_back(points[std::size_t(v)].at);
+        for (int f = 0; f < last.GetNumFaces(); ++f) {
+            const auto vertices = last.GetFaceVertices(f);
+            result.faces.push_back(std::span(vertices.begin(), std::size_t(vertices.size())));
+        }
+        return result;
+    }
+
+private:
+    /// The vertex that a half-edge leaves.
+    static int end_of(const basic_mesh<>& native, std::size_t halfedge)
+    {
+        return int(mesh_traits<basic_mesh<>>::source(native, {std::uint32_t(halfedge)}).value);
+    }
+    static float told(double sharpness)
+    {
+        return sharpness == infinitely_sharp ? OpenSubdiv::Sdc::Crease::SHARPNESS_INFINITE : float(sharpness);
+    }
+    static OpenSubdiv::Sdc::SchemeType type_of(const catmull_clark&) { return OpenSubdiv::Sdc::SCHEME_CATMARK; }
+    static OpenSubdiv::Sdc::SchemeType type_of(const loop&) { return OpenSubdiv::Sdc::SCHEME_LOOP; }
+};
+
+} // namespace kith::comparison

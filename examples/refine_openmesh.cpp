@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An OpenMesh user keeps all levels and asks who is related to whom, in OpenMesh's own handles.
+// Sample run: refine_openmesh
+
+#include <kith/hierarchy.hpp>
+#include <kith/loop.hpp>
+#include <kith/openmesh.hpp>
+
+#include <iostream>
+
+int main()
+{
+    using mesh = OpenMesh::TriMesh_ArrayKernelT<>;
+    mesh tetrahedron;
+    const auto a = tetrahedron.add_vertex({1, 1, 1}), b = tetrahedron.add_vertex({1, -1, -1}),
+               c = tetrahedron.add_vertex({-1, 1, -1}), d = tetrahedron.add_vertex({-1, -1, 1});
+    for (const auto& face : {std::array{a, b, c}, std::array{a, c, d}, std::array{a, d, b}, std::array{b, d, c}})
+        tetrahedron.add_face(face[0], face[1], face[2]);
+
+    using namespace kith::targets;
+    kith::hierarchy<mesh, kith::loop> levels(tetrahedron);
+    levels.refine(3);
+
+    const OpenMesh::EdgeHandle edge(0);
+    const OpenMesh::VertexHandle child = levels.assoc(0, edge, V); // the vertex of level 1 that edge 0 gave birth to
+    const auto parents = levels.origin(1, child);                  // and back
+    std::cout << "edge 0 -> vertex " << child << " at " << levels[1].point(child) << ", born of edge " << *parents.e
+              << '\n';
+
+    OpenMesh::FaceHandle face(100); // a face of level 3, and the face of level 0 it lies in
+    for (int level = 3; level > 0; --level)
+        face = *levels.origin(level, face).f;
+    std::cout << "face 100 of level 3 lies in face " << face << " of level 0\n";
+    return *parents.e == edge and levels.finest().n_faces() == 256 ? 0 : 1;
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+namespace kith {
+
+/// How values of type T are combined with weights. A mask is evaluated over anything that has an `affine`:
+/// points, numbers, colours, stencil rows, hashes. Specialise it for your own type.
+///
+///   scalar            the type of the weights
+///   sum               the accumulator
+///   load(T) -> sum    store(sum) -> T
+///   add(sum&, const sum&)    scale(sum&, scalar)
+template <class T>
+struct affine;
+
+/// Coordinates: N numbers, added and scaled one by one. Every point type accumulates in this form, so that the same
+/// scalar gives the same bits whatever library the point comes from.
+template <class Scalar, std::size_t N>
+struct coordinates_affine {
+    using scalar = Scalar;
+    using sum = std::array<Scalar, N>;
+
+    static void add(sum& total, const sum& more)
+    {
+        for (std::size_t i = 0; i < N; ++i)
+            total[i] += more[i];
+    }
+    static void scale(sum& total, const scalar& weight)
+    {
+        for (std::size_t i = 0; i < N; ++i)
+            total[i] *= weight;
+    }
+};
+
+template <class Scalar, std::size_t N>
+struct affine<std::array<Scalar, N>> : coordinates_affine<Scalar, N> {
+    static const std::array<Scalar, N>& load(const std::array<Scalar, N>& value) { return value; }
+    static const std::array<Scalar, N>& store(const std::array<Scalar, N>& total) { return total; }
+};
+
+template <std::floating_point Scalar>
+struct affine<Scalar> {
+    using scalar = Scalar;
+    using sum = Scalar;
+
+    static Scalar load(Scalar value) { return value; }
+    static Scalar store(Scalar total) { return total; }
+    static void add(Scalar& total, Scalar more) { total += more; }
+    static void scale(Scalar& total, Scalar weight) { total *= weight; }
+};
+
+template <class T>
+using scalar_of = typename affine<T>::scalar;
+
+template <class T>
+concept affine_value = requires(const T& value, typename affine<T>::sum total, typename affine<T>::scalar weight) {
+    { affine<T>::load(value) } -> std::convertible_to<typename affine<T>::sum>;
+    { affine<T>::store(total) } -> std::convertible_to<T>;
+    affine<T>::add(total, total);
+    affine<T>::scale(total, weight);
+};
+
+} // namespace kith

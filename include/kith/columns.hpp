@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements.hpp"
+#include "error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// The kinds of tuples of incident elements; thesis table 4.1. Every such tuple is an index: (v), (e), (f) their own
+/// number, (v,f) and (e,f) a corner, (v,e) an end of an edge (2e+s), (v,f,e) a corner and a side of it (2c+s).
+/// (v1,v2) adjacent and (f1,f2) adjacent are an edge.
+enum class tuple_kind : unsigned char { v, e, f, vf, ve, ef, vfe };
+
+/// How many tuples of a kind a level has.
+template <class Level>
+std::size_t tuple_count(const Level& level, tuple_kind kind)
+{
+    switch (kind) {
+    case tuple_kind::v: return level.vertex_count();
+    case tuple_kind::e: return level.edge_count();
+    case tuple_kind::f: return level.face_count();
+    case tuple_kind::ve: return 2 * level.edge_count();
+    case tuple_kind::vfe: return 2 * level.corner_count();
+    default: return level.corner_count();
+    }
+}
+
+/// The element by which conditions and degrees of a column speak of a tuple: the vertex, edge or face itself, the corner
+/// of (v,f), (e,f) and (v,f,e), the edge of (v,e).
+template <tuple_kind Kind, class Level>
+auto tuple_element(const Level& level, std::size_t index)
+{
+    if constexpr (Kind == tuple_kind::v)
+        return level.vertices()[index];
+    else if constexpr (Kind == tuple_kind::e)
+        return level.edges()[index];
+    else if constexpr (Kind == tuple_kind::f)
+        return level.faces()[index];
+    else if constexpr (Kind == tuple_kind::ve)
+        return level.edges()[index / 2];
+    else if constexpr (Kind == tuple_kind::vfe)
+        return level.corners()[index / 2];
+    else
+        return level.corners()[index];
+}
+
+/// Which tuples of a column give birth: all of them, all inner ones and some at the boundary, the latter only, or those
+/// that a condition picks anywhere.
+struct everywhere {};
+template <class Keep>
+struct inside_or {
+    static constexpr bool inner = true;
+    Keep keep;
+};
+template <class Keep>
+struct boundary_where {
+    static constexpr bool inner = false;
+    Keep keep;
+};
+
+template <class Keep>
+struct only_where {
+    Keep keep;
+};
+
+/// A column: the tuples of one kind that give birth to new elements of one kind, and for faces their degree.
+/// The id of a new element is the base of its column plus the index of its tuple.
+template <tuple_kind Kind, class Where = everywhere, class Degree = int>
+struct column {
+    static constexpr tuple_kind kind = Kind;
+    Where where{};
+    Degree degree{};
+
+    /// Only inner tuples.
+    [[nodiscard]] constexpr auto inside() const
+    {
+        return inside_or([](const auto&) { return false; });
+    }
+    /// Inner tuples, and those at the boundary that `keep` accepts.
+    template <class Keep>
+    [[nodiscard]] constexpr auto inside_or(Keep keep) const
+    {
+        return column<Kind, kith::inside_or<Keep>, Degree>{{keep}, degree};
+    }
+    /// Tuples at the boundary that `keep` accepts.
+    template <class Keep>
+    [[nodiscard]] constexpr auto on_boundary(Keep keep) const
+    {
+        return column<Kind, kith::boundary_where<Keep>, Degree>{{keep}, degree};
+    }
+    /// Tuples that `keep` accepts.
+    template <class Keep>
+    [[nodiscard]] constexpr auto only(Keep keep) const
+    {
+        return column<Kind, only_where<Keep>, Degree>{{keep}, degree};
+    }
+    /// The degree of the new faces as a function of the tuple's element.
+    template <class Of>
+    [[nodiscard]] constexpr auto of_degree(Of of) const
+    {
+        return column<Kind, Where, Of>{where, of};
+    }
+};
+
+inline constexpr column<tuple_kind::v> per_vertex{};
+inline constexpr column<tuple_kind::e> per_edge{};
+inline constexpr column<tuple_kind::f> per_face{};
+inline constexpr column<tuple_kind::vf> per_corner{};       ///< (v,f)
+inline constexpr column<tuple_kind::ve> per_end{};          ///< (v,e)
+inline constexpr column<tuple_kind::ef> per_side{};         ///< (e,f)
+inline constexpr column<tuple_kind::vfe> per_corner_side{}; ///< (v,f,e)
+
+/// A degree known while compiling.
+template <std::size_t N>
+struct fixed_degree {
+    template <class Element>
+    constexpr std::size_t operator()(const Element&) const
+    {
+        return N;
+    }
+};
+template <tuple_kind Kind, class Where, class Degree>
+[[nodiscard]] constexpr auto triangles(const column<Kind, Where, Degree>& c)
+{
+    return c.of_degree(fixed_degree<3>{});
+}
+template <tuple_kind Kind, class Where, class Degree>
+[[nodiscard]] constexpr auto quads(const column<Kind, Where, Degree>& c)
+{
+    return c.of_degree(fixed_degree<4>{});
+}
+
+template <class... Columns>
+struct new_vertices {
+    std::tuple<Columns...> list;
+    constexpr explicit new_vertices(Columns... c) : list(c...) {}
+};
+template <class... Columns>
+struct new_edges {
+    std::tuple<Columns...> list;
+    constexpr explicit new_edges(Columns... c) : list(c...) {}
+};
+template <class... Columns>
+struct new_faces {
+    std::tuple<Columns...> list;
+    constexpr explicit new_faces(Columns... c) : list(c...) {}
+};
+
+/// What a scheme declares: which tuples give birth to vertices, to edges and to faces. A scheme that declares no edges
+/// has them found by matching, which is slower and needs nothing else.
+template <class Vertices, class Edges, class Faces>
+struct columns {
+    Vertices vertices;
+    Edges edges;
+    Faces faces;
+
+    constexpr columns(Vertices v, Edges e, Faces f) : vertices(v), edges(e), faces(f) {}
+    constexpr columns(Vertices v, Faces f)
+        requires(std::tuple_size_v<decltype(Edges::list)> == 0)
+        : columns(v, Edges(), f)
+    {
+    }
+};
+template <class Vertices, class Faces>
+columns(Vertices, Faces) -> columns<Vertices, new_edges<>, Faces>;
+
+/// The ids of the new elements of one kind: for each column its base, and where the column is not full the rank of each
+/// of its tuples.
+template <class Index, class... Columns>
+class column_ids {
+public:
+    static constexpr std::size_t size = sizeof...(Columns);
+    static constexpr Index none = std::numeric_limits<Index>::max();
+
+    column_ids() = default;
+    /// Cost: O(1), and one pass over the tuples of each column that is not full.
+    template <class Level>
+    column_ids(const Level& level, const std::tuple<Columns...>& list)
+    {
+        std::apply([&](const auto&... column) { (append(level, column), ...); }, list);
+    }
+
+    template <tuple_kind Kind>
+    static constexpr bool has = ((Columns::kind == Kind) or ...);
+    /// Every tuple of this kind gives birth, on any mesh.
+    template <tuple_kind Kind>
+    static constexpr bool is_full = ((Columns::kind == Kind and std::same_as<decltype(Columns::where), everywhere>) or
+                                     ...);
+
+    /// The number of new elements, and of those in column i.
+    [[nodiscard]] std::size_t total() const { return base_[size]; }
+    [[nodiscard]] std::size_t count(std::size_t i) const { return base_[i + 1] - base_[i]; }
+    [[nodiscard]] std::size_t base(std::size_t i) const { return base_[i]; }
+
+    /// The id of the element that a tuple gave birth to, `none` if the column leaves this tuple out.
+    template <tuple_kind Kind>
+    [[nodiscard]] Index id(std::size_t index) const
+    {
+        constexpr std::size_t i = position<Kind>();
+        if constexpr (is_full<Kind>)
+            return Index(base_[i] + index);
+        else {
+            if (rank_[i].empty())
+                return index < count(i) ? Index(base_[i] + index) : none;
+            const Index rank = index < rank_[i].size() ? rank_[i][index] : none;
+            return rank == none ? none : Index(base_[i] + rank);
+        }
+    }
+    /// The inverse: the tuple that gave birth to an element. Precondition: id < total().
+    [[nodiscard]] std::pair<tuple_kind, std::size_t> origin(std::size_t id) const
+    {
+        constexpr std::array<tuple_kind, size> kinds{Columns::kind...};
+        std::size_t i = 0;
+        while (id >= base_[i + 1])
+            ++i;
+        const std::size_t rank = id - base_[i];
+        if (rank_[i].empty())
+            return {kinds[i], rank};
+        return {kinds[i], members_[i][rank]};
+    }
+
+private:
+    template <tuple_kind Kind>
+    static constexpr std::size_t position()
+    {
+        static_assert(has<Kind>, "the scheme's columns() declare no new element of this kind for this kind of tuple");
+        constexpr std::array<tuple_kind, size> kinds{Columns::kind...};
+        return std::size_t(std::find(kinds.begin(), kinds.end(), Kind) - kinds.begin());
+    }
+    template <class Level, tuple_kind Kind, class Where, class Degree>
+    void append(const Level& level, const column<Kind, Where, Degree>& c)
+    {
+        const std::size_t i = appended_++;
+        std::size_t count = tuple_count(level, Kind);
+        if constexpr (requires { Where::inner; }) { // the boundary decides; without one there is nothing to look at
+            if (level.is_closed())
+                count = Where::inner ? count : 0;
+            else
+                count = pick<Kind>(level, i, count, [&](const auto& element) {
+                    return element.is_boundary() ? bool(c.where.keep(element)) : Where::inner;
+                });
+        } else if constexpr (not std::same_as<Where, everywhere>) {
+            count = pick<Kind>(level, i, count, c.where.keep);
+        }
+        base_[i + 1] = base_[i] + count;
+    }
+
+    template <tuple_kind Kind, class Level, class Keep>
+    std::size_t pick(const Level& level, std::size_t i, std::size_t tuples, const Keep& keep)
+    {
+        rank_[i].assign(tuples, none);
+        for (std::size_t t = 0; t < tuples; ++t)
+            if (keep(tuple_element<Kind>(level, t))) {
+                rank_[i][t] = Index(members_[i].size());
+                members_[i].push_back(Index(t));
+            }
+        return members_[i].size();
+    }
+
+    std::size_t appended_ = 0;
+    std::array<std::size_t, size + 1> base_{};
+    std::array<std::vector<Index>, size> rank_;    // by tuple; empty: the column is full
+    std::array<std::vector<Index>, size> members_; // by rank
+};
+
+template <class Index, class... Columns>
+auto make_column_ids(const auto& level, const std::tuple<Columns...>& list)
+{
+    return column_ids<Index, Columns...>(level, list);
+}
+
+} // namespace kith

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace kith {
+
+/// How many elements a level has. `plan` follows them over
+/// the levels and finds an overflow before anything is allocated.
+struct counts {
+    std::uint64_t vertices = 0;
+    std::uint64_t edges = 0;
+    std::uint64_t faces = 0;
+    std::uint64_t boundary_edges = 0;
+
+    // What the counts of a dual scheme depend on at the boundary; other schemes leave these behind as zero.
+
+    /// Boundary vertices with exactly one face, and with three or more; the rest have two.
+    std::uint64_t boundary_vertices_of_one_face = 0;
+    std::uint64_t boundary_vertices_of_many_faces = 0;
+    /// Face corners that lie at boundary vertices.
+    std::uint64_t boundary_corners = 0;
+
+    /// Face corners, the sum of all face degrees.
+    [[nodiscard]] constexpr std::uint64_t corners() const { return 2 * edges - boundary_edges; }
+    /// On a manifold every boundary vertex ends exactly two boundary edges.
+    [[nodiscard]] constexpr std::uint64_t boundary_vertices() const { return boundary_edges; }
+
+    friend constexpr bool operator==(const counts&, const counts&) = default;
+};
+
+} // namespace kith

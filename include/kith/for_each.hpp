@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements.hpp"
+
+#include <atomic>
+#include <concepts>
+#include <cstddef>
+#include <exception>
+
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+namespace kith {
+
+namespace detail {
+
+/// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program is compiled with it. Every
+/// value of a level is a gather into its own place, so how the range is cut changes no bit. The first error is rethrown.
+template <class Body>
+void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& body)
+{
+#if defined(_OPENMP)
+    constexpr std::size_t worth_threads = 4096;
+    if (parallel and size >= worth_threads and omp_get_max_threads() > 1) {
+        std::exception_ptr error;
+        std::atomic_flag failed = ATOMIC_FLAG_INIT;
+#pragma omp parallel
+        {
+            const std::size_t threads = std::size_t(omp_get_num_threads());
+            const std::size_t thread = std::size_t(omp_get_thread_num());
+            try {
+                body(size * thread / threads, size * (thread + 1) / threads);
+            } catch (...) {
+                if (not failed.test_and_set())
+                    error = std::current_exception();
+            }
+        }
+        if (error)
+            std::rethrow_exception(error);
+        return;
+    }
+#endif
+    body(std::size_t(0), size);
+}
+
+} // namespace detail
+
+/// Calls f on every element of a range such as `coarse.faces()`. The order is not promised: bodies must write only what
+/// belongs to their own element, as associations do.
+template <class Level, class Element, class F>
+void for_each(const all_elements<Level, Element>& range, const F& f)
+{
+    if constexpr (std::same_as<Element, vertex<Level>> and requires { range.level().for_vertices_of(0, 0, f); }) {
+        // The faces of a refined level follow a quadtree, and the rings of vertices that are met in that order lie close
+        // together in memory; in the order of their numbers every ring would be fetched anew.
+        detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+            range.level().for_vertices_of(begin, end, [&](auto v) { f(vertex<Level>(range.level(), v)); });
+        });
+        return;
+    }
+    detail::for_parts(range.size(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            f(range[i]);
+    });
+}
+
+} // namespace kith

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "refine.hpp"
+#include "stencil.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// The elements, on the level below, that gave birth to an element; those of its tuple are set.
+template <class M>
+struct birth {
+    tuple_kind kind;
+    std::optional<typename mesh_traits<M>::vertex> v;
+    std::optional<typename mesh_traits<M>::edge> e;
+    std::optional<typename mesh_traits<M>::face> f;
+};
+
+/// A surface with all its levels on the user's own mesh type, and the associations between them: down by `assoc`, up by
+/// `origin`, at any level, in handles of that mesh. Thesis 2.2: M(i) retained for all i.
+/// Reading may be done from several threads; refining may not.
+template <mesh M, class Scheme>
+class hierarchy {
+public:
+    using traits = mesh_traits<M>;
+    using level_type = level_of<M>;
+    using index_type = typename level_type::index_type;
+
+    /// Level 0 is a copy of the control mesh. Errors: as `refine`.
+    explicit hierarchy(M control, Scheme scheme = {}, refine_options options = {}) : options_(options)
+    {
+        validate(control).require_ok();
+        if constexpr (requires { detail::with_edges(control); })
+            control = detail::with_edges(control);
+        generation_ = generation_of(control);
+        levels_.push_back(std::make_unique<entry>(std::move(control), std::move(scheme)));
+        require_input<Scheme>(elements(0));
+    }
+
+    /// Adds n levels; refine(1) twice is refine(2), bit for bit. Errors: as the function `refine`; the levels so far stay.
+    void refine(int n = 1)
+    {
+        detail::require_levels<Scheme>(n);
+        if (n == 0)
+            return;
+        detail::require_room<typename traits::point, index_type>(
+            elements(0).counts(), levels_[0]->scheme, depth() + n, generation_, true, options_);
+        for (int i = 0; i < n; ++i) {
+            entry& last = *levels_.back();
+            auto fine = refine_last(last);
+            Scheme next = last.scheme;
+            advance(next, elements(depth()), last.ids);
+            levels_.push_back(std::make_unique<entry>(traits::build(std::move(fine)), std::move(next)));
+        }
+    }
+
+    /// The number of the last level.
+    [[nodiscard]] int depth() const { return int(levels_.size()) - 1; }
+    /// Level 0 is the control mesh. Precondition: 0 <= level <= depth().
+    [[nodiscard]] const M& operator[](int level) const { return levels_.at(std::size_t(level))->mesh; }
+    [[nodiscard]] const M& finest() const { return levels_.back()->mesh; }
+
+    /// The scheme as it is at a level, with the state of that level (creases).
+    [[nodiscard]] const Scheme& scheme(int level) const { return levels_.at(std::size_t(level))->scheme; }
+
+    /// The elements of a level as schemes see them: coarse.vertices(), v.corners() and so on.
+    [[nodiscard]] const level_type& elements(int level) const
+    {
+        const entry& here = *levels_.at(std::size_t(level));
+        std::call_once(here.viewed, [&] { here.view.emplace(here.mesh); });
+        return *here.view;
+    }
+
+    /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
+    /// under this tuple. Errors: association_error if it made none. Cost: O(1), O(valence) for pairs without their edge.
+    template <class X, class Target>
+        requires(not std::integral<X>)
+    [[nodiscard]] auto assoc(int level, const X& x, Target target) const
+    {
+        return child(level, index_tuple(at(level, x)), target);
+    }
+    template <class X, class Y, class Target>
+    [[nodiscard]] auto assoc(int level, const X& x, const Y& y, Target target) const
+    {
+        return child(level, index_tuple(at(level, x), at(level, y)), target);
+    }
+    template <class X, class Y, class Z, class Target>
+    [[nodiscard]] auto assoc(int level, const X& x, const Y& y, const Z& z, Target target) const
+    {
+        return child(level, index_tuple(at(level, x), at(level, y), at(level, z)), target);
+    }
+
+    /// The inverse: the elements of level-1 to which an element of `level` belongs. Precondition: level > 0. Cost: O(1).
+    [[nodiscard]] birth<M> origin(int level, typename traits::vertex v) const
+    {
+        return parents(level, levels_.at(std::size_t(level - 1))->ids.vertices, elements(level).index(v));
+    }
+    [[nodiscard]] birth<M> origin(int level, typename traits::edge e) const
+    {
+        return parents(level, levels_.at(std::size_t(level - 1))->ids.edges, elements(level).index(e));
+    }
+    [[nodiscard]] birth<M> origin(int level, typename traits::face f) const
+    {
+        return parents(level, levels_.at(std::size_t(level - 1))->ids.faces, elements(level).index(f));
+    }
+
+    /// Values at the vertices of level `from` carried to level `to` by the scheme's own text: colours, weights, hashes,
+    /// anything with an `affine`. In the order of the dense vertex numbers. Precondition: from <= to <= depth().
+    template <affine_value T>
+    [[nodiscard]] storage<T> carry(int from, int to, std::span<const T> values) const
+    {
+        if (values.size() != elements(from).vertex_count())
+            throw mesh_error("level " + std::to_string(from) + " has " + std::to_string(elements(from).vertex_count()) +
+                             " vertices, " + std::to_string(values.size()) + " values were given; give one per vertex");
+        storage<T> result(values);
+        for (int level = from; level < to; ++level) {
+            const entry& here = *levels_.at(std::size_t(level));
+            attribute_values<T> run({result.data(), result.size()});
+            run_scheme<connect::nothing, false>(elements(level),
+                                                here.scheme,
+                                                generation_ + level,
+                                                here.ids,
+                                                columns_of(here.scheme, generation_ + level),
+                                                run);
+            result = run.take();
+        }
+        return result;
+    }
+
+    /// The subdivision matrix from the vertices of one level to those of a finer one.
+    [[nodiscard]] subdivision_matrix matrix(int from, int to) const
+    {
+        const std::size_t columns = elements(from).vertex_count();
+        std::vector<stencil_row> unit(columns);
+        for (std::size_t v = 0; v < columns; ++v)
+            unit[v].entries = {{v, 1.}};
+        return make_matrix(carry(from, to, std::span<const stencil_row>(unit)), columns);
+    }
+
+private:
+    struct entry {
+        entry(M mesh, Scheme scheme) : mesh(std::move(mesh)), scheme(std::move(scheme)) {}
+
+        M mesh;
+        Scheme scheme;                        ///< of the step to the next level
+        numbering_of<Scheme, index_type> ids; ///< of the next level
+        mutable std::optional<level_type> view;
+        mutable std::once_flag viewed;
+    };
+
+    auto refine_last(entry& last)
+    {
+        if constexpr (requires { last.mesh.topology(); })
+            return refine_mesh<connect::everything>(last.mesh, last.scheme, last.ids);
+        else
+            return refine_level<connect::everything>(elements(depth()), last.scheme, generation_ + depth(), last.ids);
+    }
+
+    [[nodiscard]] auto at(int level, typename traits::vertex v) const { return vertex<level_type>(elements(level), v); }
+    [[nodiscard]] auto at(int level, typename traits::edge e) const { return edge<level_type>(elements(level), e); }
+    [[nodiscard]] auto at(int level, typename traits::face f) const { return face<level_type>(elements(level), f); }
+
+    template <tuple_kind Kind, class Target>
+    [[nodiscard]] auto child(int level, tuple_index<Kind> tuple, Target) const
+    {
+        const auto& ids = levels_.at(std::size_t(level))->ids;
+        const auto find = [&](const auto& column_ids) {
+            index_type id = column_ids.none;
+            if constexpr (std::remove_cvref_t<decltype(column_ids)>::template has<Kind>)
+                if (level < depth() and tuple.value != tuple.not_incident)
+                    id = column_ids.template id<Kind>(tuple.value);
+            if (id == column_ids.none)
+                throw association_error("level " + std::to_string(level) +
+                                        ": the scheme made nothing under this tuple");
+            return id;
+        };
+        if constexpr (std::same_as<Target, targets::to_vertex>) {
+            const index_type id = find(ids.vertices);
+            return elements(level + 1).vertex_at(id);
+        } else if constexpr (std::same_as<Target, targets::to_edge>) {
+            const index_type id = find(ids.edges);
+            return elements(level + 1).edge_at(id);
+        } else {
+            const index_type id = find(ids.faces);
+            return elements(level + 1).face_at(id);
+        }
+    }
+
+    template <class Ids>
+    [[nodiscard]] birth<M> parents(int level, const Ids& ids, std::size_t id) const
+    {
+        if (id >= ids.total())
+            throw association_error("level " + std::to_string(level) +
+                                    ": this element belongs to no tuple of elements");
+        const auto [kind, index] = ids.origin(id);
+        birth<M> result{kind, {}, {}, {}};
+        const auto& coarse = elements(level - 1);
+        for (const auto& [letter, number] : list_tuple(coarse, kind, index)) {
+            if (letter == 'v')
+                result.v = coarse.vertex_at(number);
+            else if (letter == 'e')
+                result.e = coarse.edge_at(number);
+            else
+                result.f = coarse.face_at(number);
+        }
+        return result;
+    }
+
+    refine_options options_;
+    int generation_ = 0;
+    std::vector<std::unique_ptr<entry>> levels_;
+};
+
+} // namespace kith

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "basic_mesh.hpp"
+#include "match.hpp"
+#include "mesh_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <iterator>
+#include <ranges>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace kith {
+
+/// Faces as they stand in a file: vertex numbers, counter-clockwise, face after face.
+struct face_list {
+    std::vector<std::size_t> first{0}; ///< faces+1: where each face begins in `vertices`
+    std::vector<std::size_t> vertices;
+
+    face_list() = default;
+    /// From any range of ranges of numbers, e.g. a vector of vectors or of arrays.
+    template <std::ranges::input_range Faces>
+        requires std::ranges::input_range<std::ranges::range_reference_t<const Faces&>>
+    explicit face_list(const Faces& faces)
+    {
+        for (const auto& face : faces)
+            push_back(face);
+    }
+
+    [[nodiscard]] std::size_t size() const { return first.size() - 1; }
+    [[nodiscard]] std::span<const std::size_t> operator[](std::size_t face) const
+    {
+        return std::span(vertices).subspan(first[face], first[face + 1] - first[face]);
+    }
+    template <std::ranges::input_range Face>
+    void push_back(const Face& face)
+    {
+        for (const auto v : face)
+            vertices.push_back(static_cast<std::size_t>(v)); // a negative number becomes one that is out of range
+        first.push_back(vertices.size());
+    }
+};
+
+namespace detail {
+
+template <class Point>
+bool point_is_finite(const Point& point)
+{
+    using traits = affine<Point>;
+    if constexpr (std::floating_point<typename traits::scalar>) {
+        const typename traits::sum value = traits::load(point);
+        if constexpr (std::floating_point<typename traits::sum>)
+            return std::isfinite(value);
+        else
+            return std::ranges::all_of(value, [](auto x) { return std::isfinite(x); });
+    }
+    return true;
+}
+
+template <class Points>
+void check_points(const Points& points, mesh_report& report)
+{
+    std::size_t v = 0;
+    for (const auto& point : points) {
+        if (not point_is_finite(point))
+            report.add(problem::not_finite, [&] {
+                return "vertex " + std::to_string(v) + ": a coordinate is not a finite number; give it a place";
+            });
+        ++v;
+    }
+}
+
+inline void check_faces(std::size_t vertices, const face_list& faces, mesh_report& report)
+{
+    if (faces.size() == 0)
+        report.add(problem::empty_mesh, [] { return std::string("the mesh has no faces; nothing can be refined"); });
+    std::vector<std::size_t> sorted;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const auto face = faces[f];
+        const auto name = [&] { return "face " + std::to_string(f) + ": "; };
+        for (const std::size_t v : face)
+            if (v >= vertices)
+                report.add(problem::bad_index, [&] {
+                    return name() + "vertex " + std::to_string(std::ptrdiff_t(v)) + " does not exist, there are " +
+                           std::to_string(vertices) + "; correct the index";
+                });
+        if (face.size() < 3)
+            report.add(problem::degenerate_face,
+                       [&] { return name() + "has " + std::to_string(face.size()) + " corners; remove it"; });
+        sorted.assign(face.begin(), face.end());
+        std::ranges::sort(sorted);
+        if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+            report.add(problem::degenerate_face, [&] {
+                return name() + "comes to vertex " + std::to_string(*twice) +
+                       " twice; remove the repeated corner or the face";
+            });
+    }
+}
+
+/// The faces as connectivity, each from its smallest vertex on, without edges yet.
+template <std::unsigned_integral Index>
+connectivity<Index> connect_faces(std::size_t vertices, const face_list& faces)
+{
+    connectivity<Index> t;
+    t.vertices = vertices;
+    t.faces = faces.size();
+    const std::size_t degree = faces.size() == 0 ? 0 : faces[0].size();
+    bool uniform = degree == 3 or degree == 4;
+    for (std::size_t f = 0; uniform and f < faces.size(); ++f)
+        uniform = faces[f].size() == degree;
+    t.degree = uniform ? int(degree) : 0;
+    t.corner_vertex = storage<Index>(faces.vertices.size());
+    if (not uniform) {
+        t.face_corner = storage<Index>(faces.first);
+        t.corner_face = storage<Index>(faces.vertices.size());
+    }
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const auto face = faces[f];
+        const auto smallest = std::ranges::min_element(face) - face.begin();
+        const auto out = t.corner_vertex.begin() + faces.first[f];
+        std::ranges::rotate_copy(face, face.begin() + smallest, out);
+        if (not uniform)
+            std::fill_n(t.corner_face.begin() + faces.first[f], face.size(), Index(f));
+    }
+    return t;
+}
+
+} // namespace detail
+
+/// Everything that is wrong with a list of points and faces; empty when a mesh can be made of it.
+/// Cost: O(corners log valence) time, O(corners) memory.
+template <std::ranges::input_range Points>
+mesh_report validate(const Points& points, const face_list& faces)
+{
+    mesh_report report;
+    const auto vertices = static_cast<std::size_t>(std::ranges::distance(points));
+    detail::check_points(points, report);
+    detail::check_faces(vertices, faces, report);
+    if (not report.has(problem::bad_index) and not report.has(problem::degenerate_face)) {
+        auto topology = detail::connect_faces<std::size_t>(vertices, faces);
+        match(topology, report);
+    }
+    return report;
+}
+
+/// The native mesh of these points and faces. Vertices and faces keep their numbers; each face is stored from its
+/// smallest vertex on, and edges are numbered by their ends, so that the order in which a file lists the corners of a
+/// face or the faces themselves does not change a bit of any refined point.
+/// Errors: mesh_error with everything that `validate` finds. Cost: as `validate`.
+template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points>
+auto make_mesh(const Points& points, const face_list& faces)
+{
+    using point = std::ranges::range_value_t<Points>;
+    mesh_report report;
+    const std::size_t vertices = std::ranges::size(points);
+    detail::check_points(points, report);
+    detail::check_faces(vertices, faces, report);
+    report.require_ok();
+    if (vertices >= connectivity<Index>::none or faces.vertices.size() >= connectivity<Index>::none / 2)
+        throw mesh_error("the mesh has " + std::to_string(vertices) + " vertices and " +
+                         std::to_string(faces.vertices.size()) + " corners, more than a " +
+                         std::to_string(8 * sizeof(Index)) +
+                         "-bit index can number; use basic_mesh<Point, std::uint64_t>");
+    auto topology = detail::connect_faces<Index>(vertices, faces);
+    match(topology, report);
+    report.require_ok();
+    storage<point> copy(vertices);
+    std::ranges::copy(points, copy.begin());
+    return basic_mesh<point, Index>(std::move(copy), std::move(topology));
+}
+
+/// The same from a range of ranges, e.g. std::vector<std::vector<int>>.
+template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points, std::ranges::input_range Faces>
+    requires(not std::same_as<Faces, face_list>)
+auto make_mesh(const Points& points, const Faces& faces)
+{
+    return make_mesh<Index>(points, face_list(faces));
+}
+
+} // namespace kith

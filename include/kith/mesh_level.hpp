@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "basic_mesh.hpp"
+#include "mesh_report.hpp"
+#include "mesh_traits.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace kith {
+
+/// Any mesh as a scheme sees it: the walk goes through mesh_traits on the user's own handles. What a half-edge library
+/// does not know is numbered here once per level: dense numbers for elements (meshes may hold removed ones), the
+/// position of each corner in its face, and where the fan of each vertex starts.
+template <mesh M>
+class mesh_level {
+public:
+    using mesh_type = M;
+    using traits = mesh_traits<M>;
+    using point_type = typename traits::point;
+    using index_type = std::uint32_t;
+    using vertex_handle = typename traits::vertex;
+    using edge_handle = typename traits::edge;
+    using face_handle = typename traits::face;
+
+    /// A half-edge that has a face; its own type, since libraries may use one handle type for several kinds.
+    struct corner_handle {
+        typename traits::halfedge halfedge{};
+        bool exists = true;
+
+        friend bool operator==(const corner_handle&, const corner_handle&) = default;
+    };
+    /// Arithmetic on these points may run on several threads.
+    static constexpr bool parallel = std::is_trivially_copyable_v<point_type>;
+    static inline const corner_handle no_corner{typename traits::halfedge(), false};
+
+    /// The mesh must outlive the view. Errors: mesh_error when the handles do not form a mesh, e.g. isolated vertices.
+    /// Cost: O(elements) time and memory.
+    explicit mesh_level(const M& mesh) : mesh_(&mesh)
+    {
+        number(traits::vertices(mesh), traits::vertex_bound(mesh), vertices_, vertex_number_);
+        number(traits::edges(mesh), traits::edge_bound(mesh), edges_, edge_number_);
+        number(traits::faces(mesh), traits::face_bound(mesh), faces_, face_number_);
+        corner_number_.assign(traits::halfedge_bound(mesh), none);
+        for (const auto f : faces_) {
+            const auto first_halfedge = traits::halfedge_of(mesh, f);
+            auto h = first_halfedge;
+            do {
+                if (corners_.size() >= traits::halfedge_bound(mesh) or corner_number_[traits::index(mesh, h)] != none)
+                    throw mesh_error("face " + std::to_string(traits::index(mesh, f)) +
+                                     ": its half-edges do not form a cycle of their own; repair the mesh");
+                corner_number_[traits::index(mesh, h)] = index_type(corners_.size());
+                corners_.push_back(h);
+                h = traits::next(mesh, h);
+            } while (h != first_halfedge);
+        }
+        fan_start_.reserve(vertices_.size());
+        mesh_report report;
+        for (const auto v : vertices_)
+            if (traits::is_isolated(mesh, v)) {
+                report.add(problem::isolated_vertex, [&] {
+                    return "vertex " + std::to_string(traits::index(mesh, v)) +
+                           ": belongs to no face; remove it or give it a face";
+                });
+                fan_start_.push_back(typename traits::halfedge{});
+            } else {
+                fan_start_.push_back(start_of_fan(traits::halfedge_of(mesh, v)));
+            }
+        report.require_ok();
+    }
+
+    [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
+    [[nodiscard]] std::size_t edge_count() const { return edges_.size(); }
+    [[nodiscard]] std::size_t face_count() const { return faces_.size(); }
+    [[nodiscard]] std::size_t corner_count() const { return corners_.size(); }
+    [[nodiscard]] bool is_closed() const { return corner_count() == 2 * edge_count(); }
+    [[nodiscard]] kith::counts counts() const
+    {
+        kith::counts result{.vertices = vertex_count(), .edges = edge_count(), .faces = face_count()};
+        result.boundary_edges = 2 * edge_count() - corner_count();
+        for (const auto v : vertices_) {
+            if (across(first(v)) != no_corner)
+                continue;
+            std::uint64_t fan = 0;
+            for (corner_handle c = first(v); c != no_corner; c = across(prev(c)))
+                ++fan;
+            result.boundary_corners += fan;
+            result.boundary_vertices_of_one_face += fan == 1;
+            result.boundary_vertices_of_many_faces += fan >= 3;
+        }
+        return result;
+    }
+
+    [[nodiscard]] vertex_handle vertex_at(std::size_t i) const { return vertices_[i]; }
+    [[nodiscard]] edge_handle edge_at(std::size_t i) const { return edges_[i]; }
+    [[nodiscard]] face_handle face_at(std::size_t i) const { return faces_[i]; }
+    [[nodiscard]] corner_handle corner_at(std::size_t i) const { return {corners_[i]}; }
+
+    [[nodiscard]] std::size_t index(vertex_handle v) const { return dense(traits::index(*mesh_, v), vertex_number_); }
+    [[nodiscard]] std::size_t index(edge_handle e) const { return dense(traits::index(*mesh_, e), edge_number_); }
+    [[nodiscard]] std::size_t index(face_handle f) const { return dense(traits::index(*mesh_, f), face_number_); }
+    [[nodiscard]] std::size_t index(corner_handle c) const { return corner_number_[traits::index(*mesh_, c.halfedge)]; }
+    [[nodiscard]] std::size_t halfedge(corner_handle c) const
+    {
+        const edge_handle e = edge_of(c);
+        return 2 * index(e) + (first(e) == c ? 0 : 1);
+    }
+
+    [[nodiscard]] corner_handle first(vertex_handle v) const { return {fan_start_[index(v)]}; }
+    [[nodiscard]] corner_handle first(edge_handle e) const
+    {
+        const auto h = traits::halfedge_of(*mesh_, e);
+        return {traits::is_boundary(*mesh_, h) ? traits::opposite(*mesh_, h) : h};
+    }
+    [[nodiscard]] corner_handle second(edge_handle e) const { return across(first(e)); }
+    [[nodiscard]] corner_handle first(face_handle f) const { return {traits::halfedge_of(*mesh_, f)}; }
+    [[nodiscard]] std::size_t degree(face_handle f) const
+    {
+        std::size_t result = 0;
+        corner_handle c = first(f);
+        do {
+            ++result;
+            c = next(c);
+        } while (c != first(f));
+        return result;
+    }
+
+    [[nodiscard]] corner_handle next(corner_handle c) const { return {traits::next(*mesh_, c.halfedge)}; }
+    [[nodiscard]] corner_handle prev(corner_handle c) const { return {traits::prev(*mesh_, c.halfedge)}; }
+    [[nodiscard]] corner_handle across(corner_handle c) const
+    {
+        const auto h = traits::opposite(*mesh_, c.halfedge);
+        return traits::is_boundary(*mesh_, h) ? no_corner : corner_handle{h};
+    }
+    [[nodiscard]] vertex_handle vertex_of(corner_handle c) const { return traits::source(*mesh_, c.halfedge); }
+    [[nodiscard]] edge_handle edge_of(corner_handle c) const { return traits::edge_of(*mesh_, c.halfedge); }
+    [[nodiscard]] face_handle face_of(corner_handle c) const { return traits::face_of(*mesh_, c.halfedge); }
+    [[nodiscard]] decltype(auto) point(vertex_handle v) const { return traits::point_of(*mesh_, v); }
+
+private:
+    static constexpr index_type none = std::numeric_limits<index_type>::max();
+
+    template <class Range, class Handle>
+    void number(Range&& range, std::size_t bound, std::vector<Handle>& handles, std::vector<index_type>& numbers)
+    {
+        if (bound >= none / 2)
+            throw mesh_error("the mesh has more elements than a 32-bit index can number");
+        handles.reserve(bound);
+        bool has_gaps = false;
+        for (const Handle x : range) {
+            has_gaps |= std::size_t(traits::index(*mesh_, x)) != handles.size();
+            handles.push_back(x);
+        }
+        if (not has_gaps)
+            return;
+        numbers.assign(bound, none);
+        for (std::size_t i = 0; i < handles.size(); ++i)
+            numbers[traits::index(*mesh_, handles[i])] = index_type(i);
+    }
+    static std::size_t dense(std::size_t index, const std::vector<index_type>& numbers)
+    {
+        return numbers.empty() ? index : numbers[index];
+    }
+    /// At the boundary a fan starts at the half-edge whose opposite has no face; inside, where the mesh says.
+    typename traits::halfedge start_of_fan(typename traits::halfedge out) const
+    {
+        auto h = out;
+        if (traits::is_boundary(*mesh_, h)) { // it ends the fan: its counter-clockwise neighbour starts it
+            do
+                h = traits::opposite(*mesh_, h), h = traits::next(*mesh_, h);
+            while (not traits::is_boundary(*mesh_, traits::opposite(*mesh_, h)));
+            return h;
+        }
+        do {
+            const auto o = traits::opposite(*mesh_, h);
+            if (traits::is_boundary(*mesh_, o))
+                return h;
+            h = traits::next(*mesh_, o);
+        } while (h != out);
+        return out;
+    }
+
+    const M* mesh_;
+    std::vector<vertex_handle> vertices_;
+    std::vector<edge_handle> edges_;
+    std::vector<face_handle> faces_;
+    std::vector<typename traits::halfedge> corners_;
+    std::vector<index_type> vertex_number_, edge_number_, face_number_; // empty where the handles have no gaps
+    std::vector<index_type> corner_number_;
+    std::vector<typename traits::halfedge> fan_start_;
+};
+
+} // namespace kith

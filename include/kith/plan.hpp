@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "basic_mesh.hpp"
+#include "scheme.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kith {
+
+/// What a level will have and need.
+struct planned_level {
+    kith::counts counts;
+    std::uint64_t bytes = 0;       ///< of the level itself with all its connectivity
+    std::uint64_t least_bytes = 0; ///< of the level as the last one, with points and face-vertex lists only
+};
+
+/// Bytes of a native level with these counts; `degree` is that of all faces alike, else 0.
+inline planned_level plan_level(const counts& c, int degree, std::size_t point_bytes, std::size_t index_bytes)
+{
+    const std::uint64_t mixed = degree == 3 or degree == 4 ? 0 : (c.faces + 1 + c.corners()) * index_bytes;
+    const std::uint64_t least = c.vertices * point_bytes + c.corners() * index_bytes + mixed;
+    return {c, least + (c.corners() + 2 * c.edges + c.vertices) * index_bytes, least};
+}
+
+/// V, E, F and bytes of levels 0 to n before anything is allocated; thesis table 1.1.
+/// Errors: mesh_error for negative n, and for a level with more elements than 64 bits count or `index_bytes` number.
+/// Cost: O(n).
+template <countable_scheme S>
+std::vector<planned_level> plan(const counts& control, const S& scheme, int levels, int generation = 0,
+                                std::size_t point_bytes = 3 * sizeof(double), std::size_t index_bytes = 4)
+{
+    using numbers = numbering<decltype(columns_of(scheme, 0)), std::uint64_t>;
+    const std::string name(scheme_name<S>());
+    if (levels < 0)
+        throw mesh_error(name + ": " + std::to_string(levels) + " levels were asked for; ask for 0 or more");
+    std::vector<planned_level> result{plan_level(control, 0, point_bytes, index_bytes)};
+    for (int level = 1; level <= levels; ++level) {
+        const counts& last = result.back().counts;
+        constexpr std::uint64_t countable = std::uint64_t(1) << 58; // no scheme multiplies anything by more than 16
+        const bool too_many = std::max({last.vertices, last.edges, last.faces, last.boundary_corners}) > countable;
+        if (too_many)
+            throw mesh_error(name + ": level " + std::to_string(level) + " has more elements than 64 bits can count; " +
+                             "refine at most " + std::to_string(level - 1) + " times");
+        result.push_back(plan_level(
+            scheme.next(last, generation + level - 1), int(numbers::common_degree), point_bytes, index_bytes));
+        const counts& next = result.back().counts;
+        if (index_bytes < 8 and
+            std::max({next.vertices, 2 * next.edges}) >= (std::uint64_t(1) << (8 * index_bytes)) - 1)
+            throw mesh_error(name + ": level " + std::to_string(level) + " has " + std::to_string(next.vertices) +
+                             " vertices and " + std::to_string(next.edges) + " edges, more than a " +
+                             std::to_string(8 * index_bytes) + "-bit index can number; refine at most " +
+                             std::to_string(level - 1) + " times or use a 64-bit index");
+    }
+    return result;
+}
+
+/// The most memory that is in use at once while levels 0 to n are made: all of them where they are kept, else the last two.
+inline std::uint64_t peak_bytes(const std::vector<planned_level>& plan, bool keep_levels, bool least_last = false)
+{
+    std::uint64_t peak = 0, kept = 0;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        const bool last = i + 1 == plan.size();
+        const std::uint64_t here = last and least_last ? plan[i].least_bytes : plan[i].bytes;
+        peak = std::max(peak, kept + here);
+        kept = keep_levels ? kept + here : here;
+    }
+    return peak;
+}
+
+} // namespace kith

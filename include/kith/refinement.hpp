@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "association_space.hpp"
+#include "values.hpp"
+
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace kith {
+
+/// One refinement step as a scheme sees it: `auto& [coarse, assoc, generation] = r;`
+template <class Level, class Space, class Scalar>
+struct refinement {
+    using scalar = Scalar;
+
+    const Level& coarse; ///< the level that is read
+    const Space& assoc;  ///< its association space; assigning to an association makes an element of the next level
+    int generation;      ///< steps since the control mesh
+};
+
+/// The type in which a scheme forms its weights.
+template <class Refinement>
+using scalar_type = typename Refinement::scalar;
+
+/// A scheme whose text has been tested with every association checked may say `static constexpr bool trusted = true`;
+/// then reading and setting cost nothing. All others are checked at every access.
+template <class Scheme>
+inline constexpr bool is_trusted = requires { requires Scheme::trusted; };
+
+namespace detail {
+
+/// Allocates the connectivity of the next level as far as its numbering tells it.
+template <connect Connect, bool Checked, class Level, class Numbering, class Columns>
+auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& columns)
+{
+    using index = typename Numbering::index_type;
+    connectivity<index> fine;
+    if constexpr (Connect != connect::nothing) {
+        fine.vertices = ids.vertices.total();
+        fine.faces = ids.faces.total();
+        fine.degree = int(Numbering::common_degree);
+        std::size_t corners = fine.faces * Numbering::common_degree;
+        if constexpr (Numbering::common_degree == 0) {
+            fine.face_corner = storage<index>(fine.faces + 1);
+            fine.face_corner[0] = 0;
+            bool uniform = true;
+            const auto append = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c, std::size_t i) {
+                for (std::size_t id = ids.faces.base(i); id < ids.faces.base(i + 1); ++id) {
+                    const std::size_t degree = c.degree(tuple_element<K>(coarse, ids.faces.origin(id).second));
+                    uniform = uniform and degree == (id == 0 ? degree : std::size_t(fine.face_corner[1]));
+                    fine.face_corner[id + 1] = index(corners += degree);
+                }
+            };
+            std::apply([&, i = std::size_t(0)](const auto&... c) mutable { (append(c, i++), ...); },
+                       columns.faces.list);
+            if (uniform and fine.faces != 0 and (fine.face_corner[1] == 3 or fine.face_corner[1] == 4)) {
+                fine.degree = int(fine.face_corner[1]);
+                fine.face_corner = {};
+            } else {
+                fine.corner_face = storage<index>(corners);
+            }
+        }
+        fine.corner_vertex = storage<index>(corners);
+        if constexpr (Connect == connect::everything and Numbering::has_edges) {
+            const bool clear = Checked or not coarse.is_closed(); // the far sides of boundary edges are never written
+            fine.corner_halfedge = storage<index>(corners);
+            fine.halfedge_corner = clear ? storage<index>(2 * ids.edges.total(), fine.none)
+                                         : storage<index>(2 * ids.edges.total());
+            fine.vertex_corner = Checked ? storage<index>(fine.vertices, fine.none) : storage<index>(fine.vertices);
+        }
+    }
+    return fine;
+}
+
+/// At the boundary a fan has to start where nothing lies clockwise: behind the boundary edge that leaves the vertex.
+template <class Index>
+void turn_boundary_fans(connectivity<Index>& fine)
+{
+    for (std::size_t e = 0; e < fine.edges(); ++e)
+        if (fine.halfedge_corner[2 * e + 1] == fine.none) {
+            const Index c = fine.halfedge_corner[2 * e];
+            fine.vertex_corner[fine.corner_vertex[c]] = c;
+        }
+}
+
+/// What cannot be seen while a scheme runs: elements that were never made, and faces that form no manifold.
+template <class Level, class Numbering, class Index>
+void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine,
+                 const std::vector<unsigned char>& vertex_is_set, const std::vector<unsigned char>& face_is_set)
+{
+    const auto require_all = [&](const auto& column_ids, const auto& is_set, const char* target) {
+        for (std::size_t id = 0; id < is_set.size(); ++id)
+            if (not is_set[id]) {
+                const auto [kind, index] = column_ids.origin(id);
+                throw association_error("assoc" + to_string(list_tuple(coarse, kind, index)) + " -> " + target +
+                                        " was never set");
+            }
+    };
+    require_all(ids.vertices, vertex_is_set, "V");
+    require_all(ids.faces, face_is_set, "F");
+    for (std::size_t e = 0; e < fine.edges(); ++e)
+        if (fine.halfedge_corner[2 * e] == fine.none) {
+            const auto [kind, index] = ids.edges.origin(e);
+            throw association_error("assoc" + to_string(list_tuple(coarse, kind, index)) +
+                                    " -> E has no face on its left side");
+        }
+    for (std::size_t e = 0; e < fine.edges(); ++e) {
+        const Index left = fine.halfedge_corner[2 * e], right = fine.halfedge_corner[2 * e + 1];
+        if (right != fine.none and (fine.corner_vertex[left] != fine.corner_vertex[next_corner(fine, right)] or
+                                    fine.corner_vertex[right] != fine.corner_vertex[next_corner(fine, left)])) {
+            const auto [kind, index] = ids.edges.origin(e);
+            throw association_error("assoc" + to_string(list_tuple(coarse, kind, index)) +
+                                    " -> E: its two sides do not join the same vertices");
+        }
+    }
+    if (fine.vertex_corner.empty())
+        return;
+    for (std::size_t c = 0; c < fine.corners(); ++c) // vertices for which the scheme named no start
+        if (Index& start = fine.vertex_corner[fine.corner_vertex[c]]; start == fine.none)
+            start = Index(c);
+}
+
+} // namespace detail
+
+/// Runs a scheme once: fills `values` with the values of the next level and returns its connectivity, as far as
+/// `Connect` asks. Errors: association_error for faults of the scheme. Cost: that of the scheme.
+template <connect Connect, bool Checked, class Level, class Scheme, class Numbering, class Columns, class Values>
+auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids, const Columns& columns,
+                Values& values)
+{
+    auto fine = detail::allocate_level<Connect, Checked>(coarse, ids, columns);
+    values.allocate(ids.vertices.total());
+    using space = association_space<Level, Numbering, Values, Connect, Checked>;
+    const space assoc(coarse, ids, values, fine);
+    scheme(refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
+    if constexpr (Checked and Connect != connect::nothing)
+        detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set());
+    if constexpr (Connect != connect::nothing)
+        fine.vertices += values.listed_count();
+    if constexpr (Connect == connect::everything) {
+        if constexpr (Numbering::has_edges) {
+            if (not coarse.is_closed())
+                detail::turn_boundary_fans(fine);
+        } else {
+            mesh_report report;
+            match(fine, report);
+            if (not report)
+                throw association_error("the faces that the scheme made are no manifold:\n" + report.text());
+        }
+    }
+    return fine;
+}
+
+} // namespace kith

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lift.hpp"
+#include "refinement.hpp"
+#include "scheme.hpp"
+
+#include <concepts>
+#include <type_traits>
+#include <utility>
+
+namespace kith {
+
+/// The numbering that one step of a scheme leaves behind.
+template <class Scheme, class Index>
+using numbering_of = numbering<decltype(columns_of(std::declval<const Scheme&>(), 0)), Index>;
+
+/// One step over the points of a level: the next level as a native mesh, and its numbering.
+template <connect Connect, class Level, class Scheme>
+auto refine_level(const Level& coarse, const Scheme& scheme, int generation,
+                  numbering_of<Scheme, typename Level::index_type>& ids)
+{
+    static_assert(kith::scheme<Scheme>, "a scheme needs columns() and a call operator that takes a refinement");
+    const auto columns = columns_of(scheme, generation);
+    ids = {coarse, columns};
+    point_values<Level> values;
+    auto topology = run_scheme<Connect, not is_trusted<Scheme>>(coarse, scheme, generation, ids, columns, values);
+    return basic_mesh<typename Level::point_type, typename Level::index_type>(
+        values.take(), std::move(topology), generation + 1);
+}
+
+/// Calls f with the native mesh as the level that fits its faces best: quads, triangles or any.
+template <class Scheme, class Point, class Index, class F>
+decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& f)
+{
+    KITH_ASSERT(not mesh.topology().faces_only());
+    if constexpr (needs_triangles<Scheme>) {
+        if (mesh.topology().degree != 3)
+            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh));
+        return f(level_elements<native_level<Point, Index, 3>>(mesh));
+    } else if constexpr (needs_quads<Scheme>) {
+        if (mesh.topology().degree != 4)
+            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh));
+        return f(level_elements<native_level<Point, Index, 4>>(mesh));
+    } else {
+        if (mesh.topology().degree == 4)
+            return f(level_elements<native_level<Point, Index, 4>>(mesh));
+        return f(level_elements<native_level<Point, Index, 0>>(mesh));
+    }
+}
+
+/// One step from a native mesh.
+template <connect Connect, class Scheme, class Point, class Index>
+auto refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, numbering_of<Scheme, Index>& ids)
+{
+    return with_native_level<Scheme>(
+        mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
+}
+
+/// Makes a scheme that carries state of its level (creases) the scheme of the next level: `scheme.after(level, numbering)`.
+template <class Scheme, class Level, class Numbering>
+void advance(Scheme& scheme, const Level& coarse, const Numbering& ids)
+{
+    if constexpr (requires { scheme.after(coarse, ids); })
+        static_cast<decltype(scheme.after(coarse, ids))&>(scheme) = scheme.after(coarse, ids);
+}
+
+} // namespace kith

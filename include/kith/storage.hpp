@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <memory>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace kith {
+
+/// A fixed-size array whose elements are not initialised when that is allowed, in 2 MiB pages when it is large.
+/// Refining writes every element once into fresh memory, so clearing it first would double the traffic, and with
+/// 4 KiB pages the page faults cost more than the arithmetic (docs/design.md, Speed).
+template <class T>
+class storage {
+public:
+    using value_type = T;
+
+    storage() = default;
+    explicit storage(std::size_t size) : data_(allocate(size)), size_(size)
+    {
+        if constexpr (not trivial) {
+            try {
+                std::uninitialized_value_construct_n(data_, size_);
+            } catch (...) {
+                std::free(data_);
+                throw;
+            }
+        }
+    }
+    storage(std::size_t size, const T& value) : storage(size) { std::fill_n(data_, size_, value); }
+    template <class Range>
+        requires requires(const Range& range) { std::data(range), std::size(range); }
+    explicit storage(const Range& range) : storage(std::size(range))
+    {
+        std::copy_n(std::data(range), size_, data_);
+    }
+    storage(const storage& other) : storage(other.size_) { std::copy_n(other.data_, size_, data_); }
+    storage(storage&& other) noexcept : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0))
+    {
+    }
+    storage& operator=(storage other) noexcept
+    {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        return *this;
+    }
+    ~storage()
+    {
+        if constexpr (not trivial)
+            std::destroy_n(data_, size_);
+        std::free(data_);
+    }
+
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] T* data() noexcept { return data_; }
+    [[nodiscard]] const T* data() const noexcept { return data_; }
+    [[nodiscard]] T* begin() noexcept { return data_; }
+    [[nodiscard]] T* end() noexcept { return data_ + size_; }
+    [[nodiscard]] const T* begin() const noexcept { return data_; }
+    [[nodiscard]] const T* end() const noexcept { return data_ + size_; }
+    T& operator[](std::size_t i) noexcept { return data_[i]; }
+    const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+
+private:
+    static constexpr bool trivial = std::is_trivially_copyable_v<T> and std::is_trivially_destructible_v<T>;
+
+    static T* allocate(std::size_t size)
+    {
+        if (size == 0)
+            return nullptr;
+        if (size > PTRDIFF_MAX / sizeof(T))
+            throw std::bad_array_new_length();
+        constexpr std::size_t page = std::size_t(2) << 20;
+        const bool large = size * sizeof(T) >= 2 * page;
+        const std::size_t alignment = large ? page : std::max<std::size_t>(64, alignof(T));
+        const std::size_t bytes = (size * sizeof(T) + alignment - 1) / alignment * alignment;
+        void* const block = std::aligned_alloc(alignment, bytes);
+        if (block == nullptr)
+            throw std::bad_alloc();
+#if defined(__linux__)
+        if (large)
+            madvise(block, bytes, MADV_HUGEPAGE); // advice: a refusal costs speed only
+#endif
+        return static_cast<T*>(block);
+    }
+
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+} // namespace kith

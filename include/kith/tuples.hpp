@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// A tuple of elements as an index; `not_incident` when its elements do not touch.
+template <tuple_kind Kind>
+struct tuple_index {
+    static constexpr tuple_kind kind = Kind;
+    static constexpr std::size_t not_incident = std::numeric_limits<std::size_t>::max();
+    std::size_t value;
+};
+
+template <class T>
+inline constexpr char element_letter = '?';
+template <class L>
+inline constexpr char element_letter<vertex<L>> = 'v';
+template <class L>
+inline constexpr char element_letter<edge<L>> = 'e';
+template <class L>
+inline constexpr char element_letter<face<L>> = 'f';
+template <class L>
+inline constexpr char element_letter<corner<L>> = 'c';
+template <class T>
+concept element = element_letter<std::remove_cvref_t<T>> != '?';
+
+template <class L>
+tuple_index<tuple_kind::v> index_tuple(const vertex<L>& v)
+{
+    return {v.index()};
+}
+template <class L>
+tuple_index<tuple_kind::e> index_tuple(const edge<L>& e)
+{
+    return {e.index()};
+}
+template <class L>
+tuple_index<tuple_kind::f> index_tuple(const face<L>& f)
+{
+    return {f.index()};
+}
+template <class L>
+tuple_index<tuple_kind::vf> index_tuple(const corner<L>& c)
+{
+    return {c.index()};
+}
+/// Cost: O(degree of f).
+template <class L>
+tuple_index<tuple_kind::vf> index_tuple(const vertex<L>& v, const face<L>& f)
+{
+    for (const auto& c : f.corners())
+        if (c.v() == v)
+            return {c.index()};
+    return {tuple_index<tuple_kind::vf>::not_incident};
+}
+template <class L>
+tuple_index<tuple_kind::ve> index_tuple(const vertex<L>& v, const edge<L>& e)
+{
+    const corner<L> c = e.seen_from();
+    if (c.v() == v)
+        return {c.halfedge()};
+    if (c.next().v() == v)
+        return {c.halfedge() ^ 1};
+    return {tuple_index<tuple_kind::ve>::not_incident};
+}
+template <class L>
+tuple_index<tuple_kind::ef> index_tuple(const edge<L>& e, const face<L>& f)
+{
+    const corner<L> c = e.seen_from();
+    if (c.f() == f)
+        return {c.index()};
+    if (not c.is_boundary() and c.across().f() == f)
+        return {c.across().index()};
+    return {tuple_index<tuple_kind::ef>::not_incident};
+}
+/// Side 0 of a corner is its next edge, side 1 its previous one.
+template <class L>
+tuple_index<tuple_kind::vfe> index_tuple(const corner<L>& c, const edge<L>& e)
+{
+    if (c.next_edge() == e)
+        return {2 * c.index()};
+    if (c.prev_edge() == e)
+        return {2 * c.index() + 1};
+    return {tuple_index<tuple_kind::vfe>::not_incident};
+}
+/// Cost: O(degree of f).
+template <class L>
+tuple_index<tuple_kind::vfe> index_tuple(const vertex<L>& v, const face<L>& f, const edge<L>& e)
+{
+    for (const auto& c : f.corners())
+        if (c.v() == v)
+            return index_tuple(c, e);
+    return {tuple_index<tuple_kind::vfe>::not_incident};
+}
+/// Two neighbours are an edge. Cost: O(valence).
+template <class L>
+tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
+{
+    for (const auto& e : a.edges())
+        if (e.org() == b or e.dst() == b)
+            return {e.index()};
+    return {tuple_index<tuple_kind::e>::not_incident};
+}
+/// Two faces with a common edge are that edge, the first one in a's order if they share several. Cost: O(degree).
+template <class L>
+tuple_index<tuple_kind::e> index_tuple(const face<L>& a, const face<L>& b)
+{
+    for (const auto& c : a.corners())
+        if (not c.is_boundary() and c.across().f() == b)
+            return {c.next_edge().index()};
+    return {tuple_index<tuple_kind::e>::not_incident};
+}
+
+// The order of elements in a tuple is free.
+template <element A, element B>
+    requires(element_letter<A> == 'f' and element_letter<B> != 'f') or
+            (element_letter<A> == 'e' and element_letter<B> == 'v') or
+            (element_letter<A> == 'e' and element_letter<B> == 'c')
+auto index_tuple(const A& a, const B& b)
+{
+    return index_tuple(b, a);
+}
+template <element A, element B, element C>
+    requires(not(element_letter<A> == 'v' and element_letter<B> == 'f' and element_letter<C> == 'e'))
+auto index_tuple(const A& a, const B& b, const C& c)
+{
+    if constexpr (element_letter<A> != 'v') // bring the vertex to the front, then the face before the edge
+        return index_tuple(b, c, a);
+    else
+        return index_tuple(a, c, b);
+}
+
+/// A tuple as its elements, for tuples that are not incident and for messages: letters and numbers, sorted.
+using tuple_elements = std::vector<std::pair<char, std::size_t>>;
+
+template <element... X>
+tuple_elements list_tuple(const X&... x)
+{
+    tuple_elements result;
+    const auto add = [&](const auto& y) {
+        if constexpr (element_letter<std::remove_cvref_t<decltype(y)>> == 'c') {
+            result.emplace_back('v', y.v().index());
+            result.emplace_back('f', y.f().index());
+        } else {
+            result.emplace_back(element_letter<std::remove_cvref_t<decltype(y)>>, y.index());
+        }
+    };
+    (add(x), ...);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+/// The elements of the tuple with this kind and index: the inverse of index_tuple.
+template <class Level>
+tuple_elements list_tuple(const Level& level, tuple_kind kind, std::size_t index)
+{
+    switch (kind) {
+    case tuple_kind::v: return {{'v', index}};
+    case tuple_kind::e: return {{'e', index}};
+    case tuple_kind::f: return {{'f', index}};
+    case tuple_kind::vf: return list_tuple(level.corners()[index]);
+    case tuple_kind::ef: {
+        const auto c = level.corners()[index];
+        return list_tuple(c.next_edge(), c.f());
+    }
+    case tuple_kind::ve: {
+        const auto e = level.edges()[index / 2];
+        return list_tuple(index % 2 == 0 ? e.org() : e.dst(), e);
+    }
+    case tuple_kind::vfe: {
+        const auto c = level.corners()[index / 2];
+        return list_tuple(c.v(), c.f(), index % 2 == 0 ? c.next_edge() : c.prev_edge());
+    }
+    }
+    return {};
+}
+
+inline std::string to_string(const tuple_elements& tuple)
+{
+    std::string result = "(";
+    for (const auto& [letter, index] : tuple)
+        result += (result.size() == 1 ? "" : ", ") + std::string(1, letter) + " " + std::to_string(index);
+    return result + ")";
+}
+
+} // namespace kith

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "affine.hpp"
+#include "elements.hpp"
+#include "storage.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// What masks are evaluated over: the values at the vertices of the coarse level, read by the derived class, and those
+/// of the fine level, which are being made.
+template <class T>
+class fine_values {
+public:
+    using value_type = T;
+    using scalar = typename affine<T>::scalar;
+    using sum = typename affine<T>::sum;
+
+    static void add(sum& total, const sum& more) { affine<T>::add(total, more); }
+    static void scale(sum& total, const scalar& weight) { affine<T>::scale(total, weight); }
+
+    void allocate(std::size_t size) { fine_ = storage<T>(size); }
+    [[nodiscard]] decltype(auto) fine(std::size_t id) const { return affine<T>::load(fine_[id]); }
+    void assign(std::size_t id, const sum& total) { fine_[id] = affine<T>::store(total); }
+
+    // Vertices of the dictionary come after all others; how many there are is known at the end.
+    [[nodiscard]] std::size_t listed_count() const { return listed_.size(); }
+    void append(const sum& total) { listed_.push_back(affine<T>::store(total)); }
+    [[nodiscard]] sum listed(std::size_t id) const
+    {
+        return affine<T>::load(id < fine_.size() ? fine_[id] : listed_[id - fine_.size()]);
+    }
+
+    /// All values of the fine level; this object is empty then.
+    [[nodiscard]] storage<T> take()
+    {
+        if (not listed_.empty()) {
+            storage<T> all(fine_.size() + listed_.size());
+            std::move(listed_.begin(), listed_.end(), std::move(fine_.begin(), fine_.end(), all.begin()));
+            listed_.clear();
+            fine_ = std::move(all);
+        }
+        return std::move(fine_);
+    }
+
+private:
+    storage<T> fine_;
+    std::vector<T> listed_;
+};
+
+/// The points of the meshes themselves.
+template <class Level>
+class point_values : public fine_values<typename Level::point_type> {
+public:
+    template <class L>
+    [[nodiscard]] decltype(auto) coarse(const vertex<L>& v) const
+    {
+        return affine<typename Level::point_type>::load(v.point());
+    }
+};
+
+/// Any other values with an `affine`, one per vertex.
+template <class T>
+class attribute_values : public fine_values<T> {
+public:
+    explicit attribute_values(std::span<const T> coarse) : coarse_(coarse) {}
+
+    template <class L>
+    [[nodiscard]] decltype(auto) coarse(const vertex<L>& v) const
+    {
+        return affine<T>::load(coarse_[v.index()]);
+    }
+
+private:
+    std::span<const T> coarse_;
+};
+
+} // namespace kith

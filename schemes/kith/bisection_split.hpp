@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/refinement.hpp>
+
+#include <string>
+
+namespace kith {
+
+/// The 4-8 bisection of a tri-quad mesh: triangles that each mark one edge, both triangles of an inner marked edge marking
+/// it. Every marked edge gives birth to a vertex and is bisected; the edges that were unmarked are the marked ones of the
+/// next level. The marked edge of a triangle is its first one, on every mesh type, so the mark needs no room and is handed
+/// on by the order of the corners alone. Velho & Zorin 2001, section 3.
+struct bisection_split {
+    template <class Edge>
+    static bool is_marked(const Edge& e)
+    {
+        const auto c = e.lcorner();
+        return c == c.f().first_corner();
+    }
+
+    static constexpr auto columns()
+    {
+        const auto marked = [](const auto& e) { return is_marked(e); };
+        const auto unmarked = [](const auto& e) { return not is_marked(e); };
+        const auto on_marked_edge = [](const auto& c) { return not(c.next() == c.f().first_corner()); };
+        return kith::columns(new_vertices(per_vertex, per_edge.only(marked)),
+                             new_edges(per_edge.only(unmarked), per_end.only(marked), per_face),
+                             new_faces(triangles(per_corner).only(on_marked_edge)));
+    }
+
+    /// Boundary edges are marked in odd generations, as `tri_quad` makes and numbers them.
+    static constexpr counts next(const counts& c, int generation)
+    {
+        const auto on_boundary = generation % 2 != 0 ? c.boundary_edges : 0;
+        const auto marked = (c.faces + on_boundary) / 2;
+        return {.vertices = c.vertices + marked,
+                .edges = c.edges + marked + c.faces,
+                .faces = 2 * c.faces,
+                .boundary_edges = c.boundary_edges + on_boundary};
+    }
+
+    /// Throws mesh_error unless the triangles agree on their marked edges.
+    template <class Level>
+    static void require_marks(const Level& coarse)
+    {
+        for (const auto f : coarse.faces()) {
+            const auto c = f.first_corner();
+            if (not c.is_boundary() and not(c.across() == c.across().f().first_corner()))
+                throw mesh_error(
+                    "4-8: faces " + std::to_string(f.index()) + " and " + std::to_string(c.across().f().index()) +
+                    " do not both start with the edge between them; make a tri-quad mesh first (tri_quad)");
+        }
+    }
+
+    template <class R>
+    static void connect(const R& r)
+    {
+        using namespace targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.faces(), [&](auto f) {
+            const auto a = f.first_corner(); // the marked edge is a -> b, the apex d
+            const auto b = a.next();
+            const auto d = b.next();
+            const auto ab = a.next_edge();
+            const auto bd = b.next_edge();
+            const auto da = d.next_edge();
+            assoc(a, F) = polygon(assoc(d.v(), V) >> assoc(da, E).along(da),
+                                  assoc(a.v(), V) >> assoc(a.v(), ab, E).along(ab),
+                                  assoc(ab, V) >> assoc(f, E).left());
+            assoc(b, F) = polygon(assoc(b.v(), V) >> assoc(bd, E).along(bd),
+                                  assoc(d.v(), V) >> assoc(f, E).right(),
+                                  assoc(ab, V) >> assoc(b.v(), ab, E).along(ab));
+        });
+        for_each(coarse.vertices(), [&](auto v) {
+            const auto c = v.first_corner();
+            const auto a = c.f().first_corner();
+            assoc(v, V).starts_at(c == a          ? assoc(a, F).corner(1)
+                                  : c == a.next() ? assoc(c, F).corner(0)
+                                                  : assoc(a, F).corner(0));
+        });
+        for_each(coarse.edges(), [&](auto e) {
+            if (is_marked(e))
+                assoc(e, V).starts_at(assoc(e.lcorner().next(), F).corner(2));
+        });
+    }
+};
+
+} // namespace kith

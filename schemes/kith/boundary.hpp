@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace kith {
+
+/// What a boundary vertex with a single face is. OpenSubdiv calls the choices EDGE_AND_CORNER and EDGE_ONLY.
+enum class boundary_corner : unsigned char {
+    kept,     ///< a corner of the surface: it stays where it is
+    smoothed, ///< a vertex of the boundary curve like any other
+};
+
+/// The vertex rule of the uniform cubic B-spline curve, 1/8 3/4 1/8, along a boundary or a crease.
+/// DeRose, Kass & Truong 1998, section 3.
+template <class V>
+auto cubic_curve_vertex(const V& v, const V& before, const V& after)
+{
+    return 3. / 4 * v + 1. / 8 * (before + after);
+}
+
+} // namespace kith

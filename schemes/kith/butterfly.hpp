@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "library.hpp"
+#include "triangle_split.hpp"
+
+#include <kith/cos_turn.hpp>
+#include <kith/weight_rows.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace kith {
+
+/// Modified Butterfly: triangles, interpolating. Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996, section 3.
+/// An end of an edge is irregular if it lies inside and has not six neighbours. Boundary: the four-point curve; wings
+/// beyond it are reflected. C1. Cost: O(corners + sum of irregular valences).
+struct butterfly {
+    static constexpr std::string_view name = "butterfly";
+    static constexpr bool triangles_only = true;
+    static constexpr bool trusted = true;
+    static constexpr auto columns() { return triangle_split::columns(); }
+    static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }
+
+    static butterfly like(library other)
+    {
+        if (other != library::kith and other != library::openmesh)
+            refuse_preset(name, "kith and OpenMesh");
+        return {};
+    }
+
+    /// The weights of the neighbours of an irregular vertex of valence n, from the other end of the edge on; ZSS 1996.
+    static std::vector<double> ring_weights(std::size_t n)
+    {
+        if (n == 3)
+            return {5. / 12, -1. / 12, -1. / 12};
+        if (n == 4)
+            return {3. / 8, 0, -1. / 8, 0};
+        std::vector<double> row;
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto cosine = [&](std::size_t turns) { return cos_turn(std::int64_t(turns * j), std::int64_t(n)); };
+            row.push_back((1. / 4 + cosine(1) + 1. / 2 * cosine(2)) / double(n));
+        }
+        return row;
+    }
+
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        using real = scalar_type<R>;
+        const auto& [coarse, assoc, generation] = r;
+        const weight_rows<real> rows(ring_weights);
+
+        std::vector<unsigned char> irregular(coarse.vertex_count());
+        for_each(coarse.vertices(), [&](auto v) {
+            irregular[v.index()] = not v.is_boundary() and v.valence() != 6;
+            assoc(v, V) = v;
+        });
+
+        for_each(coarse.edges(), [&](auto e) {
+            const auto x = e.org();
+            const auto y = e.dst();
+            if (e.is_boundary()) {
+                assoc(e, V) = 9. / 16 * (x + y) + -1. / 16 * (x.last_rim() + y.first_rim());
+                return;
+            }
+            const auto l = e.lcorner(); // of x
+            const auto r = e.rcorner(); // of y
+            std::vector<real> spare_x, spare_y;
+            const auto around = [&](auto c,
+                                    auto& spare) { // from c's vertex, the other end of e being its first neighbour
+                const real* row = rows(c.v().valence(), spare);
+                return 3. / 4 * c.v() + sum(c.fan_from_here().map([](auto d) { return d.next().v(); }), row);
+            };
+            if (irregular[x.index()] and irregular[y.index()])
+                assoc(e, V) = (around(l, spare_x) + around(r, spare_y)) / 2;
+            else if (irregular[x.index()])
+                assoc(e, V) = around(l, spare_x);
+            else if (irregular[y.index()])
+                assoc(e, V) = around(r, spare_y);
+            else
+                assoc(e, V) = 1. / 2 * (x + y) + 1. / 8 * (l.prev().v() + r.prev().v()) +
+                              -1. / 16 * (wing(l.next()) + wing(l.prev()) + (wing(r.next()) + wing(r.prev())));
+        });
+
+        triangle_split::connect(r);
+    }
+
+private:
+    /// The vertex across the next edge of c; beyond the boundary the reflection of the triangle's own third vertex.
+    template <class Corner>
+    static auto wing(const Corner& c)
+    {
+        return choose(
+            c.is_boundary(),
+            [c] { return c.v() + c.next().v() - c.prev().v(); },
+            [c] { return sum(c.across().prev().v()); });
+    }
+};
+
+} // namespace kith

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/lift.hpp>
+#include <kith/refinement.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// How sharpness decays from level to level. DeRose, Kass & Truong 1998, section 3 (Chaikin: 3.3).
+enum class crease_method : unsigned char { uniform, chaikin };
+
+/// An edge or vertex of this sharpness stays sharp for ever; others are sharp for as many levels as their number says.
+inline constexpr double infinitely_sharp = std::numeric_limits<double>::infinity();
+
+/// The sharp edges and vertices of a level; few among many, so they are kept as sorted lists of their dense numbers.
+/// Semantics as in OpenSubdiv, with a true infinity in place of "10 or more".
+class creases {
+public:
+    crease_method method = crease_method::uniform;
+
+    creases() = default;
+    explicit creases(crease_method method) : method(method) {}
+
+    /// Precondition: sharpness >= 0. Setting anew replaces.
+    void sharpen_edge(std::size_t edge, double sharpness) { set(edges_, edge, sharpness); }
+    void sharpen_vertex(std::size_t vertex, double sharpness) { set(vertices_, vertex, sharpness); }
+
+    [[nodiscard]] bool empty() const { return edges_.empty() and vertices_.empty(); }
+    [[nodiscard]] double of_edge(std::size_t edge) const { return get(edges_, edge); }
+    [[nodiscard]] double of_vertex(std::size_t vertex) const { return get(vertices_, vertex); }
+    /// Pairs of number and sharpness, by number.
+    [[nodiscard]] const auto& edges() const { return edges_; }
+    [[nodiscard]] const auto& vertices() const { return vertices_; }
+
+    /// Boundary edges are sharp by nature.
+    template <class Edge>
+    [[nodiscard]] double sharpness(const Edge& e) const
+    {
+        return e.is_boundary() ? infinitely_sharp : of_edge(e.index());
+    }
+    /// The sharpness of the piece of e that ends at v on the next level.
+    template <class Vertex, class Edge>
+    [[nodiscard]] double child_sharpness(const Vertex& v, const Edge& e) const
+    {
+        const double s = sharpness(e);
+        if (s == infinitely_sharp or s == 0)
+            return s;
+        double others = 0;
+        int count = 0;
+        if (method == crease_method::chaikin)
+            for (const auto& other : v.edges())
+                if (const double t = sharpness(other); not(other == e) and 0 < t and t < infinitely_sharp)
+                    others += t, ++count;
+        return std::max((count == 0 ? s : 3. / 4 * s + 1. / 4 * (others / count)) - 1, 0.);
+    }
+
+    /// The sharp elements of the next level, from the numbering of the step. Cost: O(sharp elements log of them).
+    template <class Level, class Numbering>
+    [[nodiscard]] creases after(const Level& coarse, const Numbering& ids) const
+    {
+        creases result(method);
+        for (const auto& [edge, s] : edges_) {
+            const auto e = coarse.edges()[edge];
+            for (const auto& v : {e.org(), e.dst()})
+                if (const double child = child_sharpness(v, e); child > 0)
+                    result.edges_.emplace_back(ids.edges.template id<tuple_kind::ve>(index_tuple(v, e).value), child);
+        }
+        for (const auto& [vertex, s] : vertices_)
+            if (s > 1)
+                result.vertices_.emplace_back(ids.vertices.template id<tuple_kind::v>(vertex), s - 1);
+        std::sort(result.edges_.begin(), result.edges_.end());
+        return result;
+    }
+
+private:
+    using list = std::vector<std::pair<std::size_t, double>>;
+
+    static auto find(auto& sharp, std::size_t element)
+    {
+        return std::lower_bound(
+            sharp.begin(), sharp.end(), element, [](const auto& entry, std::size_t x) { return entry.first < x; });
+    }
+    static void set(list& sharp, std::size_t element, double sharpness)
+    {
+        auto place = find(sharp, element);
+        const bool is_there = place != sharp.end() and place->first == element;
+        if (sharpness > 0 and is_there)
+            place->second = sharpness;
+        else if (sharpness > 0)
+            sharp.emplace(place, element, sharpness);
+        else if (is_there)
+            sharp.erase(place);
+    }
+    static double get(const list& sharp, std::size_t element)
+    {
+        const auto place = find(sharp, element);
+        return place != sharp.end() and place->first == element ? place->second : 0;
+    }
+
+    list edges_, vertices_;
+};
+
+/// The creases of a mesh from what its user knows of them: edge_sharpness(edge) and vertex_sharpness(vertex) take handles
+/// of the mesh and give a number >= 0. Cost: O(elements).
+template <mesh M, class EdgeSharpness, class VertexSharpness>
+creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const VertexSharpness& vertex_sharpness,
+                     crease_method method = crease_method::uniform)
+{
+    const level_of<M> level(mesh);
+    creases result(method);
+    for (const auto e : level.edges())
+        result.sharpen_edge(e.index(), edge_sharpness(e.handle()));
+    for (const auto v : level.vertices())
+        result.sharpen_vertex(v.index(), vertex_sharpness(v.handle()));
+    return result;
+}
+template <mesh M, class EdgeSharpness>
+creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, crease_method method = crease_method::uniform)
+{
+    return make_creases(mesh, edge_sharpness, [](const auto&) { return 0.; }, method);
+}
+
+/// Makes every inner edge sharp at which the normals of its two faces turn by more than `degrees`.
+/// Cost: O(corners).
+template <mesh M>
+creases creases_by_angle(const M& mesh, double degrees, double sharpness = infinitely_sharp)
+{
+    using coordinates = std::array<double, 3>;
+    const level_of<M> level(mesh);
+    const auto place = [](const auto& v) {
+        const auto sum = affine<typename level_of<M>::point_type>::load(v.point());
+        return coordinates{double(sum[0]), double(sum[1]), double(sum[2])};
+    };
+    const auto normal = [&](const auto& f) { // Newell's
+        coordinates n{};
+        for (const auto c : f.corners()) {
+            const auto a = place(c.v()), b = place(c.next().v());
+            for (int i = 0; i < 3; ++i)
+                n[i] += (a[(i + 1) % 3] - b[(i + 1) % 3]) * (a[(i + 2) % 3] + b[(i + 2) % 3]);
+        }
+        return n;
+    };
+    const auto dot = [](const coordinates& a, const coordinates& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const double limit = std::cos(degrees * 3.14159265358979323846 / 180);
+    creases result;
+    for (const auto e : level.edges())
+        if (not e.is_boundary()) {
+            const auto a = normal(e.lface()), b = normal(e.rface());
+            if (dot(a, b) < limit * std::sqrt(dot(a, a) * dot(b, b)))
+                result.sharpen_edge(e.index(), sharpness);
+        }
+    return result;
+}
+
+} // namespace kith

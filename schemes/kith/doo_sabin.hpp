@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dual_split.hpp"
+#include "library.hpp"
+#include "require_faces.hpp"
+
+#include <kith/cos_turn.hpp>
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace kith {
+
+enum class doo_sabin_boundary : unsigned char {
+    thesis,  ///< 3/4, 1/4 along the boundary (thesis 2.1.2); corners stay
+    clamped, ///< tensor product of the clamped quadratic B-spline, where the faces at the boundary are quads
+    drop     ///< no rule: the surface recedes, as in CGAL
+};
+
+enum class doo_sabin_weights : unsigned char {
+    cosine,   ///< Doo & Sabin 1978
+    averaging ///< Catmull & Clark 1978, their biquadratic variant; differs on faces that are not quads
+};
+
+/// Doo-Sabin: uniform biquadratic B-splines for polygon meshes of any kind. Doo & Sabin 1978. C1.
+/// After one step every inner vertex has valence 4. Cost: O(sum of squared face degrees).
+struct doo_sabin {
+    doo_sabin_boundary boundary = doo_sabin_boundary::thesis;
+    doo_sabin_weights weights = doo_sabin_weights::cosine;
+
+    static constexpr std::string_view name = "doo-sabin";
+    static constexpr bool trusted = true;
+    [[nodiscard]] constexpr dual_split split() const { return {.cap_boundary = boundary != doo_sabin_boundary::drop}; }
+    [[nodiscard]] constexpr auto columns() const { return split().columns(); }
+    [[nodiscard]] constexpr counts next(const counts& c, int) const { return split().next(c); }
+
+    static doo_sabin like(library other)
+    {
+        if (other != library::kith and other != library::cgal)
+            refuse_preset(name, "kith and CGAL");
+        return {.boundary = other == library::cgal ? doo_sabin_boundary::drop : doo_sabin_boundary::thesis};
+    }
+
+    /// The weight of the j-th corner of a face of degree n, counted from the corner that the point belongs to.
+    [[nodiscard]] constexpr double weight(std::size_t j, std::size_t n) const
+    {
+        const double l = double(n);
+        if (weights == doo_sabin_weights::averaging)
+            return j == 0 ? 1. / 2 + 1 / (4 * l) : j == 1 or j == n - 1 ? 1. / 8 + 1 / (4 * l) : 1 / (4 * l);
+        return j == 0 ? (l + 5) / (4 * l) : (3 + 2 * cos_turn(std::int64_t(j), std::int64_t(n))) / (4 * l);
+    }
+
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        using real = scalar_type<R>;
+        const auto& [coarse, assoc, generation] = r;
+        const auto masks = masks_by_degree<real>(coarse);
+        if (generation == 0)
+            require_three_faces(coarse, name);
+
+        for_each(coarse.corners(), [&](auto c) {
+            const auto v = c.v();
+            const bool after = c.is_boundary(); // the edge to the next corner
+            const bool before = c.prev().is_boundary();
+            if (boundary == doo_sabin_boundary::thesis and after != before)
+                assoc(c, V) = 3. / 4 * v + 1. / 4 * (after ? c.next().v() : c.prev().v());
+            else if (boundary == doo_sabin_boundary::thesis and after and before)
+                assoc(c, V) = v;
+            else if (boundary == doo_sabin_boundary::clamped and c.f().is_boundary() and c.f().degree() == 4)
+                assoc(c, V) = sum(c.vertices_from_here(), clamped_mask<real>(c).data());
+            else
+                assoc(c, V) = sum(c.vertices_from_here(), masks[c.f().degree()].data());
+        });
+
+        split().connect(r);
+    }
+
+private:
+    /// For each degree that occurs, the weights of a face's corners, counted from the one that the point belongs to.
+    template <class Real, class Level>
+    auto masks_by_degree(const Level& coarse) const
+    {
+        std::vector<std::vector<Real>> masks;
+        for (const auto f : coarse.faces()) {
+            const std::size_t n = f.degree();
+            if (n < masks.size() and not masks[n].empty())
+                continue;
+            if (n >= masks.size())
+                masks.resize(n + 1);
+            Real others(0);
+            masks[n].push_back(others);
+            for (std::size_t j = 1; j < n; ++j) {
+                masks[n].push_back(Real(weight(j, n)));
+                others = others + masks[n].back();
+            }
+            masks[n][0] = 1 - others; // so that they sum to one exactly
+        }
+        return masks;
+    }
+
+    /// docs/schemes.md, Doo-Sabin, clamped: in each direction all of the weight for a point on the boundary, half of it
+    /// beside a boundary, else 3/4.
+    template <class Real, class Corner>
+    static std::array<Real, 4> clamped_mask(const Corner& c)
+    {
+        const auto d = c.next().next();
+        const auto towards = [](bool on, bool beside) { return on ? Real(1) : beside ? Real(1) / 2 : Real(3) / 4; };
+        const Real a = towards(c.prev().is_boundary(), c.next().is_boundary());
+        const Real b = towards(c.is_boundary(), d.is_boundary());
+        return {a * b, (1 - a) * b, (1 - a) * (1 - b), a * (1 - b)};
+    }
+};
+
+} // namespace kith

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "library.hpp"
+#include "quad_split.hpp"
+
+#include <kith/weight_rows.hpp>
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace kith {
+
+/// Kobbelt's interpolating scheme for quads: the four-point scheme in both directions. Kobbelt 1996. C1.
+/// Every new point is the four-point rule along a line of the mesh; where no line goes on beyond a vertex, a virtual point
+/// does. `gamma` weighs the vertices opposite an extraordinary vertex in its virtual points: the default makes the two
+/// directions of a face agree (docs/schemes.md). Boundary: four-point curve, corners kept. Cost: O(sum of valences).
+struct kobbelt {
+    double tension = 1; ///< w, 0 < w < 2 (sqrt 5 - 1)
+    double gamma = tension / (8 + tension);
+
+    static constexpr std::string_view name = "kobbelt";
+    static constexpr bool quads_only = true;
+    static constexpr bool trusted = true;
+    static constexpr auto columns() { return quad_split::columns(); }
+    static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
+
+    static kobbelt like(library other)
+    {
+        if (other != library::kith)
+            refuse_preset(name, "kith alone");
+        return {};
+    }
+
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        using real = scalar_type<R>;
+        const auto& [coarse, assoc, generation] = r;
+        const auto outer = real(-tension / 16);
+        const auto inner = real((8 + tension) / 16);
+        const weight_rows<real> neighbor_rows(neighbor_weights);
+        const weight_rows<real> opposite_rows([this](std::size_t n) { return opposite_weights(n); });
+
+        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
+
+        for_each(coarse.edges(), [&](auto e) {
+            std::vector<real> spare[4];
+            // The point that continues the edge beyond the vertex of c, which is its half-edge from there.
+            const auto beyond = [&](auto c, auto& spare_l, auto& spare_k) {
+                const auto x = c.v();
+                const std::size_t n = x.valence();
+                const real* l = n == 4 ? nullptr : neighbor_rows(n, spare_l);
+                const real* k = n == 4 ? nullptr : opposite_rows(n, spare_k);
+                return choose(
+                    x.is_boundary(),
+                    [c, x] { return 2. * x - c.next().v(); },
+                    [c, n, l, k] {
+                        return choose(
+                            n == 4,
+                            [c] { return sum(c.prev().across().prev().across().next().v()); },
+                            [c, l, k] {
+                                return sum(c.fan_from_here().map([](auto d) { return d.next().v(); }), l) +
+                                       sum(c.fan_from_here().map([](auto d) { return d.next().next().v(); }), k);
+                            });
+                    });
+            };
+            const auto x = e.org();
+            const auto y = e.dst();
+            if (e.is_boundary()) {
+                const auto along = [](auto v, auto w, auto rim) { // corners end the curve: reflect
+                    return choose(v.face_count() == 1, [v, w] { return 2. * v - w; }, [rim] { return sum(rim); });
+                };
+                assoc(e, V) = inner * (x + y) + outer * (along(x, y, x.last_rim()) + along(y, x, y.first_rim()));
+            } else {
+                assoc(e, V) = inner * (x + y) + outer * (beyond(e.lcorner(), spare[0], spare[1]) +
+                                                         beyond(e.rcorner(), spare[2], spare[3]));
+            }
+        });
+
+        for_each(coarse.faces(), [&](auto f) {
+            const auto c = f.first_corner();
+            const auto far = [&](auto c) { // the next edge point across the next edge of c
+                const auto opposite = c.next().next().next_edge();
+                return choose(
+                    c.is_boundary(),
+                    [=, &assoc] { return 2. * assoc(c.next_edge(), V) - assoc(opposite, V); },
+                    [c, &assoc] { return sum(assoc(c.across().next().next().next_edge(), V)); });
+            };
+            const auto across = [&](auto a) {
+                const auto b = a.next().next();
+                return inner * (assoc(a.next_edge(), V) + assoc(b.next_edge(), V)) + outer * (far(a) + far(b));
+            };
+            assoc(f, V) = (across(c) + across(c.next())) / 2;
+        });
+
+        quad_split::connect(r);
+    }
+
+private:
+    /// Of the neighbours l_j of a vertex of valence n, l_0 being the other end of the edge: 4/n - [j = -1, 0, 1].
+    static std::vector<double> neighbor_weights(std::size_t n)
+    {
+        std::vector<double> row(n, 4. / double(n));
+        for (const std::size_t j : {n - 1, n, n + 1})
+            row[j % n] -= 1;
+        return row;
+    }
+    /// Of the vertices k_j opposite it in its faces, k_j between l_j and l_j+1: gamma ([j = -2, -1, 0, 1] - 4/n).
+    [[nodiscard]] std::vector<double> opposite_weights(std::size_t n) const
+    {
+        std::vector<double> row(n, -4 * gamma / double(n));
+        for (const std::size_t j : {2 * n - 2, 2 * n - 1, 2 * n, 2 * n + 1})
+            row[j % n] += gamma;
+        return row;
+    }
+};
+
+} // namespace kith

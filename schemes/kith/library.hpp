@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/error.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace kith {
+
+/// Libraries whose conventions a scheme can follow: `loop::like(library::cgal)`. docs/schemes.md lists the differences.
+enum class library : unsigned char { kith, cgal, openmesh, opensubdiv, libigl };
+
+/// Thrown by `like` when that library does not have the scheme.
+[[noreturn]] inline void refuse_preset(std::string_view scheme, std::string_view who_has_it)
+{
+    throw mesh_error(std::string(scheme) + ": that library does not have it; it is in " + std::string(who_has_it));
+}
+
+} // namespace kith

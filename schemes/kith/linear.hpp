@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "library.hpp"
+#include "quad_split.hpp"
+#include "triangle_split.hpp"
+
+#include <string_view>
+
+namespace kith {
+
+/// The linear split of polygons: midpoints and centroids, nothing moves. After one step all faces are quads. C0.
+/// Cost: O(corners).
+struct linear {
+    static constexpr std::string_view name = "linear";
+    static constexpr bool trusted = true;
+    static constexpr auto columns() { return quad_split::columns(); }
+    static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
+    static linear like(library) { return {}; }
+
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.faces(), [&](auto f) { assoc(f, V) = average(f.vertices()); });
+        for_each(coarse.edges(), [&](auto e) { assoc(e, V) = average(e.org(), e.dst()); });
+        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
+        quad_split::connect(r);
+    }
+};
+
+/// The linear split of triangles into four. C0. Cost: O(corners).
+struct linear_triangles {
+    static constexpr std::string_view name = "linear-triangles";
+    static constexpr bool triangles_only = true;
+    static constexpr bool trusted = true;
+    static constexpr auto columns() { return triangle_split::columns(); }
+    static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }
+    static linear_triangles like(library) { return {}; }
+
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.edges(), [&](auto e) { assoc(e, V) = average(e.org(), e.dst()); });
+        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
+        triangle_split::connect(r);
+    }
+};
+
+} // namespace kith

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "library.hpp"
+#include "mid_edge_split.hpp"
+#include "require_faces.hpp"
+
+#include <string_view>
+
+namespace kith {
+
+/// The mid-edge scheme, the simplest there is: the midpoints of all edges. Peters & Reif 1997. C1 (quadratic box spline in
+/// the regular part; triangles that stay are the weak spot). Meant for closed meshes: a boundary loop keeps its number of
+/// edges and contracts. Cost: O(corners).
+struct mid_edge {
+    static constexpr std::string_view name = "mid-edge";
+    static constexpr bool trusted = true;
+    static constexpr auto columns() { return mid_edge_split::columns(); }
+    static constexpr counts next(const counts& c, int) { return mid_edge_split::next(c); }
+
+    static mid_edge like(library other)
+    {
+        if (other != library::kith and other != library::openmesh)
+            refuse_preset(name, "kith and, for closed meshes, OpenMesh");
+        return {};
+    }
+
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        const auto& [coarse, assoc, generation] = r;
+        if (generation == 0)
+            require_three_faces(coarse, name);
+        for_each(coarse.edges(), [&](auto e) { assoc(e, V) = average(e.org(), e.dst()); });
+        mid_edge_split::connect(r);
+    }
+};
+
+} // namespace kith

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/error.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace kith {
+
+/// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one of
+/// two corners there. No step makes such vertices, so looking at the control mesh is enough. Cost: O(corners).
+template <class Level>
+void require_three_faces(const Level& coarse, std::string_view scheme)
+{
+    for (const auto v : coarse.vertices())
+        if (not v.is_boundary() and v.face_count() < 3)
+            throw mesh_error(std::string(scheme) + ": vertex " + std::to_string(v.index()) + " lies between " +
+                             std::to_string(v.face_count()) +
+                             " faces only, so its new face would have as many corners; join its edges to one first");
+}
+
+} // namespace kith

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "library.hpp"
+#include "sqrt3_split.hpp"
+
+#include <kith/cos_turn.hpp>
+#include <kith/weight_table.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace kith {
+
+/// sqrt(3): triangles, three times as many per step. Kobbelt 2000. C2, at vertices of valence other than 6 C1.
+/// The boundary is refined in every second step, by the generation of the mesh: refining once and once more is the same
+/// as refining twice. Two steps make the ternary cubic B-spline of it. Cost: O(corners).
+struct sqrt3 {
+    static constexpr std::string_view name = "sqrt3";
+    static constexpr bool triangles_only = true;
+    static constexpr bool trusted = true;
+    static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
+    static constexpr counts next(const counts& c, int generation) { return sqrt3_split::next(c, generation); }
+
+    /// CGAL counts its even and odd steps anew in every call; refine there, as here, in one call.
+    static sqrt3 like(library other)
+    {
+        if (other == library::opensubdiv or other == library::libigl)
+            refuse_preset(name, "kith, CGAL and OpenMesh");
+        return {};
+    }
+
+    /// The weight that all neighbours of a vertex of valence n have together; Kobbelt 2000, eq. 5.
+    static constexpr double alpha(std::size_t n) { return (4 - 2 * cos_turn(1, std::int64_t(n))) / 9; }
+
+    /// Kobbelt 2000, section 4; on the boundary the ternary cubic B-spline. `use(mask)`, but for inner vertices of a face
+    /// at the boundary, whose rings the odd steps cut.
+    template <class V, class Use>
+    void limit_position(const V& v, const Use& use) const
+    {
+        if (v.is_boundary())
+            return use((v.first_rim() + 4. * v + v.last_rim()) / 6);
+        if (touches_boundary_face(v))
+            return;
+        const double b = 3 * alpha(v.valence()) / (1 + 3 * alpha(v.valence()));
+        use((1 - b) * v + b * average(v.neighbors()));
+    }
+    /// Two tangents, counter-clockwise, inside.
+    template <class V, class Use>
+    void limit_tangents(const V& v, const Use& use) const
+    {
+        const auto n = std::int64_t(v.valence());
+        if (not v.is_boundary() and not touches_boundary_face(v))
+            use(sum(v.neighbors(), [n](std::size_t j) { return cos_turn(std::int64_t(j), n); }),
+                sum(v.neighbors(), [n](std::size_t j) { return sin_turn(std::int64_t(j), n); }));
+    }
+
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        using real = scalar_type<R>;
+        const auto& [coarse, assoc, generation] = r;
+        const weight_table<real> alphas(alpha);
+        const bool odd = sqrt3_split::is_odd(generation) and not coarse.is_closed();
+
+        for_each(coarse.faces(), [&](auto f) {
+            if (odd and f.is_boundary())
+                require_one_boundary_edge(f);
+            else
+                assoc(f, V) = average(f.vertices());
+        });
+
+        for_each(coarse.vertices(), [&](auto v) {
+            if (not v.is_boundary()) {
+                const auto ring = v.corners().map([](auto c) { return c.next().v(); });
+                assoc(v, V) = around(v, ring, [&](std::size_t n) {
+                    return ring_weights<real>{1 - alphas[n], alphas[n] / real(double(n))};
+                });
+            } else if (odd) {
+                assoc(v, V) = (4. * v.first_rim() + 19. * v + 4. * v.last_rim()) / 27;
+            } else {
+                assoc(v, V) = v;
+            }
+        });
+
+        if (odd)
+            for_each(coarse.edges(), [&](auto e) {
+                if (not e.is_boundary())
+                    return;
+                const auto x = e.org();
+                const auto y = e.dst();
+                assoc(x, e, V) = (x.last_rim() + 16. * x + 10. * y) / 27;
+                assoc(y, e, V) = (10. * x + 16. * y + y.first_rim()) / 27;
+            });
+
+        sqrt3_split::connect(r);
+    }
+
+private:
+    template <class V>
+    static bool touches_boundary_face(const V& v)
+    {
+        for (const auto f : v.faces())
+            if (f.is_boundary())
+                return true;
+        return false;
+    }
+    template <class Face>
+    static void require_one_boundary_edge(const Face& f)
+    {
+        std::size_t edges = 0;
+        for (const auto& c : f.corners())
+            edges += c.is_boundary();
+        if (edges > 1)
+            throw mesh_error("sqrt3: face " + std::to_string(f.index()) + " has " + std::to_string(edges) +
+                             " boundary edges in a step that trisects them; start with generation 0");
+    }
+};
+
+} // namespace kith

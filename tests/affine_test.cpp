@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/affine.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <concepts>
+#include <string>
+
+using point = std::array<double, 3>;
+using kith::affine;
+
+TEST(affine, coordinates_are_added_one_by_one)
+{
+    point total{1, 2, 3};
+    affine<point>::add(total, {10, 20, 30});
+    EXPECT_EQ(total, (point{11, 22, 33}));
+}
+
+TEST(affine, coordinates_are_scaled_one_by_one)
+{
+    point total{1, 2, 3};
+    affine<point>::scale(total, -2);
+    EXPECT_EQ(total, (point{-2, -4, -6}));
+}
+
+TEST(affine, a_stored_sum_loads_as_itself)
+{
+    const point p{0.1, -0., 1e300};
+    EXPECT_EQ(affine<point>::load(affine<point>::store(p)), p);
+}
+
+TEST(affine, numbers_are_values_too)
+{
+    float total = affine<float>::load(1.5F);
+    affine<float>::add(total, 2);
+    affine<float>::scale(total, 4);
+    EXPECT_EQ(affine<float>::store(total), 14.F);
+}
+
+TEST(affine, weights_have_the_type_of_the_coordinates)
+{
+    EXPECT_TRUE((std::same_as<kith::scalar_of<std::array<float, 2>>, float>));
+    EXPECT_TRUE((std::same_as<kith::scalar_of<long double>, long double>));
+}
+
+TEST(affine, points_and_numbers_are_affine_values)
+{
+    EXPECT_TRUE(kith::affine_value<point>);
+    EXPECT_TRUE(kith::affine_value<double>);
+}
+
+TEST(affine, types_without_a_specialisation_are_not)
+{
+    EXPECT_FALSE(kith::affine_value<int>); // averages of integers are not integers
+    EXPECT_FALSE(kith::affine_value<std::string>);
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cgal_mesh.hpp"
+
+#include "mesh_statements.hpp"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+INSTANTIATE_TYPED_TEST_SUITE_P(cgal, mesh_statements, testing::Types<surface_mesh<CGAL::Simple_cartesian<double>>>);
+
+namespace {
+
+using mesh = surface_mesh<CGAL::Simple_cartesian<double>>;
+using point = mesh::Point;
+using exact_mesh = surface_mesh<epeck>;
+using exact = epeck::FT;
+
+mesh make(const shapes::shape& s)
+{
+    return user_mesh<mesh>::make(s.points, s.faces);
+}
+mesh cube_after_removed_tetrahedron()
+{
+    auto shape = shapes::both(shapes::tetrahedron(), shapes::cube());
+    for (std::size_t v = 4; v < shape.points.size(); ++v)
+        shape.points[v][0] -= 10;
+    auto result = make(shape);
+    for (std::uint32_t f = 0; f < 4; ++f)
+        CGAL::Euler::remove_face(result.halfedge(mesh::Face_index(f)), result);
+    return result;
+}
+exact_mesh make_exact(const shapes::shape& s)
+{
+    return user_mesh<exact_mesh>::make(s.points, s.faces);
+}
+epeck::Point_3 exact_point(const exact& x, const exact& y, const exact& z)
+{
+    return {x, y, z};
+}
+std::string refusal(const mesh& m)
+{
+    return error_text<kith::mesh_error>([&] { kith::refine(m, kith::catmull_clark(), 1); });
+}
+
+} // namespace
+
+TEST(cgal, removed_elements_are_left_out)
+{
+    const mesh with_garbage = cube_after_removed_tetrahedron();
+    ASSERT_TRUE(with_garbage.has_garbage());
+    EXPECT_TRUE(same_bits(kith::refine(with_garbage, kith::catmull_clark(), 2),
+                          kith::refine(make(shapes::cube()), kith::catmull_clark(), 2)));
+}
+
+TEST(cgal, collecting_garbage_changes_no_more_than_numbers)
+{
+    auto m = cube_after_removed_tetrahedron();
+    m.collect_garbage();
+    EXPECT_EQ(kith::validate(m).text(), "");
+    EXPECT_EQ(kith::refine(m, kith::catmull_clark(), 2).number_of_faces(), 96U);
+}
+
+TEST(cgal, removed_elements_do_not_shift_associations)
+{
+    kith::hierarchy levels(cube_after_removed_tetrahedron(), kith::catmull_clark());
+    levels.refine();
+    const mesh::Face_index bottom(4); // the first face of the cube
+    const auto centre = levels.assoc(0, bottom, kith::targets::V);
+    EXPECT_EQ(levels[1].point(centre), point(0, 0, -1));
+    EXPECT_EQ(levels.origin(1, centre).f, bottom);
+}
+
+TEST(cgal, an_inner_vertex_of_valence_two_is_refined)
+{
+    const auto fine = kith::refine(make(shapes::valence_two()), kith::catmull_clark(), 1);
+    EXPECT_EQ(fine.point(mesh::Vertex_index(3)), point(0.46875, 0, 0.475));
+}
+
+TEST(cgal, points_that_are_not_finite_are_refused)
+{
+    auto m = make(shapes::cube());
+    m.point(mesh::Vertex_index(6)) = point(0, std::nan(""), 0);
+    EXPECT_EQ(refusal(m), "vertex 6: a coordinate is not a finite number; give it a place");
+}
+
+TEST(cgal, edges_without_a_face_are_refused)
+{
+    auto m = make(shapes::cube());
+    m.add_edge(mesh::Vertex_index(0), mesh::Vertex_index(6));
+    EXPECT_EQ(refusal(m), "edge 12: has no face; remove it or give it a face");
+}
+
+TEST(cgal, faces_that_do_not_fit_the_scheme_are_refused)
+{
+    EXPECT_EQ(error_text<kith::mesh_error>([] { kith::refine(make(shapes::cube()), kith::loop(), 1); }),
+              "loop: face 0 has 4 vertices; triangulate the mesh first");
+}
+
+TEST(cgal, exact_numbers_are_refined_exactly)
+{
+    kith::hierarchy levels(make_exact(shapes::cube()), kith::catmull_clark());
+    levels.refine();
+    const exact_mesh& fine = levels[1];
+    const exact_mesh::Vertex_index corner(6);
+    EXPECT_EQ(fine.point(corner), exact_point(exact(5) / 9, exact(5) / 9, exact(5) / 9));
+    const auto edge = edge_between(levels.elements(0), 5, 6); // from (1,-1,1) to (1,1,1)
+    EXPECT_EQ(fine.point(levels.assoc(0, edge, kith::targets::V)), exact_point(exact(3) / 4, 0, exact(3) / 4));
+}
+
+TEST(cgal, the_second_exact_level_is_exact_too)
+{
+    // The corner (5/9, 5/9, 5/9) has edge points like (3/4, 3/4, 0) around it and face points like (1, 0, 0) across its
+    // quads. New x of the centres of these quads: (5/9 + 3/4 + 1 + 3/4) / 4, then twice (5/9 + 3/4 + 0 + 0) / 4. So the
+    // corner's is 1/3 * 5/9 + 1/9 * (3/4 + 3/4 + 0) + 1/9 * 17/12 = 55/108.
+    const auto fine = kith::refine(make_exact(shapes::cube()), kith::catmull_clark(), 2);
+    const exact x = exact(55) / 108;
+    EXPECT_EQ(fine.point(exact_mesh::Vertex_index(6)), exact_point(x, x, x));
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/doo_sabin.hpp>
+
+#include "error_text.hpp"
+#include "exact_mesh.hpp"
+
+#include <kith/hierarchy.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using kith::doo_sabin;
+using kith::doo_sabin_boundary;
+using vertex = kith::mesh_traits<exact_mesh>::vertex;
+using face = kith::mesh_traits<exact_mesh>::face;
+
+/// The new point of a vertex in a face.
+exact_point corner_point(const shapes::shape& s, std::uint32_t v, std::uint32_t f, const doo_sabin& scheme = {})
+{
+    kith::hierarchy levels(exact(s), scheme);
+    levels.refine();
+    return levels[1].point(levels.assoc(0, vertex{v}, face{f}, kith::targets::V).value);
+}
+
+/// x = 0 16 32, y = 0 16 32, z = x y / 16: a bilinear surface over four quads.
+shapes::shape bilinear()
+{
+    auto result = shapes::grid(2, 2);
+    for (auto& [x, y, z] : result.points)
+        x *= 16, y *= 16, z = x * y / 16;
+    return result;
+}
+
+} // namespace
+
+TEST(doo_sabin, the_weights_of_a_quad_are_the_b_splines)
+{
+    EXPECT_EQ(doo_sabin().weight(0, 4), 9. / 16);
+    EXPECT_EQ(doo_sabin().weight(1, 4), 3. / 16);
+    EXPECT_EQ(doo_sabin().weight(2, 4), 1. / 16);
+    EXPECT_EQ(doo_sabin().weight(3, 4), 3. / 16);
+}
+
+TEST(doo_sabin, the_weights_of_a_triangle)
+{
+    const doo_sabin averaging{.boundary = {}, .weights = kith::doo_sabin_weights::averaging};
+    EXPECT_DOUBLE_EQ(doo_sabin().weight(0, 3), 2. / 3);
+    EXPECT_DOUBLE_EQ(doo_sabin().weight(1, 3), 1. / 6);
+    EXPECT_DOUBLE_EQ(averaging.weight(0, 3), 7. / 12);
+    EXPECT_DOUBLE_EQ(averaging.weight(2, 3), 5. / 24);
+}
+
+TEST(doo_sabin, the_weights_of_every_polygon_sum_to_one)
+{
+    for (const auto weights : {kith::doo_sabin_weights::cosine, kith::doo_sabin_weights::averaging})
+        for (std::size_t n = 3; n <= 30; ++n) {
+            double sum = 0;
+            for (std::size_t j = 0; j < n; ++j)
+                sum += doo_sabin{.boundary = {}, .weights = weights}.weight(j, n);
+            EXPECT_NEAR(sum, 1, 1e-14);
+        }
+}
+
+TEST(doo_sabin, corners_of_the_cube_go_half_way_to_the_middle_of_each_face)
+{
+    EXPECT_EQ(corner_point(shapes::cube(), 6, 1), (exact_point{rational(1, 2), rational(1, 2), 1}));
+    EXPECT_EQ(corner_point(shapes::cube(), 0, 2), (exact_point{rational(-1, 2), -1, rational(-1, 2)}));
+}
+
+TEST(doo_sabin, the_thesis_cuts_corners_along_the_boundary)
+{
+    EXPECT_EQ(corner_point(bilinear(), 1, 0), (exact_point{12, 0, 0}));  // 3/4 of vertex 1, 1/4 of vertex 0
+    EXPECT_EQ(corner_point(bilinear(), 1, 1), (exact_point{20, 0, 0}));  // 3/4 of vertex 1, 1/4 of vertex 2
+    EXPECT_EQ(corner_point(bilinear(), 0, 0), (exact_point{0, 0, 0}));   // with two boundary edges it stays
+    EXPECT_EQ(corner_point(bilinear(), 4, 0), (exact_point{12, 12, 9})); // and inside all is as ever
+}
+
+TEST(doo_sabin, clamped_keeps_the_boundary_and_halves_beside_it)
+{
+    const doo_sabin clamped{.boundary = doo_sabin_boundary::clamped};
+    EXPECT_EQ(corner_point(bilinear(), 0, 0, clamped), (exact_point{0, 0, 0}));
+    EXPECT_EQ(corner_point(bilinear(), 1, 0, clamped), (exact_point{8, 0, 0}));
+    EXPECT_EQ(corner_point(bilinear(), 4, 0, clamped), (exact_point{8, 8, 4}));
+}
+
+TEST(doo_sabin, drop_lets_the_surface_recede)
+{
+    const doo_sabin drop{.boundary = doo_sabin_boundary::drop};
+    EXPECT_EQ(corner_point(bilinear(), 0, 0, drop), (exact_point{4, 4, 1}));
+    EXPECT_EQ(corner_point(bilinear(), 1, 0, drop), (exact_point{12, 4, 3}));
+}
+
+TEST(doo_sabin, boundary_vertices_with_three_faces_get_a_face_unless_dropped)
+{
+    const auto l = exact(shapes::l_shape()); // V, E, F = 8, 10, 3; one boundary vertex with three faces, two with two
+    EXPECT_EQ(kith::refine(l, doo_sabin(), 1).face_count(), 3U + 2 + 1);
+    EXPECT_EQ(kith::refine(l, doo_sabin{.boundary = doo_sabin_boundary::drop}, 1).face_count(), 3U + 2);
+}
+
+TEST(doo_sabin, refuses_an_inner_vertex_between_two_faces)
+{
+    EXPECT_EQ(error_text<kith::mesh_error>([] { kith::refine(exact(shapes::valence_two()), doo_sabin(), 1); }),
+              "doo-sabin: vertex 3 lies between 2 faces only, so its new face would have as many corners; join its "
+              "edges to one first");
+}
+
+TEST(doo_sabin, follows_the_boundary_of_cgal)
+{
+    EXPECT_EQ(doo_sabin::like(kith::library::cgal).boundary, doo_sabin_boundary::drop);
+    EXPECT_EQ(doo_sabin::like(kith::library::kith).boundary, doo_sabin_boundary::thesis);
+    EXPECT_THROW(doo_sabin::like(kith::library::openmesh), kith::mesh_error);
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/association_space.hpp>
+
+#include "scheme_fault.hpp"
+
+#include <gtest/gtest.h>
+
+// Faults of a scheme in the edges it declares.
+
+namespace {
+
+using namespace kith::targets;
+using kith::new_edges;
+
+} // namespace
+
+TEST(edge_errors, new_edges_of_elements_that_do_not_touch)
+{
+    const auto text = [](const auto& coarse, const auto& assoc) {
+        static_cast<void>(assoc(coarse.vertices()[0], coarse.edges()[8], E).id());
+    };
+    EXPECT_EQ(fault(shapes::cube(), new_edges(kith::per_end), text), "assoc(e 8, v 0) -> E: the elements do not touch");
+}
+
+TEST(edge_errors, lines_without_their_side)
+{
+    EXPECT_EQ(fault(shapes::cube(),
+                    new_edges(kith::per_edge),
+                    [](const auto& coarse, const auto& assoc) {
+                        copy_vertices(coarse, assoc);
+                        copy_faces(coarse, assoc);
+                    }),
+              "assoc(f 0) -> F: the scheme declares edges, so each line needs its side: v >> side");
+}
+
+TEST(edge_errors, a_side_with_two_faces)
+{
+    EXPECT_EQ(fault(shapes::cube(),
+                    new_edges(kith::per_edge),
+                    [](const auto& coarse, const auto& assoc) {
+                        copy_vertices(coarse, assoc);
+                        const auto f = coarse.faces()[0];
+                        assoc(f, F) = polygon(f.corners(), [&](auto c) {
+                            return assoc(c.v(), V) >> assoc(coarse.edges()[8], E).right();
+                        });
+                    }),
+              "assoc(f 0) -> F: side 1 of new edge 8 has a face already");
+}
+
+TEST(edge_errors, an_edge_without_a_face_on_its_left)
+{
+    EXPECT_EQ(fault(shapes::polygon(4),
+                    new_edges(kith::per_edge),
+                    [](const auto& coarse, const auto& assoc) {
+                        copy_vertices(coarse, assoc);
+                        const auto f = coarse.faces()[0];
+                        assoc(f, F) = polygon(
+                            f.corners(), [&](auto c) { return assoc(c.v(), V) >> assoc(c.next_edge(), E).right(); });
+                    }),
+              "assoc(e 0) -> E has no face on its left side");
+}
+
+TEST(edge_errors, sides_of_one_edge_that_do_not_join_the_same_vertices)
+{
+    EXPECT_EQ(fault(shapes::cube(),
+                    new_edges(kith::per_edge),
+                    [](const auto& coarse, const auto& assoc) {
+                        copy_vertices(coarse, assoc);
+                        for (auto f : coarse.faces()) // each line names the side of the line after it
+                            assoc(f, F) = polygon(f.corners(), [&](auto c) {
+                                const auto e = c.next().next_edge();
+                                return assoc(c.v(), V) >> assoc(e, E).along(e);
+                            });
+                    }),
+              "assoc(e 0) -> E: its two sides do not join the same vertices");
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "all_shapes.hpp"
+#include "native_shape.hpp"
+
+#include <kith/butterfly.hpp>
+#include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/four_eight.hpp>
+#include <kith/kobbelt.hpp>
+#include <kith/linear.hpp>
+#include <kith/loop.hpp>
+#include <kith/mid_edge.hpp>
+#include <kith/nasri_hasbini.hpp>
+#include <kith/sqrt3.hpp>
+#include <kith/tri_quad.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+/// Calls test(scheme, shape) for the schemes of the thesis, with their boundary conventions, and every shape they take.
+template <class Test>
+void for_each_scheme_and_shape(const Test& test)
+{
+    const auto on = [&](const auto& shapes, const auto&... schemes) {
+        for (const auto& [name, shape] : shapes) {
+            const auto run = [&, &name = name, &shape = shape](const auto& scheme) {
+                SCOPED_TRACE(std::string(scheme.name) + " of " + name);
+                test(scheme, native(shape));
+            };
+            (run(schemes), ...);
+        }
+    };
+    using doo_sabin_boundary = kith::doo_sabin_boundary;
+    on(shapes::all_shapes(),
+       kith::catmull_clark{},
+       kith::catmull_clark{.corners = kith::boundary_corner::smoothed, .sharpness = {}});
+    on(shapes::shapes_without_valence_two(),
+       kith::doo_sabin{},
+       kith::doo_sabin{.boundary = doo_sabin_boundary::clamped},
+       kith::doo_sabin{.boundary = doo_sabin_boundary::drop, .weights = kith::doo_sabin_weights::averaging});
+    on(shapes::triangle_shapes(),
+       kith::loop{},
+       kith::loop{.weights = kith::loop_weights::warren, .corners = kith::boundary_corner::smoothed, .sharpness = {}},
+       kith::sqrt3{});
+}
+
+/// The same for the schemes besides.
+template <class Test>
+void for_each_other_scheme_and_shape(const Test& test)
+{
+    for (const auto& [name, shape] : shapes::all_shapes()) {
+        const auto run = [&, &name = name](const auto& scheme, const mesh3d& mesh) {
+            SCOPED_TRACE(std::string(scheme.name) + " of " + name);
+            test(scheme, mesh);
+        };
+        const auto mesh = native(shape);
+        run(kith::linear{}, mesh);
+        run(kith::nasri_hasbini{}, mesh);
+        if (name != "valence two") // of which it would make a face of two corners
+            run(kith::mid_edge{}, mesh);
+        run(kith::four_eight{}, kith::tri_quad(mesh));
+        const int degree = mesh.topology().degree;
+        if (degree == 4)
+            run(kith::kobbelt{}, mesh);
+        if (degree == 3) {
+            run(kith::butterfly{}, mesh);
+            run(kith::linear_triangles{}, mesh);
+        }
+    }
+}
+
+template <class Test>
+void for_each_of_all_schemes_and_shape(const Test& test)
+{
+    for_each_scheme_and_shape(test);
+    for_each_other_scheme_and_shape(test);
+}

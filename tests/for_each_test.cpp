@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/for_each.hpp>
+
+#include "every_level.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+TEST(for_each, visits_every_element_once)
+{
+    const auto mesh = native(shapes::torus(100, 100)); // large enough for threads
+    const level_type level(mesh);
+    std::vector<std::atomic<int>> visits(level.corner_count());
+    kith::for_each(level.corners(), [&](auto c) { ++visits[c.index()]; });
+    for (const auto& n : visits)
+        ASSERT_EQ(n, 1);
+}
+
+TEST(for_each, an_error_in_a_body_reaches_the_caller)
+{
+    const auto mesh = native(shapes::torus(100, 100));
+    const level_type level(mesh);
+    EXPECT_THROW(kith::for_each(level.vertices(),
+                                [](auto v) {
+                                    if (v.index() % 1000 == 999)
+                                        throw std::runtime_error("here");
+                                }),
+                 std::runtime_error);
+}
+
+TEST(for_each, parts_are_ranges_without_gaps)
+{
+    for (const std::size_t size : {0U, 1U, 4096U, 10007U}) {
+        std::vector<std::atomic<int>> visits(size);
+        kith::detail::for_parts(size, true, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                ++visits[i];
+        });
+        for (const auto& n : visits)
+            ASSERT_EQ(n, 1);
+    }
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/hierarchy.hpp>
+
+#include "error_text.hpp"
+#include "every_scheme.hpp"
+#include "same_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using kith::hierarchy;
+using kith::tuple_kind;
+using namespace kith::targets;
+
+namespace {
+
+using handles = kith::mesh_traits<mesh3d>;
+
+/// A house with two levels of Catmull-Clark; V, E, F = 11, 20, 11 and 42, 80, 40.
+struct refined_house {
+    mesh3d control = native(shapes::shaken(shapes::house()));
+    hierarchy<mesh3d, kith::catmull_clark> levels{control};
+
+    refined_house() { levels.refine(2); }
+};
+
+/// Catmull-Clark until the third level.
+struct fails_at_level_3 : kith::catmull_clark {
+    template <class R>
+    void operator()(const R& r) const
+    {
+        if (r.generation == 2)
+            throw std::runtime_error("level 3");
+        kith::catmull_clark::operator()(r);
+    }
+};
+
+} // namespace
+
+TEST(hierarchy, level_0_is_the_control_mesh)
+{
+    const refined_house h;
+    EXPECT_EQ(h.levels.depth(), 2);
+    EXPECT_TRUE(same_bits(h.levels[0], h.control));
+}
+
+TEST(hierarchy, its_levels_are_those_of_refine)
+{
+    for_each_of_all_schemes_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        hierarchy levels(mesh, scheme);
+        levels.refine();
+        levels.refine();
+        EXPECT_TRUE(same_bits(levels[1], kith::refine(mesh, scheme, 1)));
+        EXPECT_TRUE(same_bits(levels.finest(), kith::refine(mesh, scheme, 2)));
+    });
+}
+
+TEST(hierarchy, starts_from_a_mesh_of_faces_only)
+{
+    const auto faces = kith::refine(native(shapes::cube()), kith::catmull_clark(), 1, {kith::connect::faces});
+    hierarchy levels(faces, kith::catmull_clark());
+    levels.refine();
+    EXPECT_EQ(levels[0].edge_count(), 48U);
+    EXPECT_EQ(levels[1].generation(), 2);
+}
+
+TEST(hierarchy, goes_down_by_tuples)
+{
+    const refined_house h;
+    const handles::vertex v{3};
+    const handles::face f{7};
+    EXPECT_EQ(h.levels.assoc(0, v, V).value, 3U);
+    EXPECT_EQ(h.levels.assoc(0, handles::edge{4}, V).value, 11U + 4);
+    EXPECT_EQ(h.levels.assoc(0, f, V).value, 11U + 20 + 7);
+    const auto corner = h.levels.assoc(0, f, handles::vertex{h.levels[0].face(7)[0]}, F);
+    EXPECT_EQ(corner.value, h.levels.elements(0).faces()[7].first_corner().index());
+}
+
+TEST(hierarchy, finds_the_edges_of_the_next_level)
+{
+    const refined_house h;
+    const auto& coarse = h.levels.elements(0);
+    const auto& fine = h.levels.elements(1);
+    for (const auto e : coarse.edges()) {
+        const auto half = fine.edges()[h.levels.assoc(0, e.org().handle(), e.handle(), E).value];
+        const auto start = h.levels.assoc(0, e.org().handle(), V), middle = h.levels.assoc(0, e.handle(), V);
+        EXPECT_TRUE((half.org().handle() == start and half.dst().handle() == middle) or
+                    (half.dst().handle() == start and half.org().handle() == middle));
+    }
+}
+
+TEST(hierarchy, finds_pairs_of_neighbours_by_their_edge)
+{
+    const refined_house h;
+    const auto e = h.levels.elements(0).edges()[6];
+    EXPECT_EQ(h.levels.assoc(0, e.dst().handle(), e.org().handle(), V), h.levels.assoc(0, e.handle(), V));
+    EXPECT_EQ(h.levels.assoc(0, e.lface().handle(), e.rface().handle(), V), h.levels.assoc(0, e.handle(), V));
+}
+
+TEST(hierarchy, goes_up_by_origins)
+{
+    const refined_house h;
+    const auto of_edge = h.levels.origin(1, handles::vertex{11 + 4});
+    EXPECT_EQ(of_edge.kind, tuple_kind::e);
+    EXPECT_EQ(of_edge.e, handles::edge{4});
+    EXPECT_FALSE(of_edge.v or of_edge.f);
+    const auto of_face = h.levels.origin(1, handles::face{0}); // the quad at the first corner of face 0
+    EXPECT_EQ(of_face.kind, tuple_kind::vf);
+    EXPECT_EQ(of_face.f, handles::face{0});
+    EXPECT_EQ(of_face.v, handles::vertex{0});
+}
+
+TEST(hierarchy, up_and_down_again_is_the_same_element)
+{
+    const refined_house h;
+    for (int level = 1; level <= 2; ++level) {
+        const auto& fine = h.levels.elements(level);
+        for (const auto e : fine.edges()) {
+            const auto birth = h.levels.origin(level, e.handle());
+            const auto again = birth.kind == tuple_kind::ve ? h.levels.assoc(level - 1, *birth.v, *birth.e, E)
+                                                            : h.levels.assoc(level - 1, *birth.e, *birth.f, E);
+            EXPECT_EQ(again, e.handle());
+        }
+        for (const auto f : fine.faces()) {
+            const auto birth = h.levels.origin(level, f.handle());
+            EXPECT_EQ(h.levels.assoc(level - 1, *birth.v, *birth.f, F), f.handle());
+        }
+    }
+}
+
+TEST(hierarchy, refuses_tuples_under_which_nothing_was_made)
+{
+    const refined_house h;
+    const auto ask = [&](int level, const auto&... x) {
+        return error_text<kith::association_error>([&] { static_cast<void>(h.levels.assoc(level, x..., V)); });
+    };
+    const std::string nothing = ": the scheme made nothing under this tuple";
+    EXPECT_EQ(ask(0, handles::vertex{0}, handles::vertex{9}), "level 0" + nothing); // not neighbours
+    EXPECT_EQ(ask(0, handles::vertex{0}, handles::face{0}), "level 0" + nothing);   // no such column
+    EXPECT_EQ(ask(2, handles::vertex{0}), "level 2" + nothing);                     // no next level
+}
+
+TEST(hierarchy, carries_values_as_the_points_are_carried)
+{
+    for_each_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        hierarchy levels(mesh, scheme);
+        levels.refine(2);
+        const auto carried = levels.carry(0, 2, mesh.points());
+        EXPECT_TRUE(std::ranges::equal(
+            std::span(carried.data(), carried.size()), levels[2].points(), same_points<shapes::point>));
+    });
+}
+
+TEST(hierarchy, carries_from_any_level_to_any_finer_one)
+{
+    const refined_house h;
+    const auto carried = h.levels.carry(1, 2, h.levels[1].points());
+    EXPECT_TRUE(std::ranges::equal(std::span(carried.data(), carried.size()), h.levels[2].points()));
+    EXPECT_EQ(h.levels.carry(1, 1, h.levels[1].points()).size(), 42U);
+}
+
+TEST(hierarchy, refuses_the_wrong_number_of_values)
+{
+    const refined_house h;
+    const std::vector<double> few(10);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(h.levels.carry(0, 1, std::span(few))); }),
+              "level 0 has 11 vertices, 10 values were given; give one per vertex");
+}
+
+TEST(hierarchy, keeps_its_levels_when_a_step_fails)
+{
+    hierarchy levels(native(shapes::cube()), fails_at_level_3());
+    levels.refine(1);
+    EXPECT_THROW(levels.refine(3), std::runtime_error);
+    EXPECT_EQ(levels.depth(), 2);
+    EXPECT_TRUE(same_bits(levels[2], kith::refine(native(shapes::cube()), kith::catmull_clark(), 2)));
+}
+
+TEST(hierarchy, refuses_what_refine_refuses)
+{
+    hierarchy levels(native(shapes::cube()), kith::catmull_clark(), {.memory_limit = 100'000});
+    EXPECT_THROW(levels.refine(-1), kith::mesh_error);
+    EXPECT_THROW(levels.refine(8), kith::mesh_error);
+    EXPECT_EQ(levels.depth(), 0);
+    EXPECT_THROW(hierarchy(native(shapes::cube()), kith::loop()), kith::mesh_error);
+    EXPECT_THROW(hierarchy(mesh3d(), kith::catmull_clark()), kith::mesh_error);
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "all_shapes.hpp"
+#include "error_text.hpp"
+#include "hashes.hpp"
+#include "native_shape.hpp"
+#include "same_mesh.hpp"
+#include "user_mesh.hpp"
+
+#include <kith/catmull_clark.hpp>
+#include <kith/loop.hpp>
+#include <kith/refine.hpp>
+#include <kith/sqrt3.hpp>
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+#include <utility>
+
+/// What holds for every mesh library, instantiated for its mesh types in cgal_test.cpp and openmesh_test.cpp.
+template <class M>
+class mesh_statements : public testing::Test {
+protected:
+    using traits = kith::mesh_traits<M>;
+    static constexpr bool triangles_only = user_mesh<M>::triangles_only;
+    using scheme = std::conditional_t<triangles_only, kith::loop, kith::catmull_clark>;
+
+    static M make(const shapes::shape& s) { return user_mesh<M>::make(s.points, s.faces); }
+    static auto all() { return triangles_only ? shapes::triangle_shapes() : shapes::all_shapes(); }
+    /// The same elements with the same numbers, in the native mesh's form.
+    static mesh3d as_native(const M& mesh)
+    {
+        const auto lifted = kith::lift(mesh);
+        kith::storage<shapes::point> points(lifted.vertex_count());
+        for (std::size_t v = 0; v < points.size(); ++v)
+            points[v] = coordinates(lifted.point(v));
+        return {std::move(points), lifted.topology()};
+    }
+};
+
+TYPED_TEST_SUITE_P(mesh_statements);
+
+TYPED_TEST_P(mesh_statements, is_a_refinable_mesh)
+{
+    EXPECT_TRUE(kith::mesh<TypeParam>);
+    EXPECT_TRUE(kith::refinable_mesh<TypeParam>);
+}
+
+TYPED_TEST_P(mesh_statements, the_users_mesh_has_the_users_elements)
+{
+    for (const auto& [name, shape] : TestFixture::all()) {
+        SCOPED_TRACE(name);
+        const auto mesh = TestFixture::as_native(TestFixture::make(shape));
+        EXPECT_TRUE(std::ranges::equal(mesh.points(), shape.points));
+        EXPECT_EQ(as_cycles(faces_of(mesh)), as_cycles(shape.faces));
+        EXPECT_EQ(count(mesh.topology()), count(native(shape).topology()));
+    }
+}
+
+TYPED_TEST_P(mesh_statements, what_is_built_is_read_back_unchanged)
+{
+    for (const auto& [name, shape] : TestFixture::all()) {
+        SCOPED_TRACE(name);
+        const auto lifted = kith::lift(TestFixture::make(shape));
+        auto copy = lifted;
+        EXPECT_TRUE(same_bits(kith::lift(TestFixture::traits::build(std::move(copy))), lifted));
+    }
+}
+
+TYPED_TEST_P(mesh_statements, refining_through_the_native_mesh_changes_no_operation)
+{
+    for (const auto& [name, shape] : TestFixture::all()) {
+        SCOPED_TRACE(name);
+        const auto mesh = TestFixture::make(shape);
+        const typename TestFixture::scheme scheme;
+        EXPECT_EQ(hashes(mesh, scheme, 2), hashes(TestFixture::as_native(mesh), scheme, 2));
+    }
+}
+
+TYPED_TEST_P(mesh_statements, a_native_mesh_is_refined_by_the_same_operations_there)
+{
+    for (const auto& [name, shape] : TestFixture::all()) {
+        SCOPED_TRACE(name);
+        const auto control = native(shape);
+        using point = typename TestFixture::traits::point;
+        using scalar = kith::scalar_of<point>;
+        kith::storage<point> points(control.vertex_count());
+        for (std::size_t v = 0; v < points.size(); ++v) {
+            const auto& [x, y, z] = control.point(v);
+            points[v] = kith::affine<point>::store({scalar(x), scalar(y), scalar(z)});
+        }
+        const auto mesh = TestFixture::traits::build({std::move(points), control.topology()});
+        const typename TestFixture::scheme scheme;
+        EXPECT_EQ(hashes(mesh, scheme, 2), hashes(control, scheme, 2));
+    }
+}
+
+TYPED_TEST_P(mesh_statements, the_refined_mesh_is_sound)
+{
+    for (const auto& [name, shape] : TestFixture::all()) {
+        SCOPED_TRACE(name);
+        EXPECT_EQ(
+            user_mesh<TypeParam>::complaints(kith::refine(TestFixture::make(shape), typename TestFixture::scheme(), 2)),
+            "");
+    }
+}
+
+TYPED_TEST_P(mesh_statements, the_input_is_left_as_it_was)
+{
+    const auto mesh = TestFixture::make(shapes::umbrella(5));
+    const auto before = kith::lift(mesh);
+    kith::refine(mesh, typename TestFixture::scheme(), 2);
+    EXPECT_TRUE(same_bits(kith::lift(mesh), before));
+}
+
+TYPED_TEST_P(mesh_statements, good_meshes_are_valid)
+{
+    for (const auto& [name, shape] : TestFixture::all())
+        EXPECT_EQ(kith::validate(TestFixture::make(shape)).text(), "") << name;
+}
+
+TYPED_TEST_P(mesh_statements, a_mesh_without_faces_is_refused)
+{
+    EXPECT_EQ(error_text<kith::mesh_error>([] { kith::refine(TypeParam(), typename TestFixture::scheme(), 1); }),
+              "the mesh has no faces; nothing can be refined");
+}
+
+TYPED_TEST_P(mesh_statements, vertices_without_faces_are_refused)
+{
+    auto shape = shapes::umbrella(5);
+    shape.points.push_back({5, 5, 5});
+    EXPECT_EQ(error_text<kith::mesh_error>(
+                  [&] { kith::refine(TestFixture::make(shape), typename TestFixture::scheme(), 1); }),
+              "vertex 6: belongs to no face; remove it or give it a face");
+}
+
+TYPED_TEST_P(mesh_statements, fans_that_only_meet_in_a_vertex_are_refused)
+{
+    const shapes::shape bow_tie{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
+    EXPECT_EQ(error_text<kith::mesh_error>(
+                  [&] { kith::refine(TestFixture::make(bow_tie), typename TestFixture::scheme(), 1); }),
+              "vertex 0: its 2 faces form several fans; split the vertex, one copy per fan");
+}
+
+TYPED_TEST_P(mesh_statements, sqrt3_twice_once_is_once_twice)
+{
+    for (const auto& [name, shape] : shapes::triangle_shapes()) {
+        SCOPED_TRACE(name);
+        const auto mesh = TestFixture::make(shape);
+        const kith::sqrt3 scheme;
+        EXPECT_TRUE(same_bits(kith::refine(kith::refine(mesh, scheme, 1), scheme, 3), kith::refine(mesh, scheme, 4)));
+    }
+}
+
+TYPED_TEST_P(mesh_statements, negative_levels_are_refused)
+{
+    EXPECT_THROW(kith::refine(TestFixture::make(shapes::tetrahedron()), typename TestFixture::scheme(), -1),
+                 kith::mesh_error);
+}
+
+TYPED_TEST_P(mesh_statements, too_much_memory_is_refused)
+{
+    EXPECT_THROW(
+        kith::refine(
+            TestFixture::make(shapes::tetrahedron()), typename TestFixture::scheme(), 12, {.memory_limit = 1000}),
+        kith::mesh_error);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(mesh_statements, is_a_refinable_mesh, the_users_mesh_has_the_users_elements,
+                            what_is_built_is_read_back_unchanged, refining_through_the_native_mesh_changes_no_operation,
+                            a_native_mesh_is_refined_by_the_same_operations_there, the_refined_mesh_is_sound,
+                            the_input_is_left_as_it_was, good_meshes_are_valid, a_mesh_without_faces_is_refused,
+                            vertices_without_faces_are_refused, fans_that_only_meet_in_a_vertex_are_refused,
+                            sqrt3_twice_once_is_once_twice, negative_levels_are_refused, too_much_memory_is_refused);

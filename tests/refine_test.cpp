@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/refine.hpp>
+
+#include "all_shapes.hpp"
+#include "error_text.hpp"
+#include "every_scheme.hpp"
+#include "native_shape.hpp"
+#include "same_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+using kith::refine;
+
+namespace {
+
+/// Catmull-Clark until it is run.
+struct never_run : kith::catmull_clark {
+    template <class R>
+    void operator()(const R&) const
+    {
+        throw std::logic_error("the scheme was run");
+    }
+};
+
+std::string refusal(const auto& mesh, const auto& scheme, int levels, const kith::refine_options& options = {})
+{
+    return error_text<kith::mesh_error>([&] { refine(mesh, scheme, levels, options); });
+}
+
+} // namespace
+
+TEST(refine, twice_once_is_once_twice)
+{
+    for_each_of_all_schemes_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        EXPECT_TRUE(same_bits(refine(refine(mesh, scheme, 1), scheme, 1), refine(mesh, scheme, 2)));
+    });
+}
+
+TEST(refine, no_level_is_the_mesh_itself)
+{
+    const auto mesh = native(shapes::house());
+    EXPECT_TRUE(same_bits(refine(mesh, kith::catmull_clark(), 0), mesh));
+}
+
+TEST(refine, counts_its_steps)
+{
+    EXPECT_EQ(refine(refine(native(shapes::cube()), kith::doo_sabin(), 2), kith::catmull_clark(), 1).generation(), 3);
+}
+
+TEST(refine, leaves_the_input_as_it_was)
+{
+    const auto original = native(shapes::open_house());
+    const auto mesh = original;
+    refine(mesh, kith::catmull_clark(), 2);
+    EXPECT_TRUE(same_bits(mesh, original));
+}
+
+TEST(refine, leaves_the_input_as_it_was_when_it_throws)
+{
+    const auto original = native(shapes::open_house());
+    auto mesh = original;
+    EXPECT_THROW(mesh = refine(mesh, never_run(), 2), std::logic_error);
+    EXPECT_THROW(mesh = refine(mesh, kith::loop(), 1), kith::mesh_error);
+    EXPECT_TRUE(same_bits(mesh, original));
+}
+
+TEST(refine, a_last_level_of_faces_has_the_same_points_and_faces)
+{
+    for_each_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        const auto all = refine(mesh, scheme, 2);
+        const auto faces = refine(mesh, scheme, 2, {.last_level = kith::connect::faces});
+        EXPECT_TRUE(faces.topology().faces_only());
+        EXPECT_TRUE(std::ranges::equal(faces.points(), all.points(), same_points<shapes::point>));
+        EXPECT_TRUE(std::ranges::equal(faces.topology().corner_vertex, all.topology().corner_vertex));
+        EXPECT_TRUE(std::ranges::equal(faces.topology().face_corner, all.topology().face_corner));
+    });
+}
+
+TEST(refine, a_mesh_of_faces_only_is_refined_to_the_same_surface)
+{
+    for_each_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        const auto all = refine(mesh, scheme, 2);
+        const auto from_faces = refine(refine(mesh, scheme, 1, {.last_level = kith::connect::faces}), scheme, 1);
+        EXPECT_EQ(count(from_faces.topology()), count(all.topology()));
+        for (const auto& p : all.points())
+            EXPECT_TRUE(std::ranges::any_of(from_faces.points(), [&p](const auto& q) {
+                return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) < 1e-12;
+            }));
+    });
+}
+
+TEST(refine, refuses_negative_levels)
+{
+    EXPECT_EQ(refusal(native(shapes::cube()), kith::catmull_clark(), -1),
+              "catmull-clark: -1 levels were asked for; ask for 0 or more");
+}
+
+TEST(refine, refuses_polygons_where_a_scheme_takes_triangles)
+{
+    EXPECT_EQ(refusal(native(shapes::house()), kith::loop(), 1),
+              "loop: face 5 has 4 vertices; triangulate the mesh first");
+    EXPECT_EQ(refusal(native(shapes::house()), kith::sqrt3(), 0),
+              "sqrt3: face 5 has 4 vertices; triangulate the mesh first");
+}
+
+TEST(refine, refuses_an_empty_mesh)
+{
+    EXPECT_EQ(refusal(mesh3d(), kith::doo_sabin(), 1), "the mesh has no faces; nothing can be refined");
+}
+
+TEST(refine, refuses_points_that_are_not_finite)
+{
+    auto mesh = native(shapes::cube());
+    mesh.points()[3][1] = INFINITY;
+    EXPECT_EQ(refusal(mesh, kith::catmull_clark(), 1),
+              "vertex 3: a coordinate is not a finite number; give it a place");
+}
+
+TEST(refine, refuses_more_memory_than_allowed_before_it_starts)
+{
+    const std::string text = refusal(native(shapes::cube()), never_run(), 9, {.memory_limit = 1'000'000});
+    EXPECT_TRUE(text.starts_with("catmull-clark: 9 levels need "));
+    EXPECT_NE(text.find("the limit is 1000000; refine fewer times"), std::string::npos);
+}
+
+TEST(refine, takes_as_much_memory_as_allowed)
+{
+    const auto cube = native(shapes::cube());
+    const kith::catmull_clark scheme;
+    const auto need = kith::peak_bytes(kith::plan(count(cube.topology()), scheme, 3), false);
+    EXPECT_NO_THROW(refine(cube, scheme, 3, {.memory_limit = need}));
+    EXPECT_NE(refusal(cube, scheme, 3, {.memory_limit = need - 1}), "no error");
+}
+
+TEST(refine, refuses_more_elements_than_the_index_can_number_before_it_starts)
+{
+    const auto [points, faces] = shapes::cube();
+    const auto mesh = kith::make_mesh<std::uint16_t>(points, faces);
+    EXPECT_EQ(refusal(mesh, never_run(), 6),
+              "catmull-clark: level 6 has 24578 vertices and 49152 edges, more than a 16-bit index can number; "
+              "refine at most 5 times or use a 64-bit index");
+    EXPECT_EQ(refine(mesh, kith::catmull_clark(), 5).face_count(), 6144U);
+    EXPECT_NE(refusal(mesh, never_run(), 1000).find("refine at most 5 times"), std::string::npos);
+}
+
+TEST(refine, gives_the_same_bits_with_any_index)
+{
+    const auto [points, faces] = shapes::open_house();
+    const auto narrow = refine(kith::make_mesh<std::uint16_t>(points, faces), kith::catmull_clark(), 3);
+    const auto wide = refine(kith::make_mesh<std::uint64_t>(points, faces), kith::catmull_clark(), 3);
+    EXPECT_TRUE(std::ranges::equal(narrow.points(), wide.points(), same_points<shapes::point>));
+    EXPECT_TRUE(std::ranges::equal(narrow.topology().corner_halfedge, wide.topology().corner_halfedge));
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/scheme.hpp>
+
+#include "error_text.hpp"
+#include "every_level.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace kith;
+
+struct nameless {
+    static constexpr auto columns() { return kith::columns(new_vertices(per_vertex), new_faces(triangles(per_face))); }
+};
+struct triangles_by_name : nameless {
+    static constexpr std::string_view name = "by-name";
+    static constexpr bool triangles_only = true;
+    static constexpr counts next(const counts& c, int) { return c; }
+};
+struct by_generation {
+    static constexpr auto columns(int generation)
+    {
+        const auto even = [even = generation % 2 == 0](const auto&) { return even; };
+        return kith::columns(new_vertices(per_vertex.on_boundary(even)), new_faces(triangles(per_face)));
+    }
+};
+
+} // namespace
+
+TEST(scheme, is_what_has_columns)
+{
+    EXPECT_TRUE(kith::scheme<nameless>);
+    EXPECT_TRUE(kith::scheme<by_generation>);
+    EXPECT_FALSE(kith::scheme<int>);
+}
+
+TEST(scheme, may_have_a_name)
+{
+    EXPECT_EQ(scheme_name<triangles_by_name>(), "by-name");
+    EXPECT_EQ(scheme_name<nameless>(), "scheme");
+}
+
+TEST(scheme, may_count_its_next_level)
+{
+    EXPECT_TRUE(countable_scheme<triangles_by_name>);
+    EXPECT_FALSE(countable_scheme<nameless>);
+}
+
+TEST(scheme, refuses_the_faces_it_does_not_take)
+{
+    const auto mesh = native(shapes::house());
+    const level_type level(mesh);
+    EXPECT_EQ(error_text<mesh_error>([&] { require_input<triangles_by_name>(level); }),
+              "by-name: face 5 has 4 vertices; triangulate the mesh first");
+    EXPECT_NO_THROW(require_input<nameless>(level));
+}
+
+TEST(scheme, columns_may_depend_on_the_generation)
+{
+    const auto mesh = native(shapes::polygon(3));
+    const level_type level(mesh);
+    const by_generation s;
+    using ids = numbering<decltype(columns_of(s, 0)), std::uint32_t>;
+    EXPECT_EQ(ids(level, columns_of(s, 4)).vertices.total(), 3U);
+    EXPECT_EQ(ids(level, columns_of(s, 5)).vertices.total(), 0U);
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// The control meshes of the tests.
+namespace shapes {
+
+using point = std::array<double, 3>;
+using polygons = std::vector<std::vector<std::size_t>>;
+
+struct shape {
+    std::vector<point> points;
+    polygons faces;
+};
+
+inline shape cube()
+{
+    return {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
+            {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+}
+
+inline shape tetrahedron()
+{
+    return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+}
+
+/// Each face cut along the diagonal from its second corner.
+inline shape triangulated(const shape& s)
+{
+    shape result{s.points, {}};
+    for (const auto& f : s.faces)
+        for (std::size_t i = 2; i < f.size(); ++i)
+            result.faces.push_back({f[1], f[i], f[(i + 1) % f.size()]});
+    return result;
+}
+
+/// rows * columns quads, closed in both directions; valence 4 everywhere.
+inline shape torus(std::size_t rows = 12, std::size_t columns = 24)
+{
+    const double turn = 2 * std::acos(-1.);
+    shape result;
+    for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t j = 0; j < columns; ++j) {
+            const double a = turn * double(i) / double(rows), b = turn * double(j) / double(columns);
+            const double r = 2 + std::cos(a);
+            result.points.push_back({r * std::cos(b), r * std::sin(b), std::sin(a)});
+            const std::size_t up = (i + 1) % rows, right = (j + 1) % columns;
+            result.faces.push_back({i * columns + j, i * columns + right, up * columns + right, up * columns + j});
+        }
+    return result;
+}
+
+/// rows * columns quads with a boundary, over the unit lattice and not flat.
+inline shape grid(std::size_t rows = 3, std::size_t columns = 4)
+{
+    shape result;
+    for (std::size_t i = 0; i <= rows; ++i)
+        for (std::size_t j = 0; j <= columns; ++j) {
+            result.points.push_back({double(j), double(i), 0.25 * double((3 * i + 2 * j) % 5)});
+            if (i < rows and j < columns) {
+                const std::size_t v = i * (columns + 1) + j;
+                result.faces.push_back({v, v + 1, v + columns + 2, v + columns + 1});
+            }
+        }
+    return result;
+}
+
+/// Three quads in an L: a boundary vertex with three faces, boundary corners with one.
+inline shape l_shape()
+{
+    shape result = grid(2, 2);
+    result.faces.pop_back();
+    result.points.pop_back();
+    return result;
+}
+
+/// A ring of quads: two boundaries.
+inline shape ring(std::size_t n = 5)
+{
+    shape result = torus(4, n);
+    result.faces.resize(2 * n); // of its four rows two
+    result.points.resize(3 * n);
+    return result;
+}
+
+/// n triangles around an inner vertex.
+inline shape umbrella(std::size_t n)
+{
+    const double turn = 2 * std::acos(-1.);
+    shape result{{{0, 0, 1}}, {}};
+    for (std::size_t i = 0; i < n; ++i) {
+        result.points.push_back({std::cos(turn * double(i) / double(n)), std::sin(turn * double(i) / double(n)), 0});
+        result.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+    }
+    return result;
+}
+
+/// A pentagonal prism with a roof: triangles, quads and a pentagon; V, E, F = 11, 20, 11.
+inline shape house()
+{
+    shape result = umbrella(5);
+    result.points[0] = {0, 0, 2};
+    for (std::size_t i = 0; i < 5; ++i) {
+        const auto [x, y, z] = result.points[1 + i];
+        result.points.push_back({x, y, z - 1});
+        result.faces.push_back({6 + i, 6 + (i + 1) % 5, 1 + (i + 1) % 5, 1 + i});
+    }
+    result.faces.push_back({10, 9, 8, 7, 6});
+    return result;
+}
+
+/// The house without its floor and one wall: mixed polygons with a boundary.
+inline shape open_house()
+{
+    shape result = house();
+    result.faces.resize(9);
+    return result;
+}
+
+inline shape polygon(std::size_t n)
+{
+    shape result = umbrella(n);
+    result.points.erase(result.points.begin());
+    result.faces = {{}};
+    for (std::size_t i = 0; i < n; ++i)
+        result.faces[0].push_back(i);
+    return result;
+}
+
+/// Two quads around an inner vertex of valence two: vertex 3. Libraries that count faces by edges stumble over it.
+inline shape valence_two()
+{
+    return {{{0, 0, 1}, {0, 0, 0}, {1, 0, 0}, {0.25, 0, 0.3}, {1, 0, 1}}, {{0, 1, 2, 3}, {3, 2, 4, 0}}};
+}
+
+/// Two shapes beside each other, not connected.
+inline shape both(const shape& a, const shape& b)
+{
+    shape result = a;
+    for (const auto& [x, y, z] : b.points)
+        result.points.push_back({x + 10, y, z});
+    for (auto f : b.faces) {
+        for (auto& v : f)
+            v += a.points.size();
+        result.faces.push_back(f);
+    }
+    return result;
+}
+
+/// Every point pushed a little, differently: without symmetries that would hide a wrong order of operands.
+inline shape shaken(shape s)
+{
+    std::uint64_t state = 42;
+    for (auto& p : s.points)
+        for (auto& x : p) {
+            state = state * 6364136223846793005U + 1442695040888963407U;
+            x += 0.1 * double(state >> 40) / double(1 << 24);
+        }
+    return s;
+}
+
+} // namespace shapes

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/stencil.hpp>
+
+#include "every_scheme.hpp"
+#include "regular_masks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using kith::hierarchy;
+using kith::stencil_row;
+
+TEST(stencil, rows_are_added_entry_by_entry)
+{
+    stencil_row total{{{1, 0.5}, {4, 0.25}}};
+    kith::affine<stencil_row>::add(total, {{{0, 1}, {4, 0.5}, {7, 2}}});
+    EXPECT_EQ(total, (stencil_row{{{0, 1}, {1, 0.5}, {4, 0.75}, {7, 2}}}));
+    kith::affine<stencil_row>::scale(total, 2);
+    EXPECT_EQ(total, (stencil_row{{{0, 2}, {1, 1}, {4, 1.5}, {7, 4}}}));
+}
+
+TEST(stencil, every_row_sums_to_one)
+{
+    for_each_of_all_schemes_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        hierarchy levels(mesh, scheme);
+        levels.refine(2);
+        const auto matrix = levels.matrix(0, 2);
+        EXPECT_EQ(matrix.rows(), levels[2].vertex_count());
+        const std::vector<double> ones(mesh.vertex_count(), 1);
+        for (const double sum : matrix.apply(std::span(ones)))
+            EXPECT_NEAR(sum, 1, 1e-14);
+    });
+}
+
+TEST(stencil, rows_times_points_are_the_points)
+{
+    for_each_of_all_schemes_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        hierarchy levels(mesh, scheme);
+        levels.refine(2);
+        const auto points = levels.matrix(0, 2).apply(mesh.points());
+        for (std::size_t v = 0; v < points.size(); ++v)
+            for (std::size_t i = 0; i < 3; ++i)
+                ASSERT_NEAR(points[v][i], levels[2].point(v)[i], 2e-14);
+    });
+}
+
+TEST(stencil, two_steps_are_one_after_the_other)
+{
+    hierarchy levels(native(shapes::shaken(shapes::open_house())), kith::doo_sabin());
+    levels.refine(2);
+    const auto mesh = levels[0].points();
+    const auto once = levels.matrix(0, 1).apply(mesh);
+    const auto twice = levels.matrix(1, 2).apply(std::span(once));
+    const auto at_once = levels.matrix(0, 2).apply(mesh);
+    for (std::size_t v = 0; v < twice.size(); ++v)
+        EXPECT_NEAR(twice[v][0], at_once[v][0], 1e-14);
+}
+
+TEST(stencil, transposing_exchanges_rows_and_columns)
+{
+    hierarchy levels(native(shapes::house()), kith::catmull_clark());
+    levels.refine();
+    const auto matrix = levels.matrix(0, 1), transposed = matrix.transposed(), back = transposed.transposed();
+    EXPECT_EQ(transposed.rows(), 11U);
+    EXPECT_EQ(transposed.columns, 42U);
+    EXPECT_EQ(back.row_start, matrix.row_start);
+    EXPECT_EQ(back.column, matrix.column);
+    EXPECT_EQ(back.weight, matrix.weight);
+    std::vector<double> first(42, 0); // the entries of column 3, one by one
+    for (std::size_t k = transposed.row_start[3]; k < transposed.row_start[4]; ++k)
+        first[transposed.column[k]] = transposed.weight[k];
+    for (std::size_t i = 0; i < 42; ++i)
+        for (std::size_t k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
+            if (matrix.column[k] == 3) {
+                EXPECT_EQ(matrix.weight[k], first[i]);
+            }
+}
+
+TEST(stencil, catmull_clark_is_the_bicubic_b_spline)
+{
+    const kith::catmull_clark scheme;
+    expect_weights(weights_of(regular_quads, scheme, vertex_handle{0}),
+                   {9. / 16, 3. / 32, 3. / 32, 3. / 32, 3. / 32, 1. / 64, 1. / 64, 1. / 64, 1. / 64});
+    expect_weights(weights_of(regular_quads, scheme, edge_handle{0}),
+                   {3. / 8, 3. / 8, 1. / 16, 1. / 16, 1. / 16, 1. / 16});
+    expect_weights(weights_of(regular_quads, scheme, face_handle{0}), {1. / 4, 1. / 4, 1. / 4, 1. / 4});
+}
+
+TEST(stencil, catmull_clark_is_the_cubic_b_spline_on_the_boundary)
+{
+    expect_weights(weights_of(shapes::grid(), kith::catmull_clark(), vertex_handle{1}), {3. / 4, 1. / 8, 1. / 8});
+    expect_weights(weights_of(shapes::grid(), kith::catmull_clark(), edge_handle{0}), {1. / 2, 1. / 2});
+    expect_weights(weights_of(shapes::grid(), kith::catmull_clark(), vertex_handle{0}), {1});
+}
+
+TEST(stencil, doo_sabin_is_the_biquadratic_b_spline)
+{
+    expect_weights(weights_of(regular_quads, kith::doo_sabin(), vertex_handle{0}, face_handle{0}),
+                   {9. / 16, 3. / 16, 3. / 16, 1. / 16});
+}
+
+TEST(stencil, loop_is_the_quartic_box_spline)
+{
+    expect_weights(weights_of(regular_triangles, kith::loop(), vertex_handle{0}),
+                   {5. / 8, 1. / 16, 1. / 16, 1. / 16, 1. / 16, 1. / 16, 1. / 16});
+    expect_weights(weights_of(regular_triangles, kith::loop(), edge_handle{0}), {3. / 8, 3. / 8, 1. / 8, 1. / 8});
+}
+
+TEST(stencil, sqrt3_takes_two_thirds_of_a_regular_vertex)
+{
+    expect_weights(weights_of(regular_triangles, kith::sqrt3(), vertex_handle{0}),
+                   {2. / 3, 1. / 18, 1. / 18, 1. / 18, 1. / 18, 1. / 18, 1. / 18});
+    expect_weights(weights_of(regular_triangles, kith::sqrt3(), face_handle{0}), {1. / 3, 1. / 3, 1. / 3});
+}

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: BSD-3-Clause
+source "$(dirname "$0")/check.bash"
+cube >cube.off
+
+run info cube.off
+exits 0
+says_nothing
+prints '^vertices +8$'
+prints '^edges +12$'
+prints '^faces +6$'
+prints '^components +1$'
+prints '^boundary loops +0$'
+prints '^Euler characteristic +2$'
+prints '^valences +3 to 3 \(8 of 3\)$'
+prints '^face degrees +4 to 4 \(6 of 4\)$'
+prints '^bounding box +-1 -1 -1 to 1 1 1$'
+prints '^problems +none$'
+run info cube.off --json
+exits 0
+prints '^\{"file":"cube.off","vertices":8,"edges":12,"faces":6,"components":1,"boundary_loops":0,"euler_characteristic":2,"valences":\{"3":8\},"face_degrees":\{"4":6\},"bounding_box":\[\[-1,-1,-1\],\[1,1,1\]\],"problems":\[\]\}$'
+
+# A pipe of six quads with two boundary loops and a triangle by itself.
+cat >'pipe "1".off' <<'END'
+OFF
+11 5 0
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+1 0 1
+0 1 1
+5 0 0
+6 0 0
+5 1.5 -2
+0 0 2
+1 0 2
+4 0 1 4 3
+4 1 2 5 4
+4 2 0 3 5
+3 6 7 8
+4 3 4 10 9
+END
+run info 'pipe "1".off'
+exits 0
+prints '^edges +15$'
+prints '^components +2$'
+prints '^boundary loops +3$'
+prints '^Euler characteristic +1$'
+prints '^valences +2 to 4 \(5 of 2, 4 of 3, 2 of 4\)$'
+prints '^face degrees +3 to 4 \(1 of 3, 4 of 4\)$'
+prints '^bounding box +0 0 -2 to 6 1.5 2$'
+run info 'pipe "1".off' --json
+exits 0
+prints '"file":"pipe \\"1\\".off"'
+prints '"boundary_loops":3,'
+
+# What is wrong is named with its elements; the rest is counted all the same.
+bad() { # bad MESSAGE: the file bad.off has this problem
+    run info bad.off
+    exits 1
+    prints "$1"
+    prints '^problems +found$'
+    prints '^vertices +[0-9]'
+    run info bad.off --json
+    exits 1
+    prints '"problems":\["'
+}
+cat >bad.off <<'END'
+OFF
+5 3 0
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+0 -1 0
+3 0 1 2
+3 0 1 3
+3 0 1 4
+END
+bad 'edge 0-1: 3 faces \(0, 1, 2\)'
+run info bad.off
+check "a bad mesh has no boundary loops to count" test -z "$(grep 'boundary loops' "$results/out")"
+(cube | sed '$d'; echo '4 7 4 0 3') >bad.off
+bad 'edge 0-3'
+(cube | sed 's/^8 6/9 6/; s/^4 3 2 1 0/0 0 7\n&/') >bad.off
+bad 'vertex 8: belongs to no face'
+(cube | sed 's/^4 3 2 1 0/4 3 2 1 2/') >bad.off
+bad 'face 0: comes to vertex 2 twice'
+(cube | sed 's/^8 6/8 7/'; echo '2 0 1') >bad.off
+bad 'face 6: has 2 corners'
+cat >bad.off <<'END'
+OFF
+5 2 0
+0 0 0
+1 0 0
+0 1 0
+-1 0 0
+0 -1 0
+3 0 1 2
+3 0 3 4
+END
+bad 'vertex 0'
+printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >bad.off
+bad 'no faces'
+finish

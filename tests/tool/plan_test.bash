@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+source "$(dirname "$0")/check.bash"
+cube >cube.off
+tetrahedron >tetra.off
+cat >quad.off <<'END'
+OFF
+4 1 0
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+4 0 1 2 3
+END
+
+run plan cube.off -s catmull-clark -n 3
+exits 0
+says_nothing
+prints '^ +0 +8 +12 +6 +[0-9]+$'
+prints '^ +1 +26 +48 +24 +[0-9]+$'
+prints '^ +3 +386 +768 +384 +[0-9]+$'
+leaves cube.off quad.off tetra.off
+run plan tetra.off -s loop -n 2 --json
+exits 0
+prints '^\{"levels":\[\{"vertices":4,"edges":6,"faces":4,"bytes":[0-9]+\},\{"vertices":10,"edges":24,"faces":16,'
+prints '"bytes_at_once":[0-9]+,"bytes_of_all_levels":[0-9]+\}$'
+check "two levels and the control mesh" test "$(grep -o '"vertices"' "$results/out" | wc -l)" -eq 3
+run plan quad.off -s doo-sabin -n 1
+prints '^ +1 +4 +4 +1 '
+run plan cube.off -s sqrt3 -n 1
+exits 1
+says 'triangulate'
+run plan quad.off -s doo-sabin -n 1 --boundary-corners kept
+exits 2
+
+# What is planned is what refining gives, boundaries included.
+for scheme in catmull-clark doo-sabin; do
+    for mesh in cube.off quad.off; do
+        for n in 1 2 3; do
+            run plan $mesh -s $scheme -n $n
+            counts=$(tail -n 2 "$results/out" | head -n 1 | awk '{ print $2 " vertices, " $3 " edges, " $4 " faces" }')
+            run refine $mesh -s $scheme -n $n -o out.off
+            prints "$counts"
+            run info out.off
+            prints "^edges +$(echo "$counts" | awk '{ print $3 }')\$"
+        done
+    done
+done
+
+# Far more than any memory holds is still planned; what no index numbers is refused in words.
+run plan cube.off -s catmull-clark -n 13
+exits 0
+prints '^ +13 +402653186 +805306368 +402653184 +[0-9]{11}$'
+run plan cube.off -s catmull-clark -n 20
+exits 1
+says '32-bit index'
+run plan cube.off -s catmull-clark -n 2000000000
+exits 1
+run refine cube.off -s catmull-clark -n 2000000000 -o out2.off
+exits 1
+check "no output file" test ! -e out2.off
+run refine cube.off -s catmull-clark -n 13 -o out2.off --memory-limit 1G
+exits 1
+says 'bytes at once'
+check "no output file" test ! -e out2.off
+finish

@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: BSD-3-Clause
+source "$(dirname "$0")/check.bash"
+cube >cube.off
+tetrahedron >tetra.off
+
+# at LINE FILE X Y Z: the vertex in that line of an OFF file, to 1e-15.
+at() {
+    sed -n "$1p" "$2" | awk -v x="$3" -v y="$4" -v z="$5" 'function away(a, b) { return a > b ? a - b : b - a }
+        { exit !(NF == 3 && away($1, x) < 1e-15 && away($2, y) < 1e-15 && away($3, z) < 1e-15) }'
+}
+
+# Catmull-Clark on the cube: vertices at 5/9, edge points at 3/4, face points where they were.
+run refine cube.off -s catmull-clark -n 1 -o out.off
+exits 0
+says_nothing
+prints '^out.off: 26 vertices, 48 edges, 24 faces$'
+check "has one line on standard output" test "$(wc -l <"$results/out")" -eq 1
+check "first vertex" at 4 out.off -0.555555555555555556 -0.555555555555555556 -0.555555555555555556
+check "an edge point" grep -qxE -- '0 -0.75 -0.75' out.off
+check "a face point" grep -qxE -- '0 0 -1' out.off
+check "17 digits" grep -qE -- '0\.55555555555555[0-9]{3}' out.off
+leaves cube.off out.off tetra.off
+
+# Loop on the tetrahedron: valence 3 has weight 3/16, so its vertex 0 comes to 7/16 of 0 + 3/16 of each neighbor.
+run refine tetra.off -s loop -n 1 -o out.off
+exits 0
+prints '10 vertices, 24 edges, 16 faces'
+check "first vertex" at 4 out.off 0.1875 0.1875 0.1875
+# sqrt(3): alpha(3) = 5/9; the new vertex of a face is its center.
+run refine tetra.off -s sqrt3 -n 1 -o out.off
+exits 0
+prints '8 vertices, 18 edges, 12 faces'
+check "first vertex" at 4 out.off 0.185185185185185185 0.185185185185185185 0.185185185185185185
+check "a face point" at 10 out.off 0.333333333333333333 0.333333333333333333 0.333333333333333333
+# Doo-Sabin on quads: 9/16, 3/16, 1/16, 3/16; the corner of a face of the cube comes to half.
+run refine cube.off -s doo-sabin -n 1 -o out.off
+exits 0
+prints '24 vertices, 48 edges, 26 faces'
+check "a corner point" grep -qxE -- '-0.5 -0.5 -1' out.off
+
+# Refining twice is refining once and once more, and level 0 is the mesh itself.
+run refine cube.off -s catmull-clark -n 2 -o twice.off
+run refine cube.off -s catmull-clark -n 1 -o once.off
+run refine once.off -s catmull-clark -n 1 -o again.off
+exits 0
+run compare twice.off again.off --tolerance 1e-15
+exits 0
+run refine cube.off -s catmull-clark -n 0 -o same.off
+exits 0
+prints '8 vertices, 12 edges, 6 faces'
+run compare cube.off same.off --tolerance 0
+exits 0
+
+# Every scheme that `kith schemes` lists runs, on what it takes, with the same bits on every kind of mesh.
+run schemes
+sed -n 's/^\([a-z0-9-]*\)  *\(triangles\|quads\|any polygons\) .*/\1 \2/p' "$results/out" >list
+check "there are some" test "$(wc -l <list)" -ge 4
+while read -r scheme takes; do
+    input=cube.off
+    test "$takes" = triangles && input=tetra.off
+    run plan $input -s "$scheme" -n 2
+    exits 0
+    counts=$(tail -n 2 "$results/out" | head -n 1 | awk '{ print $2 " vertices, " $3 " edges, " $4 " faces" }')
+    for mesh in native cgal openmesh; do
+        run refine $input -s "$scheme" -n 2 --mesh $mesh -o $mesh.off
+        exits 0
+        prints "^$mesh.off: $counts\$"
+    done
+    same native.off cgal.off
+    same native.off openmesh.off
+    run info native.off
+    exits 0
+    prints '^Euler characteristic +2$'
+done <list
+for scheme in catmull-clark doo-sabin; do
+    for mesh in native cgal openmesh; do
+        run refine cube.off -s $scheme -n 3 --mesh $mesh -o $mesh.off
+        exits 0
+    done
+    same native.off cgal.off
+    same native.off openmesh.off
+done
+cat >strip.off <<'END'
+OFF
+6 4 0
+0 0 0
+1 0 0
+2 0 0.5
+0 1 0
+1 1 0.25
+2 1 0
+3 0 1 4
+3 0 4 3
+3 1 2 5
+3 1 5 4
+END
+for scheme in loop sqrt3; do
+    for mesh in native cgal openmesh; do
+        run refine strip.off -s $scheme -n 2 --mesh $mesh -o $mesh.off
+        exits 0
+    done
+    same native.off cgal.off
+    same native.off openmesh.off
+done
+
+# Choices reach the scheme: a corner stays or is smoothed, and a preset decides for itself.
+run refine strip.off -s loop -n 1 -o kept.off --boundary-corners kept
+exits 0
+check "the corner stays" at 6 kept.off 2 0 0.5
+run refine strip.off -s loop -n 1 -o smoothed.off --boundary-corners smoothed
+exits 0
+check "the corner moves" at 6 smoothed.off 1.875 0.125 0.375
+run refine strip.off -s loop -n 1 -o preset.off --preset cgal
+same smoothed.off preset.off
+run refine strip.off -s loop -n 1 -o preset.off --preset cgal --boundary-corners kept
+same kept.off preset.off
+run refine cube.off -s doo-sabin -n 2 -o cosine.off --weights cosine
+run refine cube.off -s doo-sabin -n 2 -o averaging.off --weights averaging
+check "the weights differ on triangles" test ! "$(cmp cosine.off averaging.off >/dev/null 2>&1; echo $?)" = 0
+cat >quad.off <<'END'
+OFF
+4 1 0
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+4 0 1 2 3
+END
+run refine quad.off -s doo-sabin -n 1 -o thesis.off
+check "a corner stays" grep -qx '1 1 0' thesis.off
+run refine quad.off -s doo-sabin -n 1 -o drop.off --boundary drop
+check "the surface recedes" grep -qx '0.75 0.75 0' drop.off
+run refine quad.off -s doo-sabin -n 1 -o cgal.off --preset cgal
+same drop.off cgal.off
+
+
+# Creases: by angle all edges of the cube stay where they are; a tag of the file holds for as many levels as it says.
+run refine cube.off -s catmull-clark -n 2 -o sharp.off --crease-angle 89
+exits 0
+check "a corner stays" at 4 sharp.off -1 -1 -1
+run refine cube.off -s catmull-clark -n 2 -o smooth.off
+run refine cube.off -s catmull-clark -n 2 -o same.off --crease-angle 91
+same smooth.off same.off
+run refine cube.off -s linear -n 0 -o cube.obj
+for crease in 0:no 1:once 2:twice; do
+    (cat cube.obj; echo; echo "t crease 2/1/0 0 1 ${crease%:*}") >creased.obj
+    for mesh in native cgal openmesh; do
+        run refine creased.obj -s catmull-clark -n 2 -o $mesh.off --mesh $mesh
+        exits 0
+        says_nothing
+    done
+    same native.off cgal.off
+    same native.off openmesh.off
+    mv native.off "${crease#*:}.off"
+done
+same smooth.off no.off
+check "1 and 2 are not the same" test ! "$(cmp -s once.off twice.off; echo $?)" = 0
+# After two levels of an edge of sharpness 2 its quarter points lie on it: (-1/2, -1, -1), moved by its ends alone.
+run refine creased.obj -s catmull-clark -n 1 -o one.off
+check "the middle of the edge" grep -qxE -- '0 -1 -1' one.off
+(cat cube.obj; echo; echo 't corner 1/1/0 0 12') >creased.obj
+run refine creased.obj -s catmull-clark -n 3 -o corner.off
+check "the vertex stays" at 4 corner.off -1 -1 -1
+run refine creased.obj -s doo-sabin -n 1 -o corner.off
+exits 0
+says 'note: the file has creases, which doo-sabin does not know'
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nt interpolateboundary 1/0/0 2\nt hole 1/0/0 0\n' >quad.obj
+run refine quad.obj -s catmull-clark -n 1 -o smoothed.off
+exits 0
+says 'note: 1 tags of the file are not understood'
+check "the corner is smoothed" at 4 smoothed.off 0.125 0.125 0
+run refine quad.obj -s catmull-clark -n 1 -o kept.off --boundary-corners kept
+check "unless the command line says otherwise" at 4 kept.off 0 0 0
+
+run refine cube.off -s kobbelt -n 1 -o kobbelt.off
+
+# Creases: by angle all edges of the cube stay where they are; a tag of the file holds for as many levels as it says.
+run refine cube.off -s catmull-clark -n 2 -o sharp.off --crease-angle 89
+exits 0
+check "a corner stays" at 4 sharp.off -1 -1 -1
+run refine cube.off -s catmull-clark -n 2 -o smooth.off
+run refine cube.off -s catmull-clark -n 2 -o same.off --crease-angle 91
+same smooth.off same.off
+run refine cube.off -s linear -n 0 -o cube.obj
+for crease in 0:no 1:once 2:twice; do
+    (cat cube.obj; echo; echo "t crease 2/1/0 0 1 ${crease%:*}") >creased.obj
+    for mesh in native cgal openmesh; do
+        run refine creased.obj -s catmull-clark -n 2 -o $mesh.off --mesh $mesh
+        exits 0
+        says_nothing
+    done
+    same native.off cgal.off
+    same native.off openmesh.off
+    mv native.off "${crease#*:}.off"
+done
+same smooth.off no.off
+check "1 and 2 are not the same" test ! "$(cmp -s once.off twice.off; echo $?)" = 0
+# After two levels of an edge of sharpness 2 its quarter points lie on it: (-1/2, -1, -1), moved by its ends alone.
+run refine creased.obj -s catmull-clark -n 1 -o one.off
+check "the middle of the edge" grep -qxE -- '0 -1 -1' one.off
+(cat cube.obj; echo; echo 't corner 1/1/0 0 12') >creased.obj
+run refine creased.obj -s catmull-clark -n 3 -o corner.off
+check "the vertex stays" at 4 corner.off -1 -1 -1
+run refine creased.obj -s doo-sabin -n 1 -o corner.off
+exits 0
+says 'note: the file has creases, which doo-sabin does not know'
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nt interpolateboundary 1/0/0 2\nt hole 1/0/0 0\n' >quad.obj
+run refine quad.obj -s catmull-clark -n 1 -o smoothed.off
+exits 0
+says 'note: 1 tags of the file are not understood'
+check "the corner is smoothed" at 4 smoothed.off 0.125 0.125 0
+run refine quad.obj -s catmull-clark -n 1 -o kept.off --boundary-corners kept
+check "unless the command line says otherwise" at 4 kept.off 0 0 0
+
+run refine cube.off -s kobbelt -n 1 -o tight.off --tension 0.001
+run refine cube.off -s linear -n 1 -o linear.off
+run compare linear.off kobbelt.off --tolerance 0.01
+exits 1
+run compare linear.off tight.off --tolerance 0.01
+exits 0
+
+# JSON, standard input and output, threads, memory.
+run refine cube.off -s catmull-clark -n 3 -o out.off --json
+prints '^\{"scheme":"catmull-clark","mesh":"native","levels":3,"vertices":386,"edges":768,"faces":384,"output":"out.off"\}$'
+run_from cube.off refine - -s catmull-clark -n 3 -o -
+exits 0
+says '^-: 386 vertices, 768 edges, 384 faces$'
+check "standard output is the mesh" cmp -s out.off "$results/out"
+run refine cube.off -s catmull-clark -n 3 -o limited.off --memory-limit 1M
+exits 0
+same out.off limited.off
+run refine cube.off -s catmull-clark -n 3 -o refused.off --memory-limit 1K
+exits 1
+says 'the limit is 1024'
+check "no output file" test ! -e refused.off
+if "$kith" refine --help | grep -q -- --threads; then
+    for threads in 1 2; do
+        run refine cube.off -s catmull-clark -n 6 -o threads$threads.off --threads $threads
+        exits 0
+    done
+    same threads1.off threads2.off
+    run refine cube.off -s catmull-clark -n 1 -o refused.off --threads 0
+    exits 2
+fi
+finish

@@ -1,0 +1,347 @@
+# SPDX-License-Identifier: BSD-3-Clause
+source "$(dirname "$0")/check.bash"
+
+# refused FILE MESSAGE: what the file holds is refused by every verb, in words with its path, and nothing is left.
+refused() {
+    local file=$1 message=$2
+    for arguments in "refine $file -s catmull-clark -n 2 -o out.off" "plan $file -s catmull-clark -n 2" \
+        "compare $file $file --tolerance 1"; do
+        run $arguments
+        exits 1
+        says "^kith: $file:"
+        says "$message"
+        prints_nothing
+        only_input_left "$file"
+    done
+    rm -rf "$file"
+}
+# not_refined MESSAGE: the file in.off can be read, and what is wrong with its mesh is told by `info` and before refining.
+not_refined() {
+    local message=$1
+    run info in.off
+    exits 1
+    prints "$message"
+    for mesh in native cgal openmesh; do
+        run refine in.off -s ${2:-catmull-clark} -n 1 -o out.off --mesh $mesh
+        exits 1
+        says "$message"
+        prints_nothing
+        only_input_left in.off
+    done
+}
+
+# No file, no mesh.
+run refine nothing.off -s loop -n 1 -o out.off
+exits 1
+says '^kith: nothing.off: cannot be opened: No such file or directory'
+run info nothing.off
+exits 1
+mkdir a.off
+refused a.off 'is a directory'
+: >a.off
+refused a.off 'the file is empty'
+printf ' \n\n\t\n' >a.ply
+refused a.ply 'the file is empty'
+cube >a.3ds
+refused a.3ds 'the extension decides the format and must be .off, .obj, .ply or .stl'
+cube >a
+refused a 'the extension decides'
+head -c 3000 /dev/zero >a.off
+refused a.off 'begins with the word OFF'
+head -c 3000 /dev/zero >a.obj
+refused a.obj 'is no statement'
+head -c 3000 /dev/zero >a.ply
+refused a.ply "begins with a line 'ply'"
+head -c 3000 /dev/zero | tr '\0' '\377' >a.stl
+refused a.stl 'neither text'
+for extension in obj ply stl; do
+    cube >a.$extension
+    refused a.$extension 'line 1: |neither text'
+done
+
+# OFF: every line that is not what it should be.
+off() { # off SED-SCRIPT MESSAGE
+    cube | sed "$1" >a.off
+    refused a.off "$2"
+}
+off '1s/.*/off/' "line 1: an OFF file begins with the word OFF, this one with 'off'"
+off '1d' "line 1: an OFF file begins with the word OFF, this one with '8'"
+off '1s/.*/nOFF/' 'another number of coordinates'
+off '1s/.*/OFF BINARY/' 'binary OFF is not read'
+off '2s/.*/8/' "line 2: the number of faces should be a whole number, it is ''"
+off '2s/.*/8 six 12/' "line 2: the number of faces should be a whole number, it is 'six'"
+off '2s/.*/-8 6 12/' 'the number of vertices'
+off '2s/.*/8 -6 12/' 'the number of faces'
+off '2s/.*/8.5 6 12/' 'the number of vertices'
+off '2s/.*/8 6 12 1/' 'line 2: more than'
+off '2s/.*/4000000000 6 12/' 'line 2: the file is too short for 4000000000 vertices'
+off '2s/.*/8 4000000000 12/' 'line 2: the file is too short for 8 vertices and 4000000000 faces'
+off '2s/.*/18446744073709551615 18446744073709551615 0/' 'too short'
+off '2s/.*/99999999999999999999999 6 12/' 'whole number'
+off '2s/.*/9 6 12/' 'the file ends where face 5 of 6 should be|line'
+off '2s/.*/8 7 12/' 'the file ends where face 6 of 7 should be'
+off '2s/.*/8 5 12/' 'line 16: the file goes on after its 8 vertices and 5 faces'
+off '2s/.*/7 6 12/' 'line 10: face 0'
+off '5s/.*/1 1/' 'line 5: vertex 2 has 2 coordinates'
+off '5s/.*/1 1 x/' "line 5: vertex 2 should be a number, it is 'x'"
+off '5s/.*/1 1 1x/' "line 5: vertex 2 should be a number, it is '1x'"
+off '5s/.*/1 1 1,5/' "line 5: vertex 2 should be a number"
+off '5s/.*/1 1 nan/' "line 5: vertex 2 is 'nan', which is not a finite number; give it a place"
+off '5s/.*/1 -inf 1/' "line 5: vertex 2 is '-inf', which is not a finite number"
+off '5s/.*/1 1e999 1/' "line 5: vertex 2 is '1e999', which is not a finite number"
+off '5s/.*/1 0x10 1/' "line 5: vertex 2 should be a number, it is '0x10'"
+off '5s/.*/1 1 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0/' 'line 5: vertex 2 has too many numbers'
+off '3{N;s/\n/ /}' 'ends where face 5|line'
+off '11s/.*/4 3 2 1/' 'line 11: face 0 should have 4 corners, 3 are there'
+off '11s/.*/5 3 2 1 0/' 'line 11: face 0 should have 5 corners, 4 are there'
+off '11s/.*/99999999999 3 2 1 0/' 'line 11: face 0 should have 99999999999 corners'
+off '11s/.*/-4 3 2 1 0/' "line 11: face 0: its number of corners should be a whole number, it is '-4'"
+off '11s/.*/4 3 2 1 8/' 'line 11: face 0: vertex 8 does not exist, there are 8; correct the index'
+off '11s/.*/4 3 2 1 -1/' 'line 11: face 0: vertex -1 does not exist'
+off '11s/.*/4 3 2 1 0.5/' "line 11: face 0: a vertex should be a whole number, it is '0.5'"
+off '11s/.*/4 3 2 one 0/' "it is 'one'"
+off '11s/.*/4 3 2 1 0 red/' "line 11: face 0: its color should be a number, it is 'red'"
+off '11s/.*/3 3 2 1 3 3 1 0 0/' 'line 11: face 0 has too many numbers'
+off '1s/.*/4OFF/; 3,10s/$/ 1/; 4s/1$/0/' 'vertex 1 lies at infinity'
+off '1s/.*/4OFF/' 'line 3: vertex 0 has 3 coordinates, 4 are needed'
+for bytes in 1 2 4 8 12 20 50 80 110 124; do
+    cube | head -c $bytes >a.off
+    refused a.off 'the file ends where|should be|begins with|too short|corners|coordinates'
+done
+
+# OBJ.
+obj() { # obj TEXT MESSAGE
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n%b\n' "$1" >a.obj
+    refused a.obj "$2"
+}
+obj '' 'the file has 3 vertices and 0 faces'
+obj 'f 1 2 4' 'line 4: face 1: vertex 4 does not exist, there are 3; correct the index'
+obj 'f 1 2 0' 'line 4: face 1: vertex 0 does not exist'
+obj 'f 1 2 -4' 'line 4: face 1: vertex -4 does not exist, there are 3 so far'
+obj 'f 1 2 -99999999999999999999' 'should be a whole number'
+obj 'f 1 2 4294967299' 'vertex 4294967299 does not exist'
+obj 'f 1 2 9223372036854775807' 'does not exist'
+obj 'f 1 2 three' "line 4: face 1: a vertex should be a whole number, it is 'three'"
+obj 'f 1 2 3.0' 'should be a whole number'
+obj 'f 1/1/x 2 3' 'a texture coordinate or normal should be a whole number'
+obj 'f 1 2 3\n1 2 3' "line 5: '1' is no statement"
+obj 'f 1, 2, 3' "it is '1,'"
+obj 'v 1 1\nf 1 2 3' 'line 4: vertex 4 has 2 coordinates'
+obj 'v 1 1 up\nf 1 2 3' "line 4: vertex 4 should be a number, it is 'up'"
+obj 'v 1 1 nan\nf 1 2 3' 'not a finite number'
+obj 'F 1 2 3' "line 4: 'F' is no statement of an OBJ file"
+obj 't crease 2/1/0 0 1\nf 1 2 3' 'line 4: the tag has fewer arguments than it says'
+obj 't crease 2/1/0 0 1 2 3\nf 1 2 3' 'line 4: the tag has more arguments than it says'
+obj 't crease 2/1 0 1 2\nf 1 2 3' 'line 4: a tag gives the numbers of its arguments as in 2/1/0'
+obj 't crease 2/1/0 0 -1 2\nf 1 2 3' 'line 4: an argument of the tag should be a whole number'
+obj 't crease 2/1/0 0 1 hard\nf 1 2 3' 'line 4: an argument of the tag should be a number'
+obj 't crease 2/1/0 0 1 -2\nf 1 2 3' 'line 4: a sharpness is 0 or more'
+obj 't crease 1/1/0 0 2\nf 1 2 3' 'line 4: a crease runs from one vertex to another'
+obj 't crease 3/3/0 0 1 2 1 1 1\nf 1 2 3' 'line 4: the tag should have one sharpness, or 2'
+obj 't crease 999999999999/1/0 0 1 2\nf 1 2 3' 'line 4: .*argument'
+printf 'f 1 2 3\n' >a.obj
+refused a.obj 'vertex 3 does not exist, there are 0'
+printf 'hello, world\n' >a.obj
+refused a.obj "line 1: 'hello,' is no statement"
+
+# PLY.
+ply() { # ply SED-SCRIPT MESSAGE
+    cat <<'END' | sed "$1" >a.ply
+ply
+format ascii 1.0
+element vertex 3
+property float x
+property double y
+property float z
+element face 1
+property list uchar int vertex_indices
+end_header
+0 0 0
+1 0 0
+0 1 0
+3 0 1 2
+END
+    refused a.ply "$2"
+}
+ply '2d' "the header has no line 'format'"
+ply '2s/ascii/asci/' "line 2: 'asci' is no format"
+ply '2s/1.0/2.0/' 'version 1.0'
+ply '3s/vertex/point/' "one element 'vertex'"
+ply '3s/3/-3/' "the number of elements 'vertex' should be a whole number"
+ply '3s/3/4/' 'vertex_indices|vertex 3'
+ply '3s/3/9000000000000000000/' 'the file ends where vertex'
+ply '3s/$/\nelement nothing 9000000000000000000/' "the elements 'vertex' have no property|no property"
+ply '3d' "line 3: the property belongs to no element"
+ply '4s/float/long/' "line 4: 'long' is no type"
+ply '4s/float/int/' "no property 'x' of type float or double"
+ply '6s/z/w/' "no property 'z'"
+ply '6s/.*/property float/' 'the property has no name'
+ply '7s/1/2/' 'the file ends where face 1: vertex_indices, its length should be'
+ply '7s/1/0/' 'line 13: the file goes on after its last element'
+ply '8s/int/short/' "no list 'vertex_indices' of type int or uint"
+ply '8s/vertex_indices/corners/' "no list 'vertex_indices'"
+ply '8s/uchar/float/' 'the length of a list must be a whole number'
+ply '9d' "'0' is no line of a PLY header"
+ply '9,$d' "the file ends where 'end_header' should be"
+ply '8s/$/\n/' "'' is no line of a PLY header"
+ply '11s/1/one/' "line 11: vertex 1: x should be a number, it is 'one'"
+ply '11s/1/nan/' 'line 11: vertex 1: x is .nan., which is not a finite number'
+ply '11s/1/1e39/' 'line 11: vertex 1: x is too large for the type float'
+ply '12d' 'the file ends where face 0: vertex_indices should be'
+ply '13s/2$/3/' 'line 13: face 0: vertex 3 does not exist, there are 3'
+ply '13s/2$/-1/' 'line 13: face 0: vertex -1 does not exist'
+ply '13s/2$/2.5/' 'should be a whole number'
+ply '13s/^3/300/' 'its length is 300, which does not fit its type'
+ply '13s/^3/-1/' 'its length is -1, which does not fit its type'
+ply '13s/$/ 7/' 'the file goes on after its last element'
+ply '7s/face/halfedge/' "half-edges|one element"
+binary() { # binary COUNT BYTES MESSAGE: three vertices, then the bytes as the only face
+    printf 'ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n' >a.ply
+    printf 'property float z\nelement face 1\nproperty list %s int vertex_indices\nend_header\n' "$1" >>a.ply
+    head -c 36 /dev/zero >>a.ply
+    printf "$2" >>a.ply
+    refused a.ply "$3"
+}
+binary uchar '\3\0\0\0\0\1\0\0\0\2\0\0' 'the file ends where face 0: vertex_indices should be'
+binary uchar '\3\0\0\0\0\1\0\0\0\3\0\0\0' 'face 0: vertex 3 does not exist'
+binary uchar '\3\0\0\0\0\1\0\0\0\377\377\377\377' 'face 0: vertex -1 does not exist'
+binary uchar '\3\0\0\0\0\1\0\0\0\2\0\0\0!' 'the file goes on for 1 bytes'
+binary int '\377\377\377\377\0\0\0\0' 'the list has -1 entries'
+binary uint '\377\377\377\377\0\0\0\0' 'the file ends where face 0: vertex_indices should be'
+binary uchar '' 'the file ends where face 0: vertex_indices, its length should be'
+
+# STL.
+stl() { # stl SED-SCRIPT MESSAGE
+    cat <<'END' | sed "$1" >a.stl
+solid one triangle
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid one triangle
+END
+    refused a.stl "$2"
+}
+stl '9d' "the file ends where 'endsolid' should be"
+stl '8,$d' "the file ends where 'endfacet' should be"
+stl '6d' "line 6: 'vertex' should be here, it is 'endloop'"
+stl '6s/$/\nvertex 1 1 0/' "line 7: 'endloop' should be here, it is 'vertex'"
+stl '5s/1/one/' "line 5: triangle 0 should be a number, it is 'one'"
+stl '5s/1/inf/' 'line 5: triangle 0 is .inf., which is not a finite number'
+stl '5s/ 0$//' "line 6: triangle 0 should be a number, it is 'vertex'"
+stl '9s/$/\nmore/' "line 10: 'solid' should be here, it is 'more'"
+stl '2s/facet/face/' "'facet' or 'endsolid' should be here, it is 'face'"
+binary_stl() { # binary_stl COUNT BYTES MESSAGE: a binary file with so many bytes after its count
+    (head -c 80 /dev/zero; printf "$1"; head -c "$2" /dev/zero) >a.stl
+    refused a.stl "$3"
+}
+binary_stl '\1\0\0\0' 49 '1 triangles would need 134 bytes, the file has 133'
+binary_stl '\1\0\0\0' 51 'would need 134 bytes'
+binary_stl '\377\377\377\377' 50 '4294967295 triangles would need 214748364834 bytes'
+(head -c 80 /dev/zero; printf '\1\0\0\0'; head -c 12 /dev/zero; printf '\0\0\300\177'; head -c 34 /dev/zero) >a.stl
+refused a.stl 'triangle 0: a coordinate is not a finite number'
+
+# Meshes that can be read and not refined.
+cat >in.off <<'END'
+OFF
+5 3 0
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+0 -1 0
+3 0 1 2
+3 0 1 3
+3 0 1 4
+END
+not_refined 'edge 0-1: 3 faces'
+(cube | sed '$d'; echo '4 7 4 0 3') >in.off
+not_refined 'edge 0-3.*turn'
+(cube | sed '2s/8 6/8 7/'; echo '4 3 2 1 0') >in.off
+not_refined 'edge'
+(cube | sed '2s/8/9/; 10s/$/\n5 5 5/') >in.off
+not_refined 'vertex 8: belongs to no face; remove it or give it a face'
+cube | sed '11s/.*/4 3 2 1 2/' >in.off
+not_refined 'face 0: comes to vertex 2 twice; remove'
+(cube | sed '2s/6/7/'; echo '2 0 1') >in.off
+not_refined 'face 6: has 2 corners; remove it'
+(cube | sed '2s/6/7/'; echo 0) >in.off
+not_refined 'face 6: has 0 corners; remove it'
+cat >in.off <<'END'
+OFF
+5 2 0
+0 0 0
+1 0 0
+0 1 0
+-1 0 0
+0 -1 0
+3 0 1 2
+3 0 3 4
+END
+not_refined 'vertex 0.*fans'
+printf 'OFF\n0 0 0\n' >in.off
+not_refined 'the mesh has no faces'
+printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >in.off
+not_refined 'the mesh has no faces'
+# A Moebius strip of five quads cannot be turned to one side.
+(echo OFF 10 5 0; for i in 0 1 2 3 4; do echo "$i 0 0"; echo "$i 1 0"; done
+    echo 4 0 2 3 1; echo 4 2 4 5 3; echo 4 4 6 7 5; echo 4 6 8 9 7; echo 4 8 1 0 9) >in.off
+not_refined 'edge 0-1.*|edge 1-8|edge 0-9'
+# All problems are told at once.
+cube | sed '2s/8/9/; 10s/$/\n5 5 5/; 12s/.*/4 4 5 6 4/' >in.off
+run refine in.off -s catmull-clark -n 1 -o out.off
+exits 1
+says 'face 1: comes to vertex 4 twice'
+rm in.off
+
+# Coordinates that are finite and whose sums are not.
+cube | sed '3,10s/1/1e308/g' >in.off
+run refine in.off -s catmull-clark -n 1 -o out.off
+exits 1
+says '^kith: out.off: vertex 0 would have no finite place'
+only_input_left in.off
+run_from in.off refine - -s no-such-scheme -n 1 -o out.off
+exits 2
+printf 'OFF\n1 1' >in.off
+run_from in.off refine - -s linear -n 1 -o out.off
+exits 1
+says '^kith: standard input: line 2: '
+rm in.off
+
+# Tags that name what is not there.
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nt crease 2/1/0 0 2 1\n' >in.obj
+run refine in.obj -s catmull-clark -n 1 -o out.off
+exits 1
+says 'crease 0-2: there is no such edge'
+only_input_left in.obj
+sed -i 's/^t.*/t corner 1\/1\/0 4 1/' in.obj
+run refine in.obj -s catmull-clark -n 1 -o out.off
+exits 1
+says 'corner 4: there is no such vertex'
+only_input_left in.obj
+rm in.obj
+
+# Faces that the scheme does not take.
+cube >in.off
+for scheme in loop sqrt3; do
+    for mesh in native cgal openmesh; do
+        run refine in.off -s $scheme -n 1 -o out.off --mesh $mesh
+        exits 1
+        says "^kith: $scheme: face 0 has 4 vertices; triangulate the mesh first"
+        only_input_left in.off
+    done
+done
+
+# More than memory and indices hold: refused at once, on every kind of mesh.
+for mesh in native cgal openmesh; do
+    for levels in 11 16 40 2147483647; do
+        run refine in.off -s catmull-clark -n $levels -o out.off --mesh $mesh --memory-limit 512M
+        exits 1
+        says 'bytes at once|32-bit|64 bits'
+        only_input_left in.off
+    done
+done
+finish

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: BSD-3-Clause
+source "$(dirname "$0")/check.bash"
+cube >cube.off
+
+run --help
+exits 0
+says_nothing
+for verb in refine info compare plan schemes; do prints "^  $verb "; done
+run -h
+exits 0
+run --version
+exits 0
+prints '^kith [0-9]+\.[0-9]+\.[0-9]+$'
+for verb in refine info compare plan schemes; do
+    run $verb --help
+    exits 0
+    prints "^kith $verb"
+    prints '--help'
+    says_nothing
+    run $verb --version
+    exits 0
+    prints '^kith [0-9]'
+    run $verb --no-such-option
+    exits 2
+    says 'no-such-option'
+    prints_nothing
+done
+
+wrong() { # wrong MESSAGE ARGUMENTS...: wrong use, which says so and does nothing
+    local message=$1
+    shift
+    run "$@"
+    exits 2
+    says "$message"
+    prints_nothing
+    only_input_left cube.off
+}
+run
+exits 2
+says 'refine'
+prints_nothing
+wrong 'no verb; there are refine, info, compare, plan, schemes' smooth cube.off
+wrong 'IN is missing' refine -s loop -n 1 -o out.off
+wrong 'output is missing' refine cube.off -s catmull-clark -n 1
+wrong 'scheme is missing' refine cube.off -n 1 -o out.off
+wrong 'levels is missing' refine cube.off -s catmull-clark -o out.off
+wrong 'more operands' refine cube.off other.off -s catmull-clark -n 1 -o out.off
+wrong "'catmull' is no scheme; there are catmull-clark, loop, doo-sabin, sqrt3, " refine cube.off -s catmull -n 1 -o out.off
+wrong 'ask for 0 or more' refine cube.off -s catmull-clark -n -1 -o out.off
+wrong 'levels' refine cube.off -s catmull-clark -n two -o out.off
+wrong 'levels' refine cube.off -s catmull-clark -n 1.5 -o out.off
+wrong 'levels' refine cube.off -s catmull-clark -n 99999999999 -o out.off
+wrong 'once' refine cube.off -s catmull-clark -n 1 -n 2 -o out.off
+wrong "'maya' is not one of kith, cgal" refine cube.off -s catmull-clark -n 1 -o out.off --preset maya
+wrong 'does not have it' refine cube.off -s catmull-clark -n 1 -o out.off --preset libigl
+wrong 'catmull-clark has no such choice' refine cube.off -s catmull-clark -n 1 -o out.off --weights warren
+wrong 'sqrt3 has no such choice' refine cube.off -s sqrt3 -n 1 -o out.off --boundary-corners kept
+wrong 'loop has no such choice' refine cube.off -s loop -n 1 -o out.off --tension 1
+wrong 'not between' refine cube.off -s kobbelt -n 1 -o out.off --tension 2.5
+wrong 'not between' refine cube.off -s kobbelt -n 1 -o out.off --tension nan
+wrong "'cosine' is not one of loop, warren" refine cube.off -s loop -n 1 -o out.off --weights cosine
+wrong "'round' is not one of kept, smoothed" refine cube.off -s loop -n 1 -o out.off --boundary-corners round
+wrong "'blender' is not one of native, cgal, openmesh" refine cube.off -s catmull-clark -n 1 -o out.off --mesh blender
+wrong 'doo-sabin has no creases' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
+wrong 'sqrt3 has no such choice' refine cube.off -s sqrt3 -n 1 -o out.off --crease-method chaikin
+wrong "'soft' is not one of uniform, chaikin" refine cube.off -s loop -n 1 -o out.off --crease-method soft
+wrong 'not between 0 and 180' refine cube.off -s catmull-clark -n 1 -o out.off --crease-angle 181
+wrong 'not between 0 and 180' refine cube.off -s catmull-clark -n 1 -o out.off --crease-angle nan
+wrong 'no number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit lots
+wrong 'no number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit -5
+wrong 'no number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit 5Q
+wrong 'no number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit 0
+wrong 'only PLY and STL' refine cube.off -s catmull-clark -n 1 -o out.off --binary
+wrong 'B is missing' compare cube.off --tolerance 1
+wrong 'tolerance is missing' compare cube.off cube.off
+wrong 'tolerance' compare cube.off cube.off --tolerance -1
+wrong 'tolerance' compare cube.off cube.off --tolerance nan
+wrong 'tolerance' compare cube.off cube.off --tolerance much
+wrong 'FILE is missing' info
+wrong 'levels is missing' plan cube.off -s loop
+wrong 'is no scheme' plan cube.off -s butter -n 1
+
+run schemes
+exits 0
+prints '^catmull-clark +any polygons +Catmull & Clark 1978'
+prints '^loop +triangles'
+prints '^doo-sabin +any polygons'
+prints '^sqrt3 +triangles'
+prints '--boundary thesis, clamped, drop'
+run schemes --json
+exits 0
+prints '^\[\{"name":"catmull-clark","takes":"any polygons",.*\}\]$'
+check "JSON has all schemes" test "$(grep -o '"name":' "$results/out" | wc -l)" -eq "$("$kith" schemes | grep -c '^[a-z0-9]')"
+
+# What cannot be printed is an error, too.
+if test -w /dev/full; then
+    command="kith info cube.off > /dev/full"
+    "$kith" info cube.off >/dev/full 2>"$results/err"
+    code=$?
+    exits 1
+    says 'standard output'
+fi
+finish

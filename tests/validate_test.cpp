@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/validate.hpp>
+
+#include "all_shapes.hpp"
+#include "native_shape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// Meshes of other libraries: cgal_test.cpp, openmesh_test.cpp. Lists of faces: make_mesh_test.cpp.
+
+TEST(validate, finds_nothing_wrong_with_good_meshes)
+{
+    for (const auto& [name, shape] : shapes::all_shapes()) {
+        EXPECT_EQ(kith::validate(native(shape)).text(), "") << name;
+        EXPECT_EQ(kith::validate(shape.points, kith::face_list(shape.faces)).text(), "") << name;
+    }
+}
+
+TEST(validate, finds_points_that_are_not_finite)
+{
+    auto mesh = native(shapes::cube());
+    mesh.points()[2][0] = std::nan("");
+    const auto report = kith::validate(mesh);
+    EXPECT_EQ(report.count(kith::problem::not_finite), 1U);
+    EXPECT_EQ(report.text(), "vertex 2: a coordinate is not a finite number; give it a place");
+}
+
+TEST(validate, finds_an_empty_mesh)
+{
+    EXPECT_TRUE(kith::validate(mesh3d()).has(kith::problem::empty_mesh));
+}
+
+TEST(validate, names_the_kinds_of_problems_in_a_list_of_faces)
+{
+    const auto [points, faces] = shapes::cube();
+    auto bad = faces;
+    bad.push_back({0, 3, 2, 1});
+    EXPECT_EQ(kith::validate(points, kith::face_list(bad)).count(kith::problem::nonmanifold_edge), 4U);
+    bad.back() = {0, 1, 2, 99};
+    EXPECT_TRUE(kith::validate(points, kith::face_list(bad)).has(kith::problem::bad_index));
+    bad.back() = {0, 0, 0};
+    EXPECT_TRUE(kith::validate(points, kith::face_list(bad)).has(kith::problem::degenerate_face));
+}

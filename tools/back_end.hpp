@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "schemes.hpp"
+
+#include <kith/basic_mesh.hpp>
+
+#include <cstdint>
+
+namespace kith::tool {
+
+struct refine_request {
+    any_scheme scheme;
+    int levels = 0;
+    std::uint64_t memory_limit = 0; ///< in bytes
+};
+
+struct refined_mesh {
+    basic_mesh<> mesh; ///< of the last level; its edges need not be known
+    std::uint64_t edges = 0;
+};
+
+/// Refine on one kind of mesh each, level by level, and give the last level back as the native one.
+/// Errors: mesh_error, as kith::refine.
+refined_mesh refine_native(basic_mesh<> control, const refine_request& request);
+refined_mesh refine_cgal(basic_mesh<> control, const refine_request& request);
+refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request);
+
+} // namespace kith::tool

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "back_end.hpp"
+
+#include <kith/plan.hpp>
+#include <kith/refine.hpp>
+
+#include <variant>
+
+namespace kith::tool {
+
+refined_mesh refine_native(basic_mesh<> control, const refine_request& request)
+{
+    return std::visit(
+        [&](const auto& scheme) {
+            // Nothing that is printed or written needs the last level's edges, and their number is known beforehand.
+            const auto levels = plan(count(control.topology()), scheme, request.levels, control.generation());
+            auto mesh = refine(control, scheme, request.levels, {connect::faces, request.memory_limit});
+            return refined_mesh{std::move(mesh), levels.back().counts.edges};
+        },
+        request.scheme);
+}
+
+} // namespace kith::tool

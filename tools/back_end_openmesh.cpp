@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "foreign_back_end.hpp"
+
+#include <kith/openmesh.hpp>
+
+namespace kith::tool {
+
+namespace {
+
+struct double_traits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3d;
+};
+
+} // namespace
+
+refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request)
+{
+    return refine_on<OpenMesh::PolyMesh_ArrayKernelT<double_traits>>(control, request);
+}
+
+} // namespace kith::tool

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.hpp"
+
+#include "errors.hpp"
+
+#include <boost/program_options/parsers.hpp>
+#include <boost/program_options/positional_options.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace kith::tool {
+
+namespace po = boost::program_options;
+
+std::optional<po::variables_map> parse(const verb& verb, po::options_description options,
+                                       const std::vector<std::string>& operands,
+                                       const std::vector<std::string>& arguments)
+{
+    add_flag(options, "help,h", "print this and stop");
+    add_flag(options, "version", "print the version and stop");
+    po::options_description all;
+    all.add(options);
+    po::positional_options_description positions;
+    for (const auto& operand : operands) {
+        all.add_options()(operand.c_str(), po::value<std::string>());
+        positions.add(operand.c_str(), 1);
+    }
+    po::variables_map values;
+    try {
+        const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+        po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), values);
+    } catch (const po::error& error) {
+        if (std::string(error.what()).find("too many positional") != std::string::npos)
+            throw usage_error("more operands than " + std::to_string(operands.size()) + " were given");
+        throw usage_error(error.what());
+    }
+    if (values.count("version") != 0) {
+        print_version();
+        return std::nullopt;
+    }
+    if (values.count("help") != 0) {
+        std::cout << "kith " << verb.name;
+        for (const auto& operand : operands)
+            std::cout << ' ' << operand;
+        std::cout << " [options]\n" << verb.summary << "\n\n" << options;
+        return std::nullopt;
+    }
+    for (const auto& operand : operands)
+        (void)required(values, operand);
+    return values;
+}
+
+void print_version()
+{
+    std::cout << "kith " << KITH_VERSION << '\n';
+}
+
+std::string required(const po::variables_map& values, const std::string& name)
+{
+    if (values.count(name) == 0)
+        throw usage_error(name + " is missing");
+    return values[name].as<std::string>();
+}
+
+int levels_of(const po::variables_map& values)
+{
+    if (values.count("levels") == 0)
+        throw usage_error("--levels is missing");
+    const int levels = values["levels"].as<int>();
+    if (levels < 0)
+        throw usage_error("--levels: " + std::to_string(levels) + " were asked for; ask for 0 or more");
+    return levels;
+}
+
+std::uint64_t bytes_from(const std::string& text)
+{
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    auto [rest, error] = std::from_chars(text.data(), end, value, std::chars_format::fixed);
+    double unit = 1;
+    if (error == std::errc() and rest != end) {
+        const auto power = std::string_view("KMGT").find(*rest++);
+        unit = power == std::string_view::npos ? 0 : std::pow(1024., double(power + 1));
+    }
+    const double bytes = value * unit;
+    if (error != std::errc() or rest != end or not(bytes >= 1 and bytes < 1e19))
+        throw usage_error("'" + text + "' is no number of bytes such as 500M or 1.5G");
+    return std::uint64_t(bytes);
+}
+
+std::uint64_t physical_memory()
+{
+    return std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGE_SIZE));
+}
+
+} // namespace kith::tool

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/value_semantic.hpp>
+#include <boost/program_options/variables_map.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kith::tool {
+
+/// What `kith VERB ARGUMENTS` runs; it returns the exit code.
+struct verb {
+    std::string_view name;
+    std::string_view summary;
+    int (*run)(const verb&, const std::vector<std::string>& arguments);
+};
+
+int run_refine(const verb&, const std::vector<std::string>& arguments);
+int run_info(const verb&, const std::vector<std::string>& arguments);
+int run_compare(const verb&, const std::vector<std::string>& arguments);
+int run_plan(const verb&, const std::vector<std::string>& arguments);
+int run_schemes(const verb&, const std::vector<std::string>& arguments);
+
+/// One option of a verb, with a value or without, as --help shows it.
+template <class T>
+void add_option(boost::program_options::options_description& options, const char* name, const char* value_name,
+                const std::string& help)
+{
+    options.add_options()(name, boost::program_options::value<T>()->value_name(value_name), help.c_str());
+}
+inline void add_flag(boost::program_options::options_description& options, const char* name, const char* help)
+{
+    options.add_options()(name, help);
+}
+
+/// The options of a verb with --help and --version, and its operands: words without a dash, all of them needed.
+/// Empty when --help or --version was asked for, which is then answered. Errors: usage_error.
+std::optional<boost::program_options::variables_map> parse(const verb& verb,
+                                                           boost::program_options::options_description options,
+                                                           const std::vector<std::string>& operands,
+                                                           const std::vector<std::string>& arguments);
+
+void print_version();
+
+/// The value of a required option or operand. Errors: usage_error when it is missing.
+std::string required(const boost::program_options::variables_map& values, const std::string& name);
+
+/// --levels: 0 or more. Errors: usage_error.
+int levels_of(const boost::program_options::variables_map& values);
+
+/// A number of bytes: 500M, 1.5G; K, M, G and T are powers of 1024. Errors: usage_error.
+std::uint64_t bytes_from(const std::string& text);
+std::uint64_t physical_memory();
+
+} // namespace kith::tool

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "back_end.hpp"
+
+#include <kith/hierarchy.hpp>
+#include <kith/lift.hpp>
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+namespace kith::tool {
+
+/// The same mesh with points of another type.
+template <class To, class From>
+basic_mesh<To> with_points(const basic_mesh<From>& mesh)
+{
+    storage<To> points(mesh.vertex_count());
+    std::ranges::transform(mesh.points(), points.begin(), [](const From& p) {
+        return affine<To>::store(typename affine<To>::sum(affine<From>::load(p)));
+    });
+    return {std::move(points), mesh.topology(), mesh.generation()};
+}
+
+/// Refines on meshes of type M, each level one of them.
+template <class M>
+refined_mesh refine_on(const basic_mesh<>& control, const refine_request& request)
+{
+    using traits = mesh_traits<M>;
+    return std::visit(
+        [&]<class Scheme>(const Scheme& scheme) {
+            hierarchy<M, Scheme> levels(traits::build(with_points<typename traits::point>(control)),
+                                        scheme,
+                                        {.memory_limit = request.memory_limit});
+            levels.refine(request.levels);
+            auto result = with_points<std::array<double, 3>>(lift(levels.finest()));
+            const std::uint64_t edges = result.edge_count();
+            return refined_mesh{std::move(result), edges};
+        },
+        request.scheme);
+}
+
+} // namespace kith::tool

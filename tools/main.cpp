@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.hpp"
+#include "errors.hpp"
+
+#include <array>
+#include <csignal>
+#include <exception>
+#include <iomanip>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace kith::tool {
+
+namespace {
+
+constexpr int good = 0;
+constexpr int bad_input = 1;
+constexpr int wrong_use = 2;
+
+constexpr std::array verbs{
+    verb{"refine", "Refines a mesh and writes the result.", run_refine},
+    verb{"info", "Tells what a file holds and what is wrong with it; exit code 1 if something is.", run_info},
+    verb{"compare", "Compares two meshes whatever their numbering; exit code 1 if they differ.", run_compare},
+    verb{"plan", "Tells how large each level would be; nothing is refined.", run_plan},
+    verb{"schemes", "Lists the subdivision schemes.", run_schemes},
+};
+
+void print_help(std::ostream& out)
+{
+    out << "kith VERB [arguments]: subdivision surfaces\n\n";
+    for (const auto& verb : verbs)
+        out << "  " << std::left << std::setw(9) << verb.name << verb.summary << '\n';
+    out << "\n`kith VERB --help` tells the options of a verb. Files are OFF, OBJ, PLY or STL by their extension,\n"
+           "`-` is OFF on standard input or output.\n"
+           "Exit codes: 0 success, 1 bad input or a difference, 2 wrong use.\n";
+}
+
+int run(const std::vector<std::string>& arguments)
+{
+    if (arguments.empty()) {
+        print_help(std::cerr);
+        return wrong_use;
+    }
+    if (arguments[0] == "--help" or arguments[0] == "-h") {
+        print_help(std::cout);
+        return good;
+    }
+    if (arguments[0] == "--version") {
+        print_version();
+        return good;
+    }
+    for (const auto& verb : verbs)
+        if (verb.name == arguments[0])
+            return verb.run(verb, {arguments.begin() + 1, arguments.end()});
+    std::string known;
+    for (const auto& verb : verbs)
+        known += (known.empty() ? "" : ", ") + std::string(verb.name);
+    throw usage_error("'" + arguments[0] + "' is no verb; there are " + known);
+}
+
+int run_and_report(const std::vector<std::string>& arguments)
+{
+    try {
+        const int result = run(arguments);
+        if (not std::cout.flush())
+            throw file_error("standard output: cannot be written");
+        return result;
+    } catch (const usage_error& error) {
+        std::cerr << "kith: " << error.what() << "\nSee `kith --help`.\n";
+        return wrong_use;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "kith: there is not enough memory\n";
+    } catch (const std::exception& error) {
+        std::cerr << "kith: " << error.what() << '\n';
+    }
+    return bad_input;
+}
+
+} // namespace
+
+} // namespace kith::tool
+
+int main(int count, char** arguments)
+{
+    // A write that fails is then reported like any other, and what was begun is removed.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    return kith::tool::run_and_report({arguments + 1, arguments + count});
+}

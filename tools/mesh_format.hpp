@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace kith::tool {
+
+enum class mesh_format : unsigned char { off, obj, ply, stl };
+
+/// "-" is standard input or output, which carries OFF.
+inline const std::string standard_stream = "-";
+
+/// The format that a path's extension names, in any case of letters. Errors: file_error when it names none.
+mesh_format format_of(const std::string& path);
+
+} // namespace kith::tool

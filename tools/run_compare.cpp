@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.hpp"
+#include "errors.hpp"
+#include "json.hpp"
+#include "mesh_compare.hpp"
+#include "mesh_file.hpp"
+
+#include <cmath>
+#include <iostream>
+
+namespace kith::tool {
+
+namespace {
+
+namespace po = boost::program_options;
+
+double tolerance_of(const po::variables_map& values)
+{
+    if (values.count("tolerance") == 0)
+        throw usage_error("--tolerance is missing");
+    const double tolerance = values["tolerance"].as<double>();
+    if (not(tolerance >= 0) or std::isinf(tolerance))
+        throw usage_error("--tolerance: " + to_json(tolerance) + " is not a number of 0 or more");
+    return tolerance;
+}
+
+std::string verdict(const comparison& result)
+{
+    if (result.equal())
+        return "equal";
+    if (result.unmatched_vertices != 0)
+        return "different, vertices without partner: " + std::to_string(result.unmatched_vertices);
+    if (result.unmatched_faces != 0)
+        return "different, faces without partner: " + std::to_string(result.unmatched_faces);
+    return "different, vertices that coincide are joined to other faces";
+}
+
+} // namespace
+
+int run_compare(const verb& verb, const std::vector<std::string>& arguments)
+{
+    po::options_description options("Options");
+    add_option<double>(options, "tolerance,t", "T", "vertices farther apart than this are different");
+    add_flag(options, "json", "print JSON");
+    const auto values = parse(verb, options, {"A", "B"}, arguments);
+    if (not values)
+        return 0;
+    const double tolerance = tolerance_of(*values);
+    const polygon_soup a = read_mesh_file(required(*values, "A"));
+    const polygon_soup b = read_mesh_file(required(*values, "B"));
+    const comparison result = compare_meshes(a.points, a.faces, b.points, b.faces, tolerance);
+    if (values->count("json") != 0)
+        std::cout << json_object()
+                         .add("equal", result.equal())
+                         .add("largest_distance", result.largest_distance)
+                         .add("unmatched_vertices", result.unmatched_vertices)
+                         .add("unmatched_faces", result.unmatched_faces)
+                         .add("same_faces", result.same_faces)
+                         .text();
+    else
+        std::cout << "largest distance " << to_json(result.largest_distance) << ", " << verdict(result);
+    std::cout << '\n';
+    return result.equal() ? 0 : 1;
+}
+
+} // namespace kith::tool

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "back_end.hpp"
+#include "command_line.hpp"
+#include "errors.hpp"
+#include "json.hpp"
+#include "mesh_file.hpp"
+#include "mesh_format.hpp"
+#include "mesh_input.hpp"
+#include "scheme_options.hpp"
+
+#include <array>
+#include <iostream>
+#include <string_view>
+#include <utility>
+
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+namespace kith::tool {
+
+namespace {
+
+namespace po = boost::program_options;
+
+using back_end = refined_mesh (*)(basic_mesh<>, const refine_request&);
+
+struct named_back_end {
+    std::string_view name;
+    back_end refine;
+};
+constexpr std::array back_ends{
+    named_back_end{"native", refine_native},
+    named_back_end{"cgal", refine_cgal},
+    named_back_end{"openmesh", refine_openmesh},
+};
+
+std::string back_end_names()
+{
+    std::string result;
+    for (const auto& known : back_ends)
+        result += (result.empty() ? "" : ", ") + std::string(known.name);
+    return result;
+}
+
+back_end back_end_named(const std::string& name)
+{
+    for (const auto& known : back_ends)
+        if (known.name == name)
+            return known.refine;
+    throw usage_error("--mesh: '" + name + "' is not one of " + back_end_names());
+}
+
+po::options_description options_of_refine()
+{
+    po::options_description options("Options");
+    add_scheme_options(options);
+    add_option<std::string>(options, "output,o", "OUT", "the file to write; - is standard output");
+    add_flag(options, "binary", "write PLY or STL as binary instead of text");
+    add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + back_end_names());
+    add_option<std::string>(
+        options, "memory-limit", "BYTES", "refuse what needs more, e.g. 500M or 4G; else all memory of the machine");
+#if defined(_OPENMP)
+    add_option<int>(options, "threads", "N", "run on so many threads");
+#endif
+    add_flag(options, "json", "print the result line as JSON");
+    return options;
+}
+
+void set_threads([[maybe_unused]] const po::variables_map& values)
+{
+#if defined(_OPENMP)
+    if (values.count("threads") == 0)
+        return;
+    const int threads = values["threads"].as<int>();
+    if (threads < 1)
+        throw usage_error("--threads: " + std::to_string(threads) + " were asked for; ask for 1 or more");
+    omp_set_num_threads(threads);
+#endif
+}
+
+} // namespace
+
+int run_refine(const verb& verb, const std::vector<std::string>& arguments)
+{
+    const auto values = parse(verb, options_of_refine(), {"IN"}, arguments);
+    if (not values)
+        return 0;
+    const auto given = [&](const char* option) { return values->count(option) != 0; };
+    const std::string input = required(*values, "IN");
+    const std::string output = required(*values, "output");
+    const std::string scheme = required(*values, "scheme");
+    const std::string mesh_kind = given("mesh") ? required(*values, "mesh") : std::string(back_ends[0].name);
+    const scheme_words words = scheme_words_of(*values);
+    refine_request request{.scheme = make_scheme(scheme, words),
+                           .levels = levels_of(*values),
+                           .memory_limit = given("memory-limit") ? bytes_from(required(*values, "memory-limit"))
+                                                                 : physical_memory()};
+    const back_end refine_on = back_end_named(mesh_kind);
+    set_threads(*values);
+    const mesh_format format = format_of(output);
+    const bool binary = given("binary");
+    if (binary and (format == mesh_format::off or format == mesh_format::obj))
+        throw usage_error("--binary: only PLY and STL are written in binary, " + output + " is text");
+
+    control_mesh control = read_mesh(input);
+    give_creases(request.scheme, control, words);
+    const refined_mesh result = refine_on(prepared(request.scheme, std::move(control.mesh)), request);
+    write_mesh_file(output, result.mesh, binary);
+
+    const auto vertices = result.mesh.vertex_count();
+    const auto faces = result.mesh.face_count();
+    std::ostream& out = output == standard_stream ? std::cerr : std::cout;
+    if (given("json"))
+        out << json_object()
+                   .add("scheme", scheme)
+                   .add("mesh", mesh_kind)
+                   .add("levels", request.levels)
+                   .add("vertices", vertices)
+                   .add("edges", result.edges)
+                   .add("faces", faces)
+                   .add("output", output)
+                   .text();
+    else
+        out << output << ": " << vertices << " vertices, " << result.edges << " edges, " << faces << " faces";
+    out << '\n';
+    return 0;
+}
+
+} // namespace kith::tool

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scheme_options.hpp"
+
+#include "command_line.hpp"
+#include "scheme_words.hpp"
+
+namespace kith::tool {
+
+void add_scheme_options(boost::program_options::options_description& options)
+{
+    add_option<std::string>(options, "scheme,s", "SCHEME", scheme_names());
+    add_option<int>(options, "levels,n", "LEVELS", "how often to refine");
+    add_option<std::string>(options, "preset", "WORD", "as this library does: " + all_words<library>());
+    add_option<std::string>(
+        options, "boundary-corners", "WORD", "boundary vertices with a single face: " + all_words<boundary_corner>());
+    add_option<std::string>(options,
+                            "weights",
+                            "WORD",
+                            "loop: " + all_words<loop_weights>() + "; doo-sabin: " + all_words<doo_sabin_weights>());
+    add_option<std::string>(options, "boundary", "WORD", "doo-sabin: " + all_words<doo_sabin_boundary>());
+    add_option<double>(
+        options, "crease-angle", "DEGREES", "catmull-clark, loop: edges at which the faces turn by more stay sharp");
+    add_option<std::string>(options,
+                            "crease-method",
+                            "WORD",
+                            "how the sharpness of creases in the file decays: " + all_words<crease_method>());
+    add_option<double>(options, "tension", "W", "kobbelt: between 0 and 2.472, else 1");
+}
+
+scheme_words scheme_words_of(const boost::program_options::variables_map& values)
+{
+    const auto word = [&](const char* name) {
+        return values.count(name) == 0 ? std::string() : values[name].as<std::string>();
+    };
+    const auto number = [&](const char* name) {
+        return values.count(name) == 0 ? std::nullopt : std::optional(values[name].as<double>());
+    };
+    return {.preset = word("preset"),
+            .boundary_corners = word("boundary-corners"),
+            .weights = word("weights"),
+            .boundary = word("boundary"),
+            .crease_method = word("crease-method"),
+            .crease_angle = number("crease-angle"),
+            .tension = number("tension")};
+}
+
+} // namespace kith::tool

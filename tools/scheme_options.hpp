@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "schemes.hpp"
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/variables_map.hpp>
+
+namespace kith::tool {
+
+/// --scheme, --levels and what chooses between the forms of a scheme.
+void add_scheme_options(boost::program_options::options_description& options);
+
+scheme_words scheme_words_of(const boost::program_options::variables_map& values);
+
+} // namespace kith::tool

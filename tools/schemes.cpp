@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "schemes.hpp"
+
+#include "scheme_words.hpp"
+
+#include <kith/scheme.hpp>
+
+#include <array>
+#include <iostream>
+#include <optional>
+
+namespace kith::tool {
+
+namespace {
+
+template <class Scheme>
+Scheme scheme_like(const std::string& preset)
+{
+    if (preset.empty())
+        return {};
+    try {
+        return Scheme::like(choice_from<library>("--preset", preset));
+    } catch (const mesh_error& error) {
+        throw usage_error("--preset " + preset + ": " + error.what());
+    }
+}
+
+/// Kobbelt 1996: the curves and surfaces are smooth for 0 < tension < 2 (sqrt 5 - 1).
+template <class Scheme>
+void set_tension(Scheme& scheme, double tension)
+{
+    if constexpr (requires { scheme.tension; }) {
+        if (not(tension > 0 and tension < 2.4721))
+            throw usage_error("--tension: " + std::to_string(tension) + " is not between 0 and 2.472");
+        scheme = Scheme{.tension = tension};
+    } else {
+        throw usage_error("--tension: " + std::string(scheme_name<Scheme>()) + " has no such choice");
+    }
+}
+
+template <class Scheme>
+void require_creases(const Scheme&, double angle)
+{
+    if constexpr (not requires(Scheme s) { s.sharpness; })
+        throw usage_error("--crease-angle: " + std::string(scheme_name<Scheme>()) + " has no creases");
+    if (not(angle >= 0 and angle <= 180))
+        throw usage_error("--crease-angle: " + std::to_string(angle) + " is not between 0 and 180 degrees");
+}
+
+template <class Scheme>
+Scheme configured(const scheme_words& words)
+{
+    Scheme scheme = scheme_like<Scheme>(words.preset);
+    if (words.tension)
+        set_tension(scheme, *words.tension);
+    if (words.crease_angle)
+        require_creases(scheme, *words.crease_angle);
+    const std::array<std::pair<std::string_view, const std::string*>, 4> given{
+        {{"--boundary-corners", &words.boundary_corners},
+         {"--weights", &words.weights},
+         {"--boundary", &words.boundary},
+         {"--crease-method", &words.crease_method}}};
+    for (const auto& [option, word] : given) {
+        if (word->empty())
+            continue;
+        bool taken = false;
+        for_each_option(scheme, [&]<class Choice>(std::string_view name, Choice& choice) {
+            if (name == option) {
+                choice = choice_from<Choice>(option, *word);
+                taken = true;
+            }
+        });
+        if (not taken)
+            throw usage_error(std::string(option) + ": " + std::string(scheme_name<Scheme>()) + " has no such choice");
+    }
+    return scheme;
+}
+
+} // namespace
+
+any_scheme make_scheme(const std::string& name, const scheme_words& words)
+{
+    std::optional<any_scheme> result;
+    std::apply(
+        [&]<class... Schemes>(const scheme_entry<Schemes>&...) {
+            ((scheme_name<Schemes>() == name ? void(result = configured<Schemes>(words)) : void()), ...);
+        },
+        known_schemes);
+    if (not result)
+        throw usage_error("'" + name + "' is no scheme; there are " + scheme_names());
+    return *result;
+}
+
+void give_creases(any_scheme& scheme, const control_mesh& control, const scheme_words& words)
+{
+    const mesh_tags& tags = control.tags;
+    if (tags.unread != 0)
+        std::cerr << "kith: note: " << tags.unread << " tags of the file are not understood\n";
+    std::visit(
+        [&]<class Scheme>(Scheme& s) {
+            if constexpr (requires { s.sharpness; }) {
+                const auto method = s.sharpness.method;
+                s.sharpness = creases_of(tags, control.mesh);
+                if (words.crease_angle) {
+                    const creases by_angle = creases_by_angle(control.mesh, *words.crease_angle);
+                    for (const auto& [edge, sharpness] : by_angle.edges())
+                        s.sharpness.sharpen_edge(edge, sharpness);
+                }
+                if (not words.crease_method.empty())
+                    s.sharpness.method = method;
+                if (tags.corners and words.preset.empty() and words.boundary_corners.empty())
+                    s.corners = *tags.corners;
+            } else if (tags.has_creases()) {
+                std::cerr << "kith: note: the file has creases, which " << scheme_name<Scheme>() << " does not know\n";
+            }
+        },
+        scheme);
+}
+
+basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control)
+{
+    const auto prepare_for = [&]<class Scheme>(const scheme_entry<Scheme>& entry) {
+        if (std::holds_alternative<Scheme>(scheme) and entry.prepare != nullptr)
+            control = entry.prepare(control);
+    };
+    std::apply([&](const auto&... entry) { (prepare_for(entry), ...); }, known_schemes);
+    return control;
+}
+
+std::string scheme_names()
+{
+    std::string result;
+    std::apply(
+        [&]<class... Schemes>(const scheme_entry<Schemes>&...) {
+            ((result += (result.empty() ? "" : ", ") + std::string(scheme_name<Schemes>())), ...);
+        },
+        known_schemes);
+    return result;
+}
+
+} // namespace kith::tool

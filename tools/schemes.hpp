@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mesh_input.hpp"
+
+#include <kith/butterfly.hpp>
+#include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/four_eight.hpp>
+#include <kith/kobbelt.hpp>
+#include <kith/linear.hpp>
+#include <kith/loop.hpp>
+#include <kith/mid_edge.hpp>
+#include <kith/nasri_hasbini.hpp>
+#include <kith/sqrt3.hpp>
+#include <kith/tri_quad.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
+
+namespace kith::tool {
+
+/// A scheme that the program knows, and where it comes from. Its name, what it takes and its options its type says.
+template <class Scheme>
+struct scheme_entry {
+    std::string_view source;
+    basic_mesh<> (*prepare)(const basic_mesh<>&) = nullptr; ///< makes of any mesh one that the scheme can start from
+};
+
+/// All verbs take their schemes from here; a new scheme is one more entry.
+inline constexpr std::tuple known_schemes{
+    scheme_entry<catmull_clark>{"Catmull & Clark 1978"},
+    scheme_entry<loop>{"Loop 1987; boundary Hoppe et al. 1994"},
+    scheme_entry<doo_sabin>{"Doo & Sabin 1978"},
+    scheme_entry<sqrt3>{"Kobbelt 2000"},
+    scheme_entry<butterfly>{"Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996"},
+    scheme_entry<kobbelt>{"Kobbelt 1996"},
+    scheme_entry<nasri_hasbini>{"Nasri, Hasbini, Zheng & Sederberg; irregular masks derived, docs/schemes.md"},
+    scheme_entry<four_eight>{"Velho & Zorin 2001", [](const basic_mesh<>& mesh) { return tri_quad(mesh); }},
+    scheme_entry<mid_edge>{"Peters & Reif 1997"},
+    scheme_entry<linear>{"midpoints and centroids"},
+    scheme_entry<linear_triangles>{"midpoints"},
+};
+
+namespace detail {
+
+template <class... Schemes>
+std::variant<Schemes...> variant_of(const std::tuple<scheme_entry<Schemes>...>&);
+
+} // namespace detail
+
+using any_scheme = decltype(detail::variant_of(known_schemes));
+
+/// What the command line says about the form of a scheme; empty: nothing.
+struct scheme_words {
+    std::string preset;
+    std::string boundary_corners;
+    std::string weights;
+    std::string boundary;
+    std::string crease_method;
+    std::optional<double> crease_angle;
+    std::optional<double> tension;
+};
+
+/// Errors: usage_error for a name that is not known, and for words that this scheme does not take.
+any_scheme make_scheme(const std::string& name, const scheme_words& words);
+
+/// Tells the scheme of the creases of its control mesh: those of the file, and edges sharper than the angle.
+/// What the file says and the scheme has no use for is noted on standard error. Errors: mesh_error.
+void give_creases(any_scheme& scheme, const control_mesh& control, const scheme_words& words);
+
+/// The mesh that the scheme starts from: the control mesh itself, except for 4-8.
+basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control);
+
+/// "catmull-clark, loop, ..."
+std::string scheme_names();
+
+} // namespace kith::tool

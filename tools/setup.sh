@@ -1,0 +1,49 @@
+# What ./check and ./demo have in common; they source it at the root of the project.
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+# install_packages build check: what tools/packages.txt lists for these, as far as it is missing.
+install_packages() {
+    local package purpose missing=()
+    while read -r package purpose; do
+        case "$package" in '' | '#'*) continue ;; esac
+        case " $* " in *" $purpose "*) ;; *) continue ;; esac
+        if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+            missing+=("$package")
+        fi
+    done <tools/packages.txt
+    if [ ${#missing[@]} -eq 0 ]; then
+        return
+    fi
+    echo "Installing ${missing[*]}"
+    as_root apt-get update -qq
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# Puts the meshes that CGAL's documentation comes with into build/data/meshes. They are in a documentation package whose
+# files many machines leave out when it is installed, so it is unpacked here instead. What needs them is skipped where
+# they cannot be had.
+unpack_meshes() {
+    local data=build/data archive=/usr/share/doc/libcgal-dev/data.tar.gz
+    if [ -d $data/meshes ]; then
+        return
+    fi
+    mkdir -p $data
+    if [ ! -f $archive ]; then
+        echo "Downloading CGAL's meshes (libcgal-demo)"
+        archive=$data/package$archive
+        if ! apt-cache show libcgal-demo >/dev/null 2>&1; then
+            as_root apt-get update -qq || true
+        fi
+        if ! (cd $data && apt-get download -qq libcgal-demo 2>/dev/null && dpkg-deb -x libcgal-demo_*.deb package); then
+            echo "CGAL's meshes cannot be had; going on without them"
+            return
+        fi
+    fi
+    mkdir -p $data/unpacked
+    tar -xzf $archive -C $data/unpacked
+    mv $data/unpacked/data/meshes $data/meshes
+    rm -rf $data/unpacked $data/package $data/libcgal-demo_*.deb
+}
