@@ -102,4 +102,15 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
     return mesh_traits<M>::build(refine(native, scheme, levels, {connect::everything, options.memory_limit}));
 }
 
+/// Takes what the others do not, to say in one sentence what the type lacks.
+template <class M, class Scheme>
+    requires(not refinable_mesh<M>)
+void refine(const M&, const Scheme&, int, const refine_options& = {})
+{
+    static_assert(mesh<M>,
+                  "kith::refine: this type is no mesh to kith; include its adapter (<kith/cgal.hpp>, "
+                  "<kith/openmesh.hpp>) or specialise kith::mesh_traits for it");
+    static_assert(not mesh<M>, "kith::refine: this mesh can be read, not made; give its kith::mesh_traits a build()");
+}
+
 } // namespace kith
