@@ -123,6 +123,8 @@ inline constexpr column<tuple_kind::vfe> per_corner_side{}; ///< (v,f,e)
 /// A degree known while compiling.
 template <std::size_t N>
 struct fixed_degree {
+    static constexpr std::size_t value = N;
+
     template <class Element>
     constexpr std::size_t operator()(const Element&) const
     {

@@ -43,7 +43,7 @@ public:
             control = detail::with_edges(control);
         generation_ = generation_of(control);
         levels_.push_back(std::make_unique<entry>(std::move(control), std::move(scheme)));
-        require_input<Scheme>(elements(0));
+        require_input<Scheme>(elements(0), generation_);
     }
 
     /// Adds n levels; refine(1) twice is refine(2), bit for bit. Errors: as the function `refine`; the levels so far stay.

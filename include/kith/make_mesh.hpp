@@ -55,7 +55,7 @@ bool point_is_finite(const Point& point)
         const typename traits::sum value = traits::load(point);
         if constexpr (std::floating_point<typename traits::sum>)
             return std::isfinite(value);
-        else
+        else if constexpr (std::ranges::range<typename traits::sum>)
             return std::ranges::all_of(value, [](auto x) { return std::isfinite(x); });
     }
     return true;

@@ -88,7 +88,7 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
     detail::require_levels<Scheme>(levels);
     validate(mesh).require_ok();
     auto control = detail::with_edges(mesh);
-    require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(control));
+    require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(control), mesh.generation());
     detail::require_room<Point, Index>(count(control.topology()), scheme, levels, mesh.generation(), false, options);
     return detail::refine_native(std::move(control), scheme, levels, options.last_level);
 }

@@ -22,6 +22,8 @@ namespace kith {
 ///   static constexpr std::string_view name            for messages
 ///   static constexpr bool triangles_only = true       it refuses other faces; likewise quads_only
 ///   counts next(counts, generation)                   the next level's counts in closed form, for plans over many levels
+///   static void require(level, generation)            throws mesh_error for a control mesh that it cannot take
+///   static constexpr int reach(int rings)             for tiles: rings of faces around a tile that a step uses up
 ///   S after(level, numbering)                         the scheme of the next level, when it carries state of its level
 ///   static constexpr bool trusted = true              its associations need no check at every access
 template <class S>
@@ -47,9 +49,9 @@ concept countable_scheme = requires(const S& s, const counts& c) {
     { s.next(c, 0) } -> std::same_as<counts>;
 };
 
-/// Throws mesh_error when the scheme cannot take the faces of this level.
+/// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh.
 template <class S, class Level>
-void require_input(const Level& level)
+void require_input(const Level& level, [[maybe_unused]] int generation = 0)
 {
     if constexpr (needs_triangles<S> or needs_quads<S>)
         for (const auto f : level.faces())
@@ -58,6 +60,8 @@ void require_input(const Level& level)
                                  std::to_string(f.degree()) + " vertices; " +
                                  (needs_triangles<S> ? "triangulate the mesh first"
                                                      : "split it into quads first, by one step of the linear scheme"));
+    if constexpr (requires { S::require(level, generation); })
+        S::require(level, generation);
 }
 
 } // namespace kith

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace kith {
@@ -24,6 +25,7 @@ struct catmull_clark {
 
     static constexpr std::string_view name = "catmull-clark";
     static constexpr bool trusted = true;
+    static constexpr int reach(int rings) { return rings / 2 + 1; }
     static constexpr auto columns() { return quad_split::columns(); }
     static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
 
@@ -42,6 +44,12 @@ struct catmull_clark {
     [[nodiscard]] catmull_clark after(const Level& coarse, const Numbering& ids) const
     {
         return {.corners = corners, .sharpness = sharpness.after(coarse, ids)};
+    }
+    /// The scheme for a part of the mesh: the same, with the creases of that part.
+    template <class Index>
+    [[nodiscard]] catmull_clark of_part(std::span<const Index> vertices, std::span<const Index> edges) const
+    {
+        return {.corners = corners, .sharpness = sharpness.of_part(vertices, edges)};
     }
 
     /// Halstead, Kass & DeRose 1993; `use(mask)` is called unless no closed mask is known for v.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -76,6 +77,25 @@ public:
             if (s > 1)
                 result.vertices_.emplace_back(ids.vertices.template id<tuple_kind::v>(vertex), s - 1);
         std::sort(result.edges_.begin(), result.edges_.end());
+        return result;
+    }
+
+    /// The creases of a part of the mesh: its vertices and edges by their numbers here, increasing.
+    template <class Index>
+    [[nodiscard]] creases of_part(std::span<const Index> vertices, std::span<const Index> edges) const
+    {
+        creases result(method);
+        const auto take = [](const list& all, std::span<const Index> part, list& taken) {
+            auto sharp = all.begin();
+            for (std::size_t i = 0; i < part.size() and sharp != all.end(); ++i) {
+                while (sharp != all.end() and sharp->first < part[i])
+                    ++sharp;
+                if (sharp != all.end() and sharp->first == part[i])
+                    taken.emplace_back(i, sharp->second);
+            }
+        };
+        take(vertices_, vertices, result.vertices_);
+        take(edges_, edges, result.edges_);
         return result;
     }
 

@@ -32,6 +32,15 @@ struct doo_sabin {
 
     static constexpr std::string_view name = "doo-sabin";
     static constexpr bool trusted = true;
+    /// A point needs its face only; its boundary rule asks what lies across two of the face's edges, or all of them.
+    [[nodiscard]] constexpr int reach(int rings) const
+    {
+        switch (boundary) {
+        case doo_sabin_boundary::drop: return rings / 2 + 1;
+        case doo_sabin_boundary::clamped: return rings / 2 + 2;
+        default: return (rings + 1) / 2 + 1;
+        }
+    }
     [[nodiscard]] constexpr dual_split split() const { return {.cap_boundary = boundary != doo_sabin_boundary::drop}; }
     [[nodiscard]] constexpr auto columns() const { return split().columns(); }
     [[nodiscard]] constexpr counts next(const counts& c, int) const { return split().next(c); }

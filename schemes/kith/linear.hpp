@@ -14,6 +14,7 @@ namespace kith {
 struct linear {
     static constexpr std::string_view name = "linear";
     static constexpr bool trusted = true;
+    static constexpr int reach(int rings) { return rings / 2 + 1; }
     static constexpr auto columns() { return quad_split::columns(); }
     static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
     static linear like(library) { return {}; }
@@ -35,6 +36,7 @@ struct linear_triangles {
     static constexpr std::string_view name = "linear-triangles";
     static constexpr bool triangles_only = true;
     static constexpr bool trusted = true;
+    static constexpr int reach(int rings) { return rings / 2 + 1; }
     static constexpr auto columns() { return triangle_split::columns(); }
     static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }
     static linear_triangles like(library) { return {}; }

@@ -10,6 +10,7 @@
 #include <kith/weight_table.hpp>
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 
 namespace kith {
@@ -29,6 +30,7 @@ struct loop {
     static constexpr std::string_view name = "loop";
     static constexpr bool triangles_only = true;
     static constexpr bool trusted = true;
+    static constexpr int reach(int rings) { return rings / 2 + 1; }
     static constexpr auto columns() { return triangle_split::columns(); }
     static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }
 
@@ -45,6 +47,12 @@ struct loop {
     [[nodiscard]] loop after(const Level& coarse, const Numbering& ids) const
     {
         return {.weights = weights, .corners = corners, .sharpness = sharpness.after(coarse, ids)};
+    }
+    /// The scheme for a part of the mesh: the same, with the creases of that part.
+    template <class Index>
+    [[nodiscard]] loop of_part(std::span<const Index> vertices, std::span<const Index> edges) const
+    {
+        return {.weights = weights, .corners = corners, .sharpness = sharpness.of_part(vertices, edges)};
     }
 
     /// The weight of each neighbour of a vertex of valence n.

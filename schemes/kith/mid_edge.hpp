@@ -15,6 +15,7 @@ namespace kith {
 struct mid_edge {
     static constexpr std::string_view name = "mid-edge";
     static constexpr bool trusted = true;
+    static constexpr int reach(int rings) { return rings + 1; }
     static constexpr auto columns() { return mid_edge_split::columns(); }
     static constexpr counts next(const counts& c, int) { return mid_edge_split::next(c); }
 

@@ -21,6 +21,7 @@ namespace kith {
 struct nasri_hasbini {
     static constexpr std::string_view name = "nasri-hasbini";
     static constexpr bool trusted = true;
+    static constexpr int reach(int rings) { return (rings + 1) / 3 + 1; }
     static constexpr auto columns() { return ternary_split::columns(); }
     static constexpr counts next(const counts& c, int) { return ternary_split::next(c); }
 

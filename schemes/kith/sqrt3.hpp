@@ -20,6 +20,9 @@ struct sqrt3 {
     static constexpr std::string_view name = "sqrt3";
     static constexpr bool triangles_only = true;
     static constexpr bool trusted = true;
+    /// The centre of a triangle beside an owned one is on the rim of its children, so one ring does not renew itself; and
+    /// odd steps need the triangles around one to know that it does not lie at the boundary.
+    static constexpr int reach(int rings) { return rings == 0 ? 1 : rings / 2 + 2; }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
     static constexpr counts next(const counts& c, int generation) { return sqrt3_split::next(c, generation); }
 
@@ -56,6 +59,15 @@ struct sqrt3 {
                 sum(v.neighbors(), [n](std::size_t j) { return sin_turn(std::int64_t(j), n); }));
     }
 
+    template <class Level>
+    static void require(const Level& control, int generation)
+    {
+        for (const auto f : control.faces())
+            if (const auto edges = sqrt3_split::boundary_edges(f); sqrt3_split::is_odd(generation) and edges > 1)
+                throw mesh_error("sqrt3: face " + std::to_string(f.index()) + " has " + std::to_string(edges) +
+                                 " boundary edges in a step that trisects them; start with generation 0");
+    }
+
     template <class R>
     void operator()(const R& r) const
     {
@@ -66,9 +78,7 @@ struct sqrt3 {
         const bool odd = sqrt3_split::is_odd(generation) and not coarse.is_closed();
 
         for_each(coarse.faces(), [&](auto f) {
-            if (odd and f.is_boundary())
-                require_one_boundary_edge(f);
-            else
+            if (not odd or not sqrt3_split::has_one_boundary_edge(f))
                 assoc(f, V) = average(f.vertices());
         });
 
@@ -87,7 +97,7 @@ struct sqrt3 {
 
         if (odd)
             for_each(coarse.edges(), [&](auto e) {
-                if (not e.is_boundary())
+                if (not e.is_boundary() or not sqrt3_split::has_one_boundary_edge(e.lface()))
                     return;
                 const auto x = e.org();
                 const auto y = e.dst();
@@ -106,16 +116,6 @@ private:
             if (f.is_boundary())
                 return true;
         return false;
-    }
-    template <class Face>
-    static void require_one_boundary_edge(const Face& f)
-    {
-        std::size_t edges = 0;
-        for (const auto& c : f.corners())
-            edges += c.is_boundary();
-        if (edges > 1)
-            throw mesh_error("sqrt3: face " + std::to_string(f.index()) + " has " + std::to_string(edges) +
-                             " boundary edges in a step that trisects them; start with generation 0");
     }
 };
 

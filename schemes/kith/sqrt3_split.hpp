@@ -12,16 +12,33 @@ namespace kith {
 struct sqrt3_split {
     static constexpr bool is_odd(int generation) { return generation % 2 != 0; }
 
+    template <class Face>
+    static std::size_t boundary_edges(const Face& f)
+    {
+        std::size_t count = 0;
+        for (const auto& c : f.corners())
+            count += c.is_boundary();
+        return count;
+    }
+    /// The faces that odd steps cut. A face with more such edges, which only the rim of a tile can have, is left uncut.
+    template <class Face>
+    static bool has_one_boundary_edge(const Face& f)
+    {
+        return boundary_edges(f) == 1;
+    }
+
     static constexpr auto columns(int generation)
     {
-        const auto in_even_steps = [even = not is_odd(generation)](const auto&) { return even; };
-        const auto in_odd_steps = [odd = is_odd(generation)](const auto&) { return odd; };
+        const auto uncut = [even = not is_odd(generation)](const auto& f) {
+            return even or not has_one_boundary_edge(f);
+        };
+        const auto at_uncut = [uncut](const auto& c) { return uncut(c.f()); };
+        const auto cut = [uncut](const auto& e) { return not uncut(e.lface()); };
         // The edges per corner lead to the centre of the face. A boundary face has only two in an odd step, from its
         // apex to the two points on the boundary; the corner before the boundary edge is the one left out.
-        return kith::columns(
-            new_vertices(per_vertex, per_face.inside_or(in_even_steps), per_end.on_boundary(in_odd_steps)),
-            new_edges(per_edge, per_corner.inside_or(in_even_steps), per_end.on_boundary(in_odd_steps)),
-            new_faces(triangles(per_side)));
+        return kith::columns(new_vertices(per_vertex, per_face.inside_or(uncut), per_end.on_boundary(cut)),
+                             new_edges(per_edge, per_corner.inside_or(at_uncut), per_end.on_boundary(cut)),
+                             new_faces(triangles(per_side)));
     }
 
     static constexpr counts next(const counts& c, int generation)
@@ -42,7 +59,7 @@ struct sqrt3_split {
 
         // What half-edge c knows of its own side: the point that stands for its face, the edge from its first vertex to
         // that point and the edge from its last vertex to it.
-        const auto cut = [odd](auto c) { return odd and c.f().is_boundary(); };
+        const auto cut = [odd](auto c) { return odd and has_one_boundary_edge(c.f()); };
         const auto boundary_edge = [](auto c) { return c.prev().is_boundary() ? c.prev_edge() : c.next().next_edge(); };
         const auto centre = [&](auto c) {
             return cut(c) ? assoc(c.prev().is_boundary() ? c.v() : c.next().v(), boundary_edge(c), V).vertex()
@@ -66,7 +83,7 @@ struct sqrt3_split {
                 const auto o = c.across();
                 assoc(c.next_edge(), c.f(), F) = polygon(
                     x >> to_end(o), centre(o) >> assoc(e, E).along(e), centre(c) >> from_start(c));
-            } else if (not odd) {
+            } else if (not cut(c)) {
                 assoc(e, c.f(), F) = polygon(x >> assoc(e, E).left(),
                                              assoc(c.next().v(), V) >> assoc(c.next(), E).left(),
                                              assoc(c.f(), V) >> assoc(c, E).right());

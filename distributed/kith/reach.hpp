@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <vector>
+
+#include <kith/error.hpp>
+#include <kith/scheme.hpp>
+
+namespace kith {
+
+/// A scheme that says how far its masks reach: `static constexpr int reach(int k)` is the number of rings of faces (that
+/// share a vertex) needed around the owned faces of a level, so that on the next level k rings around their children are
+/// right: points, faces and fans within. The proofs are in docs/distributed.md.
+template <class S>
+concept reaching_scheme = scheme<S> and requires(const S& s, int rings) {
+    { s.reach(rings) } -> std::convertible_to<int>;
+};
+
+/// The rings of shadow faces that a tile needs on level 0, 1, ..., `levels`, if it is to have `last` rings at the end.
+/// One coarse ring becomes several refined ones, so that the numbers stay bounded whatever the number of levels.
+template <reaching_scheme S>
+std::vector<int> ring_schedule(const S& scheme, int levels, int last = 0)
+{
+    if (levels < 0 or last < 0)
+        throw mesh_error(std::string(scheme_name<S>()) + ": levels and rings are counted from 0");
+    std::vector<int> rings(std::size_t(levels) + 1);
+    rings.back() = last;
+    for (std::size_t level = rings.size() - 1; level > 0; --level)
+        rings[level - 1] = scheme.reach(rings[level]);
+    return rings;
+}
+
+} // namespace kith

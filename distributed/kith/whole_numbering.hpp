@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile.hpp"
+
+#include <kith/columns.hpp>
+#include <kith/error.hpp>
+#include <kith/lift.hpp>
+#include <kith/numbering.hpp>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// How many elements a level has in the whole mesh.
+struct whole_counts {
+    global_id vertices = 0, edges = 0, faces = 0, corners = 0;
+
+    friend bool operator==(const whole_counts&, const whole_counts&) = default;
+};
+
+namespace detail {
+
+inline global_id tuples_of(const whole_counts& whole, tuple_kind kind)
+{
+    switch (kind) {
+    case tuple_kind::v: return whole.vertices;
+    case tuple_kind::e: return whole.edges;
+    case tuple_kind::f: return whole.faces;
+    case tuple_kind::ve: return 2 * whole.edges;
+    case tuple_kind::vfe: return 2 * whole.corners;
+    default: return whole.corners;
+    }
+}
+
+inline global_id add_ids(global_id a, global_id b)
+{
+    global_id sum;
+    if (__builtin_add_overflow(a, b, &sum))
+        throw mesh_error("the whole mesh has more elements than 64 bits can number; refine fewer times");
+    return sum;
+}
+
+/// The number of a tuple of a tile's level among those of the whole level.
+template <class Tile, class Level>
+global_id tuple_id(const Tile& tile, const Level& level, tuple_kind kind, std::size_t tuple)
+{
+    const auto corner = [&](std::size_t c) {
+        const auto f = level.corners()[c].f();
+        return tile.corner_id(f.index(), c - f.first_corner().index());
+    };
+    switch (kind) {
+    case tuple_kind::v: return tile.vertex_ids[tuple];
+    case tuple_kind::e: return tile.edge_ids[tuple];
+    case tuple_kind::f: return tile.face_ids[tuple];
+    case tuple_kind::ve: return tile.end_id(tuple / 2, tuple % 2);
+    case tuple_kind::vfe: return 2 * corner(tuple / 2) + tuple % 2;
+    default: return corner(tuple);
+    }
+}
+
+template <class Where>
+inline constexpr bool is_picky = not std::same_as<Where, everywhere>;
+
+} // namespace detail
+
+/// The ids of all new elements of one kind in the whole mesh, by formula: the base of a column plus the number of the
+/// tuple. Where the boundary leaves tuples out (`inside`, `on_boundary`), the exceptions are kept: they are few, since
+/// they lie along curves. It is `column_ids`, for a mesh that nobody holds.
+template <class List>
+class whole_column_ids;
+template <template <class...> class List, class... Columns>
+class whole_column_ids<List<Columns...>> {
+public:
+    static constexpr std::size_t size = sizeof...(Columns);
+
+    whole_column_ids() = default;
+    /// From the counts of the coarse level and a tile of it that owns all faces at the boundary.
+    template <class Tile>
+    whole_column_ids(const whole_counts& whole, const List<Columns...>& columns, const Tile& rim)
+    {
+        const level_of<decltype(rim.mesh)> level(rim.mesh);
+        std::apply([&](const auto&... column) { (append(whole, column, rim, level), ...); }, columns.list);
+    }
+
+    [[nodiscard]] global_id total() const { return base_[size]; }
+    /// The corners of all new faces.
+    [[nodiscard]] global_id total_corners() const { return first_corner_[size]; }
+
+    /// The id that belongs to a tuple, given by its number in the whole coarse level. Precondition: the scheme makes one.
+    [[nodiscard]] global_id id(tuple_kind kind, global_id tuple) const
+    {
+        const std::size_t i = position(kind);
+        return base_[i] + rank(i, tuple);
+    }
+    /// The first corner of a new face; `coarse_corners` are the corners of the coarse faces (of the coarse vertices) with
+    /// a smaller number, where the degree of the new face is that of a face (the number of faces at a vertex).
+    [[nodiscard]] global_id first_corner(tuple_kind kind, global_id tuple, global_id coarse_corners) const
+    {
+        const std::size_t i = position(kind);
+        if (degree_[i] != 0)
+            return first_corner_[i] + global_id(degree_[i]) * rank(i, tuple);
+        const auto before = std::lower_bound(exceptions_[i].begin(), exceptions_[i].end(), tuple);
+        const std::ptrdiff_t n = before - exceptions_[i].begin();
+        return first_corner_[i] + coarse_corners + global_id(n == 0 ? 0 : corners_more_[i][std::size_t(n - 1)]);
+    }
+
+private:
+    static constexpr std::array<tuple_kind, size> kinds_{Columns::kind...};
+
+    static std::size_t position(tuple_kind kind)
+    {
+        return std::size_t(std::find(kinds_.begin(), kinds_.end(), kind) - kinds_.begin());
+    }
+    [[nodiscard]] global_id rank(std::size_t i, global_id tuple) const
+    {
+        if (exceptions_[i].empty())
+            return tuple;
+        const auto before = std::lower_bound(exceptions_[i].begin(), exceptions_[i].end(), tuple);
+        const auto n = global_id(before - exceptions_[i].begin());
+        return exceptions_are_all_[i] ? n : tuple - excluded_before(i, std::size_t(n));
+    }
+    /// Of the first n exceptions those that the column leaves out.
+    [[nodiscard]] global_id excluded_before(std::size_t i, std::size_t n) const
+    {
+        return n == 0 ? 0 : excluded_[i][n - 1];
+    }
+
+    template <tuple_kind Kind, class Where, class Degree, class Tile, class Level>
+    void append(const whole_counts& whole, const column<Kind, Where, Degree>& c, const Tile& rim, const Level& level)
+    {
+        constexpr bool fixed_degree_known = requires { Degree::value; };
+        constexpr bool has_degree = not std::same_as<Degree, int>;
+        static_assert(
+            not requires { c.where.keep; } or requires { Where::inner; },
+            "columns that pick inner tuples have no ids in closed form");
+        static_assert(not has_degree or fixed_degree_known or Kind == tuple_kind::f or Kind == tuple_kind::v,
+                      "new faces of unknown degree need a face or a vertex that tells it");
+        static_assert(not has_degree or fixed_degree_known or not detail::is_picky<Where> or Kind == tuple_kind::v,
+                      "only vertices may both leave tuples out and tell the degree of new faces");
+        const std::size_t i = appended_++;
+        global_id count = detail::tuples_of(whole, Kind);
+        if constexpr (detail::is_picky<Where>) {
+            std::vector<std::pair<global_id, std::size_t>> found;
+            for_boundary_tuples<Kind>(rim, level, [&](std::size_t tuple) {
+                found.emplace_back(detail::tuple_id(rim, level, Kind, tuple), tuple);
+            });
+            std::sort(found.begin(), found.end());
+            exceptions_are_all_[i] = not Where::inner;
+            global_id excluded = 0, kept = 0;
+            std::int64_t more = 0;
+            for (const auto& [id, tuple] : found) {
+                const auto element = tuple_element<Kind>(level, tuple);
+                const bool keep = c.where.keep(element);
+                keep ? ++kept : ++excluded;
+                if constexpr (has_degree and not fixed_degree_known)
+                    more += (keep ? std::int64_t(c.degree(element)) : 0) - std::int64_t(element.face_count());
+                if (not Where::inner and not keep)
+                    continue;
+                exceptions_[i].push_back(id);
+                excluded_[i].push_back(excluded);
+                corners_more_[i].push_back(more);
+            }
+            count = Where::inner ? count - excluded : kept;
+        }
+        base_[i + 1] = detail::add_ids(base_[i], count);
+        if constexpr (has_degree) {
+            global_id corners;
+            if constexpr (fixed_degree_known) {
+                degree_[i] = Degree::value;
+                if (__builtin_mul_overflow(global_id(Degree::value), count, &corners))
+                    corners = detail::add_ids(~global_id(0), 1);
+            } else {
+                corners = whole.corners + global_id(corners_more_[i].empty() ? 0 : corners_more_[i].back());
+            }
+            first_corner_[i + 1] = detail::add_ids(first_corner_[i], corners);
+        }
+    }
+
+    /// Calls f with the number, in the tile, of each tuple at the boundary of the whole mesh. At a vertex, an edge or a
+    /// corner that the tile owns its own boundary edges are those of the whole mesh.
+    template <tuple_kind Kind, class Tile, class Level, class F>
+    static void for_boundary_tuples(const Tile& rim, const Level& level, const F& f)
+    {
+        for (std::size_t tuple = 0; tuple < tuple_count(level, Kind); ++tuple) {
+            const auto element = tuple_element<Kind>(level, tuple);
+            if (element.is_boundary() and is_owned(rim, element))
+                f(tuple);
+        }
+    }
+    template <class Tile, class Level>
+    static bool is_owned(const Tile& rim, const vertex<Level>& v)
+    {
+        return rim.owns_vertex(v.index());
+    }
+    template <class Tile, class Level>
+    static bool is_owned(const Tile& rim, const edge<Level>& e)
+    {
+        return rim.owns_edge(e.index());
+    }
+    template <class Tile, class Level>
+    static bool is_owned(const Tile& rim, const face<Level>& f)
+    {
+        return rim.owns_face(f.index());
+    }
+    template <class Tile, class Level>
+    static bool is_owned(const Tile& rim, const corner<Level>& c)
+    {
+        return rim.owns_face(c.f().index());
+    }
+
+    std::size_t appended_ = 0;
+    std::array<global_id, size + 1> base_{}, first_corner_{};
+    std::array<std::size_t, size> degree_{}; // of the new faces; 0: of many degrees
+    std::array<bool, size> exceptions_are_all_{};
+    std::array<std::vector<global_id>, size> exceptions_, excluded_; // tuples at the boundary, increasing; sums
+    std::array<std::vector<std::int64_t>, size> corners_more_;       // sums of the corners they have beyond their faces
+};
+
+/// The ids of all new elements of one step in the whole mesh.
+template <class Columns>
+struct whole_numbering {
+    whole_column_ids<decltype(Columns::vertices)> vertices;
+    whole_column_ids<decltype(Columns::edges)> edges;
+    whole_column_ids<decltype(Columns::faces)> faces;
+
+    whole_numbering() = default;
+    template <class Tile>
+    whole_numbering(const whole_counts& whole, const Columns& columns, const Tile& rim)
+        : vertices(whole, columns.vertices, rim), edges(whole, columns.edges, rim), faces(whole, columns.faces, rim)
+    {
+    }
+
+    [[nodiscard]] whole_counts counts() const
+    {
+        return {vertices.total(), edges.total(), faces.total(), faces.total_corners()};
+    }
+};
+
+} // namespace kith
