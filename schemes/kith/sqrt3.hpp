@@ -20,9 +20,9 @@ struct sqrt3 {
     static constexpr std::string_view name = "sqrt3";
     static constexpr bool triangles_only = true;
     static constexpr bool trusted = true;
-    /// The centre of a triangle beside an owned one is on the rim of its children, so one ring does not renew itself; and
-    /// odd steps need the triangles around one to know that it does not lie at the boundary.
-    static constexpr int reach(int rings) { return rings == 0 ? 1 : rings / 2 + 2; }
+    /// The centre of a triangle beside an owned one is on the rim of its children, and odd steps need the triangles around
+    /// one to know that it does not lie at the boundary: one ring more than for the masks alone.
+    static constexpr int reach(int rings) { return rings / 2 + 2; }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
     static constexpr counts next(const counts& c, int generation) { return sqrt3_split::next(c, generation); }
 
