@@ -5,7 +5,10 @@
 
 #include <kith/basic_mesh.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace kith::tool {
 
@@ -13,11 +16,14 @@ struct refine_request {
     any_scheme scheme;
     int levels = 0;
     std::uint64_t memory_limit = 0; ///< in bytes
+    bool limit = false;             ///< the last level at its place on the limit surface, with the normals there
 };
 
 struct refined_mesh {
     basic_mesh<> mesh; ///< of the last level; its edges need not be known
     std::uint64_t edges = 0;
+    std::vector<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
+    std::size_t without_limit = 0;                ///< vertices that stay, as no closed mask is known for them
 };
 
 /// Refine on one kind of mesh each, level by level, and give the last level back as the native one.

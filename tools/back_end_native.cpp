@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "back_end.hpp"
+#include "foreign_back_end.hpp"
 
 #include <kith/plan.hpp>
 #include <kith/refine.hpp>
@@ -10,6 +10,8 @@ namespace kith::tool {
 
 refined_mesh refine_native(basic_mesh<> control, const refine_request& request)
 {
+    if (request.limit)
+        return refine_on<basic_mesh<>>(control, request);
     return std::visit(
         [&](const auto& scheme) {
             // Nothing that is printed or written needs the last level's edges, and their number is known beforehand.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "back_end.hpp"
+#include "limit_surface.hpp"
 
 #include <kith/hierarchy.hpp>
 #include <kith/lift.hpp>
@@ -36,7 +37,10 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
             levels.refine(request.levels);
             auto result = with_points<std::array<double, 3>>(lift(levels.finest()));
             const std::uint64_t edges = result.edge_count();
-            return refined_mesh{std::move(result), edges};
+            refined_mesh refined{std::move(result), edges};
+            if (request.limit)
+                move_to_limit(refined, levels.elements(request.levels), levels.scheme(request.levels));
+            return refined;
         },
         request.scheme);
 }

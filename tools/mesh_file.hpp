@@ -5,6 +5,8 @@
 
 #include <kith/basic_mesh.hpp>
 
+#include <array>
+#include <span>
 #include <string>
 
 namespace kith::tool {
@@ -14,8 +16,10 @@ namespace kith::tool {
 /// Errors: file_error.
 polygon_soup read_mesh_file(const std::string& path);
 
-/// Writes a mesh by CGAL's writer, text with 17 digits or binary (PLY, STL). The file appears when it is complete.
+/// Writes a mesh by CGAL's writers, text with 17 digits or binary (PLY, STL), and its vertices' normals, if there are any,
+/// unless the format is STL. The file appears when it is complete.
 /// Errors: file_error, after which there is no file, or the one that was there before.
-void write_mesh_file(const std::string& path, const basic_mesh<>& mesh, bool binary);
+void write_mesh_file(const std::string& path, const basic_mesh<>& mesh, bool binary,
+                     std::span<const std::array<double, 3>> normals = {});
 
 } // namespace kith::tool

@@ -4,13 +4,17 @@
 #include "mesh_format.hpp"
 #include "output_file.hpp"
 
+#include <kith/cgal.hpp>
+
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +23,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kith::tool {
@@ -26,6 +31,8 @@ namespace kith::tool {
 namespace {
 
 using point = CGAL::Simple_cartesian<double>::Point_3;
+using vector = CGAL::Simple_cartesian<double>::Vector_3;
+using normal_list = std::span<const std::array<double, 3>>;
 
 /// The faces of a mesh in the form that CGAL's writers take.
 class face_range {
@@ -99,16 +106,66 @@ bool write_by_format(mesh_format format, std::ostream& out, const basic_mesh<>& 
     }
 }
 
+/// CGAL's writer of OBJ, which does not say in the faces that the corners have normals.
+struct obj_writer : CGAL::File_writer_wavefront {
+    void write_facet_vertex_index(std::size_t index) { out() << ' ' << index + 1 << "//" << index + 1; }
+};
+
+template <class Writer>
+void write_with_normals(Writer writer, std::ostream& out, const basic_mesh<>& mesh, normal_list normals)
+{
+    constexpr bool has_colors = false, has_normals = true;
+    writer.write_header(out, mesh.vertex_count(), 0, mesh.face_count(), has_colors, has_normals);
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        const auto& p = mesh.point(v);
+        const auto& n = normals[v];
+        writer.write_vertex(p[0], p[1], p[2]);
+        writer.write_vertex_normal(n[0], n[1], n[2]);
+    }
+    writer.write_facet_header();
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        writer.write_facet_begin(mesh.face(f).size());
+        for (const auto v : mesh.face(f))
+            writer.write_facet_vertex_index(v);
+        writer.write_facet_end();
+    }
+    writer.write_footer();
+}
+
+/// CGAL writes the normals of a PLY file for its own mesh only.
+bool write_ply_with_normals(std::ostream& out, const basic_mesh<>& mesh, normal_list normals)
+{
+    storage<point> points(mesh.vertex_count());
+    std::ranges::transform(mesh.points(), points.begin(), [](const auto& p) { return point(p[0], p[1], p[2]); });
+    auto copy = mesh_traits<CGAL::Surface_mesh<point>>::build({std::move(points), mesh.topology(), 0});
+    auto property = copy.add_property_map<CGAL::SM_Vertex_index, vector>("v:normal").first;
+    for (const auto v : copy.vertices())
+        property[v] = {normals[v][0], normals[v][1], normals[v][2]};
+    return CGAL::IO::write_PLY(out, copy);
+}
+
+bool write_by_format(mesh_format format, std::ostream& out, const basic_mesh<>& mesh, normal_list normals)
+{
+    switch (format) {
+    case mesh_format::obj: write_with_normals(obj_writer(), out, mesh, normals); return true;
+    case mesh_format::ply: return write_ply_with_normals(out, mesh, normals);
+    case mesh_format::off: write_with_normals(CGAL::File_writer_OFF(), out, mesh, normals); return true;
+    default: return write_by_format(format, out, mesh);
+    }
+}
+
 } // namespace
 
-void write_mesh_file(const std::string& path, const basic_mesh<>& mesh, bool binary)
+void write_mesh_file(const std::string& path, const basic_mesh<>& mesh, bool binary, normal_list normals)
 {
     const mesh_format format = format_of(path);
     require_writable(format, mesh, path);
     const auto write = [&](std::ostream& out) {
         out.precision(std::numeric_limits<double>::max_digits10);
         CGAL::IO::set_mode(out, binary ? CGAL::IO::BINARY : CGAL::IO::ASCII);
-        if (not write_by_format(format, out, mesh))
+        const bool written = normals.empty() ? write_by_format(format, out, mesh)
+                                             : write_by_format(format, out, mesh, normals);
+        if (not written)
             out.setstate(std::ios::failbit);
     };
     if (path == standard_stream) {

@@ -57,6 +57,7 @@ po::options_description options_of_refine()
     add_scheme_options(options);
     add_option<std::string>(options, "output,o", "OUT", "the file to write; - is standard output");
     add_flag(options, "binary", "write PLY or STL as binary instead of text");
+    add_flag(options, "limit", "write the vertices at their limits; in OFF, OBJ and PLY with the normals there");
     add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + back_end_names());
     add_option<std::string>(
         options, "memory-limit", "BYTES", "refuse what needs more, e.g. 500M or 4G; else all memory of the machine");
@@ -95,7 +96,10 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     refine_request request{.scheme = make_scheme(scheme, words),
                            .levels = levels_of(*values),
                            .memory_limit = given("memory-limit") ? bytes_from(required(*values, "memory-limit"))
-                                                                 : physical_memory()};
+                                                                 : physical_memory(),
+                           .limit = given("limit")};
+    if (request.limit)
+        require_limit_masks(request.scheme);
     const back_end refine_on = back_end_named(mesh_kind);
     set_threads(*values);
     const mesh_format format = format_of(output);
@@ -106,7 +110,11 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     control_mesh control = read_mesh(input);
     give_creases(request.scheme, control, words);
     const refined_mesh result = refine_on(prepared(request.scheme, std::move(control.mesh)), request);
-    write_mesh_file(output, result.mesh, binary);
+    write_mesh_file(output, result.mesh, binary, result.normals);
+    if (result.without_limit != 0)
+        std::cerr << "kith: note: " << result.without_limit << " of " << result.mesh.vertex_count()
+                  << " vertices stay where level " << request.levels
+                  << " has them, as no closed limit mask is known there; refine once more\n";
 
     const auto vertices = result.mesh.vertex_count();
     const auto faces = result.mesh.face_count();

@@ -3,6 +3,7 @@
 
 #include "scheme_words.hpp"
 
+#include <kith/limit.hpp>
 #include <kith/scheme.hpp>
 
 #include <array>
@@ -76,6 +77,23 @@ Scheme configured(const scheme_words& words)
     return scheme;
 }
 
+/// The names of the schemes whose entries are wanted.
+template <class Wanted>
+std::string names_of(const Wanted& wanted)
+{
+    std::string result;
+    const auto add = [&]<class Scheme>(const scheme_entry<Scheme>& entry) {
+        if (wanted(entry))
+            result += (result.empty() ? "" : ", ") + std::string(scheme_name<Scheme>());
+    };
+    std::apply([&](const auto&... entry) { (add(entry), ...); }, known_schemes);
+    return result;
+}
+
+template <class Scheme>
+inline constexpr bool has_masks_for_vertices =
+    has_limit_positions<Scheme, vertex<level_of<basic_mesh<>>>, level_of<basic_mesh<>>>;
+
 } // namespace
 
 any_scheme make_scheme(const std::string& name, const scheme_words& words)
@@ -129,13 +147,18 @@ basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control)
 
 std::string scheme_names()
 {
-    std::string result;
-    std::apply(
-        [&]<class... Schemes>(const scheme_entry<Schemes>&...) {
-            ((result += (result.empty() ? "" : ", ") + std::string(scheme_name<Schemes>())), ...);
-        },
-        known_schemes);
-    return result;
+    return names_of([]<class Scheme>(const scheme_entry<Scheme>&) { return true; });
+}
+
+void require_limit_masks(const any_scheme& scheme)
+{
+    const auto has_masks = []<class Scheme>(const Scheme&) { return has_masks_for_vertices<Scheme>; };
+    if (std::visit(has_masks, scheme))
+        return;
+    const auto name = std::visit([]<class Scheme>(const Scheme&) { return scheme_name<Scheme>(); }, scheme);
+    throw usage_error(
+        "--limit: no closed limit masks are known for " + std::string(name) + ", but for " +
+        names_of([]<class Scheme>(const scheme_entry<Scheme>&) { return has_masks_for_vertices<Scheme>; }));
 }
 
 } // namespace kith::tool

@@ -19,6 +19,13 @@ struct linear {
     static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
     static linear like(library) { return {}; }
 
+    /// Nothing moves.
+    template <class V, class Use>
+    void limit_position(const V& v, const Use& use) const
+    {
+        use(sum(v));
+    }
+
     template <class R>
     void operator()(const R& r) const
     {
@@ -40,6 +47,13 @@ struct linear_triangles {
     static constexpr auto columns() { return triangle_split::columns(); }
     static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }
     static linear_triangles like(library) { return {}; }
+
+    /// Nothing moves.
+    template <class V, class Use>
+    void limit_position(const V& v, const Use& use) const
+    {
+        use(sum(v));
+    }
 
     template <class R>
     void operator()(const R& r) const

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+source "$(dirname "$0")/check.bash"
+cube >cube.off
+tetrahedron >tetra.off
+
+# near LINE FILE NUMBERS...: the numbers of that line of a text file, to 1e-15.
+near() {
+    local line=$1 file=$2
+    shift 2
+    sed -n "${line}p" "$file" | awk -v wanted="$*" 'function away(a, b) { return a > b ? a - b : b - a }
+        { n = split(wanted, w, " "); good = NF >= n
+          for (i = 1; i <= n; ++i) good = good && away($i, w[i]) < 1e-15
+          exit !good }'
+}
+
+# Catmull-Clark on the cube: its corners come to one half, normals along the diagonals; the points of the faces, which are
+# symmetric, have the normals of the faces. (9 + 4 - 1)/24 is the mask of Halstead, Kass & DeRose for n = 3.
+third=0.577350269189625764
+run refine cube.off -s catmull-clark -n 1 --limit -o limit.off
+exits 0
+says_nothing
+prints '^limit.off: 26 vertices, 48 edges, 24 faces$'
+check "says that there are normals" test "$(head -n 1 limit.off)" = NOFF
+check "the first vertex" near 4 limit.off -0.5 -0.5 -0.5 -$third -$third -$third
+check "the middle of a face" grep -qxE -- '-?0 -?0 -0.[0-9]+  -?0 -?0 -1' limit.off
+run refine cube.off -s catmull-clark -n 0 --limit -o coarse.off
+check "the limit is the same on all levels" near 4 coarse.off -0.5 -0.5 -0.5 -$third -$third -$third
+
+# Other formats: v and vn with references to them, properties of PLY, and nothing in STL, which has no room.
+run refine cube.off -s catmull-clark -n 1 --limit -o limit.obj
+exits 0
+check "26 normals" test "$(grep -c '^vn ' limit.obj)" -eq 26
+check "faces refer to them" grep -qxE 'f  3//3 [0-9]+//[0-9]+ .*' limit.obj
+check "26 places" test "$(grep -c '^v ' limit.obj)" -eq 26
+run refine cube.off -s catmull-clark -n 1 --limit -o limit.ply
+exits 0
+for name in nx ny nz; do has limit.ply "^property double $name$"; done
+body=$(grep -n end_header limit.ply | cut -d: -f1)
+check "the first vertex" near $((body + 1)) limit.ply -0.5 -0.5 -0.5 -$third -$third -$third
+run refine cube.off -s catmull-clark -n 1 --limit --binary -o binary.ply
+exits 0
+for file in limit.obj limit.ply binary.ply; do
+    run compare limit.off $file --tolerance 0
+    exits 0
+    says_nothing
+done
+run refine tetra.off -s loop -n 1 --limit -o limit.stl
+exits 0
+run refine tetra.off -s loop -n 1 --limit -o loop.off
+run compare loop.off limit.stl --tolerance 0
+exits 0
+# Loop at n = 3: beta = 3/16, so every neighbor weighs 1/5.
+check "Loop's vertex" near 4 loop.off 0.2 0.2 0.2 -$third -$third -$third
+
+# Without --limit nothing changes, and all kinds of meshes give the same bits.
+run refine cube.off -s catmull-clark -n 1 -o plain.off
+check "no normals" test "$(head -n 1 plain.off)" = OFF
+run schemes
+sed -n 's/^\([a-z0-9-]*\)  *\(triangles\|quads\|any polygons\) .*/\1 \2/p' "$results/out" >list
+with=0
+without=0
+while read -r scheme takes; do
+    input=cube.off
+    test "$takes" = triangles && input=tetra.off
+    run refine $input -s "$scheme" -n 2 --limit -o native.off
+    if test "$code" -eq 0; then
+        with=$((with + 1))
+        for mesh in cgal openmesh; do
+            run refine $input -s "$scheme" -n 2 --limit --mesh $mesh -o $mesh.off
+            exits 0
+            same native.off $mesh.off
+        done
+        rm native.off
+    else
+        without=$((without + 1))
+        exits 2
+        says "^kith: --limit: no closed limit masks are known for $scheme, but for catmull-clark, loop, "
+        check "no output file" test ! -e native.off
+    fi
+done <list
+check "some schemes have masks" test "$with" -ge 5
+check "mid-edge has none" test "$without" -ge 1
+
+# The linear scheme stays where it is; its normals are the means of the faces'.
+run refine cube.off -s linear -n 0 --limit -o linear.off
+check "the corner of a cube" near 4 linear.off -1 -1 -1 -$third -$third -$third
+
+# A boundary: the curve's mask 1/6, 2/3, 1/6; corners stay, with the normal of the plane of their edges.
+printf 'OFF 6 2 0\n0 0 0\n2 0 0\n4 0 0\n0 2 1\n2 2 1\n4 2 1\n4 0 1 4 3\n4 1 2 5 4\n' >strip.off
+run refine strip.off -s catmull-clark -n 0 --limit -o strip_limit.off
+exits 0
+says_nothing
+check "a corner" near 4 strip_limit.off 0 0 0 0 -0.447213595499957939 0.894427190999915878
+check "a boundary vertex" near 5 strip_limit.off 2 0 0 0 -0.447213595499957939 0.894427190999915878
+
+# Where no mask is known the vertex stays, which is said.
+run refine tetra.off -s catmull-clark -n 0 --limit -o stays.off
+exits 0
+says '^kith: note: 4 of 4 vertices stay where level 0 has them, as no closed limit mask is known there; refine once more$'
+run compare tetra.off stays.off --tolerance 0
+exits 0
+finish
