@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The little of MPI 3.1 that kith needs, with errors as exceptions and messages of any size.
+namespace kith::mpi {
+
+/// A call to MPI that failed.
+struct error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+namespace detail {
+
+inline void check(int code, const char* call)
+{
+    if (code == MPI_SUCCESS)
+        return;
+    char text[MPI_MAX_ERROR_STRING] = "";
+    int length = 0;
+    MPI_Error_string(code, text, &length);
+    throw error(std::string(call) + ": " + std::string(text, std::size_t(length)));
+}
+
+} // namespace detail
+
+/// Of the bytes that a rank has sent and received through a communicator of kith.
+struct traffic {
+    std::uint64_t bytes_sent = 0, messages_sent = 0, bytes_received = 0, messages_received = 0;
+};
+
+/// A communicator of our own, so that our messages meet no others, which reports errors instead of ending the program.
+/// Move only. Local calls say so; all others are collective or need their partner.
+class communicator {
+public:
+    /// Collective. Messages longer than `largest` bytes are sent in pieces: MPI 3.1 counts in int.
+    explicit communicator(MPI_Comm parent, std::size_t largest = std::size_t(1) << 30) : largest_(largest)
+    {
+        detail::check(MPI_Comm_dup(parent, &comm_), "MPI_Comm_dup");
+        detail::check(MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
+        detail::check(MPI_Comm_rank(comm_, &rank_), "MPI_Comm_rank");
+        detail::check(MPI_Comm_size(comm_, &size_), "MPI_Comm_size");
+    }
+    communicator(communicator&& other) noexcept
+        : comm_(std::exchange(other.comm_, MPI_COMM_NULL))
+        , rank_(other.rank_)
+        , size_(other.size_)
+        , largest_(other.largest_)
+        , traffic_(other.traffic_)
+    {
+    }
+    communicator& operator=(communicator&&) = delete;
+    ~communicator()
+    {
+        if (comm_ != MPI_COMM_NULL and std::uncaught_exceptions() == 0)
+            MPI_Comm_free(&comm_);
+    }
+
+    /// Local.
+    [[nodiscard]] int rank() const { return rank_; }
+    [[nodiscard]] int size() const { return size_; }
+    [[nodiscard]] bool is_root() const { return rank_ == 0; }
+    [[nodiscard]] const traffic& sent_and_received() const { return traffic_; }
+
+    /// To one rank, which calls receive. Returns when the bytes may be changed.
+    void send(std::span<const std::byte> bytes, int to)
+    {
+        const std::uint64_t size = bytes.size();
+        detail::check(MPI_Send(&size, 1, MPI_UINT64_T, to, size_tag, comm_), "MPI_Send");
+        count_sent(sizeof size);
+        while (not bytes.empty()) {
+            const auto piece = bytes.first(std::min(bytes.size(), largest_));
+            detail::check(MPI_Send(piece.data(), int(piece.size()), MPI_BYTE, to, bytes_tag, comm_), "MPI_Send");
+            count_sent(piece.size());
+            bytes = bytes.subspan(piece.size());
+        }
+    }
+    /// From one rank or, for any_rank, from whoever sends first; that rank is stored then.
+    std::vector<std::byte> receive(int& from)
+    {
+        std::uint64_t size = 0;
+        MPI_Status status;
+        detail::check(MPI_Recv(&size, 1, MPI_UINT64_T, from, size_tag, comm_, &status), "MPI_Recv");
+        from = status.MPI_SOURCE;
+        count_received(sizeof size);
+        std::vector<std::byte> bytes(size);
+        for (std::size_t at = 0; at < bytes.size();) {
+            const std::size_t piece = std::min(bytes.size() - at, largest_);
+            detail::check(MPI_Recv(bytes.data() + at, int(piece), MPI_BYTE, from, bytes_tag, comm_, MPI_STATUS_IGNORE),
+                          "MPI_Recv");
+            count_received(piece);
+            at += piece;
+        }
+        return bytes;
+    }
+    static constexpr int any_rank = MPI_ANY_SOURCE;
+
+    /// Collective: what the root gives is what all get.
+    std::vector<std::byte> broadcast(std::vector<std::byte> bytes)
+    {
+        std::uint64_t size = bytes.size();
+        detail::check(MPI_Bcast(&size, 1, MPI_UINT64_T, 0, comm_), "MPI_Bcast");
+        bytes.resize(size);
+        for (std::size_t at = 0; at < bytes.size();) {
+            const std::size_t piece = std::min(bytes.size() - at, largest_);
+            detail::check(MPI_Bcast(bytes.data() + at, int(piece), MPI_BYTE, 0, comm_), "MPI_Bcast");
+            at += piece;
+        }
+        return bytes;
+    }
+    /// Collective: the sums (of integers, which do not depend on the order), on all ranks.
+    template <std::size_t N>
+    [[nodiscard]] std::array<std::uint64_t, N> sum(std::array<std::uint64_t, N> values)
+    {
+        detail::check(MPI_Allreduce(MPI_IN_PLACE, values.data(), int(N), MPI_UINT64_T, MPI_SUM, comm_), "MPI_Allreduce");
+        return values;
+    }
+    [[nodiscard]] std::uint64_t maximum(std::uint64_t value)
+    {
+        detail::check(MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_UINT64_T, MPI_MAX, comm_), "MPI_Allreduce");
+        return value;
+    }
+    void barrier() { detail::check(MPI_Barrier(comm_), "MPI_Barrier"); }
+
+    /// Collective, between phases: when a rank brings a problem, all ranks throw the one of the lowest such rank, so that
+    /// an error on one rank is one message and no hang. Errors: phase_error.
+    void agree(const std::string& problem);
+
+private:
+    static constexpr int size_tag = 1, bytes_tag = 2;
+
+    void count_sent(std::size_t bytes)
+    {
+        traffic_.bytes_sent += bytes;
+        ++traffic_.messages_sent;
+    }
+    void count_received(std::size_t bytes)
+    {
+        traffic_.bytes_received += bytes;
+        ++traffic_.messages_received;
+    }
+
+    MPI_Comm comm_ = MPI_COMM_NULL;
+    int rank_ = 0, size_ = 1;
+    std::size_t largest_;
+    traffic traffic_;
+};
+
+/// A problem that all ranks have heard of.
+struct phase_error : std::runtime_error {
+    phase_error(int rank, const std::string& text) : std::runtime_error(text), rank(rank) {}
+    int rank; ///< whose problem it is
+};
+
+inline void communicator::agree(const std::string& problem)
+{
+    int first = problem.empty() ? std::numeric_limits<int>::max() : rank_;
+    detail::check(MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm_), "MPI_Allreduce");
+    if (first == std::numeric_limits<int>::max())
+        return;
+    std::string text = problem;
+    std::uint64_t size = text.size();
+    detail::check(MPI_Bcast(&size, 1, MPI_UINT64_T, first, comm_), "MPI_Bcast");
+    text.resize(size);
+    detail::check(MPI_Bcast(text.data(), int(size), MPI_CHAR, first, comm_), "MPI_Bcast");
+    throw phase_error(first, text);
+}
+
+/// Runs one phase on every rank and lets all of them agree on how it went. Collective. Errors: phase_error.
+template <class Phase>
+void in_agreement(communicator& comm, const Phase& phase)
+{
+    std::string problem;
+    try {
+        phase();
+    } catch (const std::bad_alloc&) {
+        problem = "there is not enough memory";
+    } catch (const error&) {
+        throw; // the others cannot be reached
+    } catch (const std::exception& failure) {
+        problem = failure.what();
+    }
+    comm.agree(problem);
+}
+
+/// MPI from main's beginning to its end. An exception that leaves it ends all ranks: waiting for the others would hang.
+class session {
+public:
+    session(int& count, char**& arguments)
+    {
+        int provided = 0;
+        detail::check(MPI_Init_thread(&count, &arguments, MPI_THREAD_FUNNELED, &provided), "MPI_Init_thread");
+        std::set_terminate([] {
+            std::fputs("kith: ended by an error that nobody caught\n", stderr);
+            MPI_Abort(MPI_COMM_WORLD, failure_code);
+        });
+    }
+    session(const session&) = delete;
+    session& operator=(const session&) = delete;
+    ~session()
+    {
+        if (std::uncaught_exceptions() > 0)
+            MPI_Abort(MPI_COMM_WORLD, failure_code);
+        MPI_Finalize();
+    }
+
+    /// Ends all ranks at once.
+    [[noreturn]] static void abort(const std::string& message)
+    {
+        std::fputs((message + "\n").c_str(), stderr);
+        std::fflush(stderr);
+        MPI_Abort(MPI_COMM_WORLD, failure_code);
+        std::abort();
+    }
+    static constexpr int failure_code = 70;
+};
+
+} // namespace kith::mpi

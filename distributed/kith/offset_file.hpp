@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/error.hpp>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace kith {
+
+/// A file that cannot be written; the text begins with its path.
+struct write_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A file that many write at the same time, each its own bytes at their place: POSIX only, no MPI-IO, whose offsets have
+/// overflowed in one version or another of every implementation.
+class offset_file {
+public:
+    /// Makes the file, of this size, or opens one that was made so. Errors: write_error.
+    static offset_file create(const std::string& path, std::uint64_t size)
+    {
+        offset_file file(path, O_RDWR | O_CREAT | O_TRUNC);
+        if (::ftruncate(file.descriptor_, off_t(size)) != 0)
+            file.refuse("cannot be made " + std::to_string(size) + " bytes large");
+        return file;
+    }
+    static offset_file open(const std::string& path) { return offset_file(path, O_RDWR); }
+
+    offset_file(offset_file&& other) noexcept
+        : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1))
+    {
+    }
+    offset_file& operator=(offset_file&&) = delete;
+    ~offset_file()
+    {
+        if (descriptor_ >= 0)
+            ::close(descriptor_);
+    }
+
+    /// Errors: write_error, also for what a full disk shows when the file is closed.
+    void close()
+    {
+        if (::close(std::exchange(descriptor_, -1)) != 0)
+            refuse("cannot be written");
+    }
+    void write(std::uint64_t offset, const void* data, std::size_t size)
+    {
+        const char* bytes = static_cast<const char*>(data);
+        while (size > 0) {
+            const ssize_t written = ::pwrite(descriptor_, bytes, std::min(size, largest), off_t(offset));
+            if (written < 0 and errno == EINTR)
+                continue;
+            if (written <= 0)
+                refuse("cannot be written");
+            bytes += written;
+            offset += std::uint64_t(written);
+            size -= std::size_t(written);
+        }
+    }
+
+private:
+    static constexpr std::size_t largest = std::size_t(256) << 20; // one call of some systems writes 2 GiB at most
+
+    offset_file(const std::string& path, int flags) : path_(path), descriptor_(::open(path.c_str(), flags, 0666))
+    {
+        if (descriptor_ < 0)
+            refuse("cannot be opened for writing");
+    }
+    [[noreturn]] void refuse(const std::string& what) const
+    {
+        throw write_error(path_ + ": " + what + " (" + std::strerror(errno) + ")");
+    }
+
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+/// Joins small writes that follow one another into large ones.
+class joined_writes {
+public:
+    explicit joined_writes(offset_file& file) : file_(&file) { bytes_.reserve(largest); }
+
+    template <class T>
+    void put(std::uint64_t offset, const T& value)
+    {
+        put(offset, &value, sizeof(T));
+    }
+    void put(std::uint64_t offset, const void* data, std::size_t size)
+    {
+        if (offset != start_ + bytes_.size() or bytes_.size() + size > largest) {
+            flush();
+            start_ = offset;
+        }
+        const char* bytes = static_cast<const char*>(data);
+        bytes_.insert(bytes_.end(), bytes, bytes + size);
+    }
+    void flush()
+    {
+        file_->write(start_, bytes_.data(), bytes_.size());
+        bytes_.clear();
+    }
+
+private:
+    static constexpr std::size_t largest = std::size_t(1) << 20;
+
+    offset_file* file_;
+    std::uint64_t start_ = 0;
+    std::vector<char> bytes_;
+};
+
+} // namespace kith

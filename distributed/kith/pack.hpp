@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cut_tiles.hpp"
+
+#include <kith/error.hpp>
+#include <kith/hash_value.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// Bytes that were damaged on their way, or are not what they are taken for.
+struct pack_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Appends plain values and arrays to a message. The bytes are those of this machine: messages stay within one job on
+/// machines of one kind, which `kind_of_machine` in the head of a message makes sure of.
+class packer {
+public:
+    template <class T>
+        requires std::is_trivially_copyable_v<T>
+    packer& add(const T& value)
+    {
+        const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+        bytes_.insert(bytes_.end(), bytes, bytes + sizeof(T));
+        return *this;
+    }
+    template <class T>
+        requires std::is_trivially_copyable_v<T>
+    packer& add_array(const T* data, std::size_t size)
+    {
+        add(std::uint64_t(size));
+        const auto* bytes = reinterpret_cast<const std::byte*>(data);
+        bytes_.insert(bytes_.end(), bytes, bytes + size * sizeof(T));
+        return *this;
+    }
+    template <class Array>
+        requires requires(const Array& array) { array.data(), array.size(); }
+    packer& add_array(const Array& array)
+    {
+        return add_array(array.data(), array.size());
+    }
+    [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
+
+private:
+    std::vector<std::byte> bytes_;
+};
+
+/// Reads what a packer wrote, in the same order. Errors: pack_error when there is less than asked for.
+class unpacker {
+public:
+    explicit unpacker(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    template <class T>
+        requires std::is_trivially_copyable_v<T>
+    T get()
+    {
+        T value;
+        std::memcpy(&value, take(sizeof(T), 1).data(), sizeof(T));
+        return value;
+    }
+    template <class Array>
+    Array get_array()
+    {
+        using value = typename Array::value_type;
+        const auto size = get<std::uint64_t>();
+        const auto bytes = take(size, sizeof(value));
+        Array result(size);
+        if (size != 0)
+            std::memcpy(result.data(), bytes.data(), bytes.size());
+        return result;
+    }
+    [[nodiscard]] bool is_at_end() const { return bytes_.empty(); }
+
+private:
+    std::span<const std::byte> take(std::size_t count, std::size_t size)
+    {
+        if (count > bytes_.size() / size)
+            throw pack_error("a message ends too early; it was cut or is of another version");
+        const auto result = bytes_.first(count * size);
+        bytes_ = bytes_.subspan(count * size);
+        return result;
+    }
+
+    std::span<const std::byte> bytes_;
+};
+
+namespace detail {
+
+template <class Point, class Index>
+constexpr std::uint64_t kind_of_message()
+{
+    constexpr std::uint64_t version = 1;
+    return 0x6b697468'00000000U | version << 16 | sizeof(Point) << 8 | sizeof(Index); // turned round elsewhere
+}
+
+template <class Scheme>
+void pack_scheme(packer& out, const Scheme& scheme)
+{
+    if constexpr (requires { scheme.sharpness.edges(); }) {
+        out.add(scheme.corners).add(scheme.sharpness.method);
+        for (const auto* list : {&scheme.sharpness.edges(), &scheme.sharpness.vertices()}) {
+            out.add(std::uint64_t(list->size()));
+            for (const auto& [element, sharpness] : *list)
+                out.add(std::uint64_t(element)).add(sharpness);
+        }
+    }
+}
+template <class Scheme>
+void unpack_scheme(unpacker& in, Scheme& scheme)
+{
+    if constexpr (requires { scheme.sharpness.edges(); }) {
+        scheme.corners = in.get<decltype(scheme.corners)>();
+        scheme.sharpness = decltype(scheme.sharpness)(in.get<decltype(scheme.sharpness.method)>());
+        for (auto left = in.get<std::uint64_t>(); left > 0; --left) {
+            const auto edge = in.get<std::uint64_t>();
+            scheme.sharpness.sharpen_edge(edge, in.get<double>());
+        }
+        for (auto left = in.get<std::uint64_t>(); left > 0; --left) {
+            const auto vertex = in.get<std::uint64_t>();
+            scheme.sharpness.sharpen_vertex(vertex, in.get<double>());
+        }
+    }
+}
+
+/// The sum of the words of a message, with where they are: it tells damage, not malice.
+inline std::uint64_t checksum_of_bytes(std::span<const std::byte> bytes)
+{
+    std::uint64_t sum = mix_bits(bytes.size());
+    for (std::size_t i = 0; i < bytes.size(); i += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + i, std::min<std::size_t>(8, bytes.size() - i));
+        sum += mix_bits(word ^ mix_bits(i));
+    }
+    return sum;
+}
+
+} // namespace detail
+
+/// A tile and the state of its scheme as one message. Cost: O(elements).
+template <class Point, class Index, class Scheme>
+std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
+{
+    static_assert(std::is_trivially_copyable_v<Point>, "points that are plain bytes can be sent, others not");
+    const auto& part = job.part;
+    const auto& t = part.mesh.topology();
+    packer out;
+    out.add(detail::kind_of_message<Point, Index>());
+    out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(part.mesh.generation());
+    out.add_array(part.mesh.points());
+    for (const auto* array : {&t.corner_vertex, &t.corner_halfedge, &t.halfedge_corner, &t.vertex_corner, &t.face_corner,
+                              &t.corner_face, &part.root_of})
+        out.add_array(*array);
+    for (const auto* array : {&part.vertex_ids, &part.edge_ids, &part.face_ids, &part.first_corner_ids,
+                              &part.corners_before, &part.roots})
+        out.add_array(*array);
+    for (const auto* array : {&part.vertex_marks, &part.edge_marks, &part.face_marks})
+        out.add_array(*array);
+    detail::pack_scheme(out, job.scheme);
+    auto bytes = out.take();
+    const std::uint64_t sum = detail::checksum_of_bytes(bytes);
+    const auto* tail = reinterpret_cast<const std::byte*>(&sum);
+    bytes.insert(bytes.end(), tail, tail + sizeof sum);
+    return bytes;
+}
+
+/// The inverse; `scheme` is the scheme with the options of the job, which messages do not carry.
+/// Errors: pack_error for bytes that are damaged or not such a message.
+template <class Point, class Index, class Scheme>
+tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Scheme scheme)
+{
+    std::uint64_t sum = 0;
+    if (bytes.size() < sizeof sum)
+        throw pack_error("a message is too short");
+    std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
+    bytes = bytes.first(bytes.size() - sizeof sum);
+    if (sum != detail::checksum_of_bytes(bytes))
+        throw pack_error("a message was damaged on its way; its checksum is wrong");
+    unpacker in(bytes);
+    if (in.get<std::uint64_t>() != detail::kind_of_message<Point, Index>())
+        throw pack_error("a message is of another program, version or kind of machine");
+    tile<Point, Index> part;
+    connectivity<Index> t;
+    t.vertices = in.get<std::uint64_t>();
+    t.faces = in.get<std::uint64_t>();
+    t.degree = in.get<int>();
+    const int generation = in.get<int>();
+    auto points = in.get_array<storage<Point>>();
+    for (auto* array : {&t.corner_vertex, &t.corner_halfedge, &t.halfedge_corner, &t.vertex_corner, &t.face_corner,
+                        &t.corner_face, &part.root_of})
+        *array = in.get_array<storage<Index>>();
+    for (auto* array : {&part.vertex_ids, &part.edge_ids, &part.face_ids, &part.first_corner_ids, &part.corners_before,
+                        &part.roots})
+        *array = in.get_array<storage<global_id>>();
+    for (auto* array : {&part.vertex_marks, &part.edge_marks, &part.face_marks})
+        *array = in.get_array<storage<unsigned char>>();
+    detail::unpack_scheme(in, scheme);
+    if (not in.is_at_end())
+        throw pack_error("a message is longer than what it holds");
+    part.mesh = {std::move(points), std::move(t), generation};
+    return {std::move(part), std::move(scheme)};
+}
+
+} // namespace kith

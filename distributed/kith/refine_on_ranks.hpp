@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "checksum.hpp"
+#include "cut_tiles.hpp"
+#include "mpi.hpp"
+#include "pack.hpp"
+#include "partition.hpp"
+#include "refine_tile.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+/// How tiles come to ranks. Spmd: dealt out at the beginning, tile t to rank t modulo ranks. Manager: rank 0 hands them
+/// out, the largest first, to whoever is free; it refines only when it is alone.
+enum class sharing : unsigned char { spmd, manager };
+
+/// What a rank did.
+struct work_done {
+    std::uint64_t tiles = 0;
+    std::uint64_t owned_faces = 0;   ///< of the last level
+    std::uint64_t made_faces = 0;    ///< on all levels, shadows and what was cut off included
+    std::uint64_t useful_faces = 0;  ///< on all levels, owned
+    mesh_checksum checksum{};
+
+    work_done& operator+=(const work_done& more)
+    {
+        tiles += more.tiles;
+        owned_faces += more.owned_faces;
+        made_faces += more.made_faces;
+        useful_faces += more.useful_faces;
+        checksum += more.checksum;
+        return *this;
+    }
+};
+
+/// A control mesh that lies on rank 0, refined in tiles on all ranks. Refinement itself sends nothing.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+class rank_refinement {
+public:
+    using tile_type = tile<Point, Index>;
+    using job_type = tile_job<tile_type, Scheme>;
+
+    /// Collective. `mesh` and `parts` are read on rank 0 only and must outlive this object there; `scheme` has the same
+    /// options on all ranks, its creases count on rank 0. Errors: phase_error for everything tile_cutter refuses and for
+    /// counts beyond 64 bits.
+    rank_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
+                    const partition& parts)
+        : comm_(comm), scheme_(scheme)
+    {
+        std::vector<std::byte> setting;
+        in_agreement(comm, [&] {
+            if (not comm.is_root())
+                return;
+            cutter_.emplace(mesh, scheme_, parts.part_of, parts.parts);
+            packer out;
+            out.add(cutter_->counts()).add(std::uint64_t(parts.parts));
+            out.add_array(pack(cutter_->cut_rim(ring_schedule(scheme, levels, 1)[0])));
+            setting = out.take();
+        });
+        setting = comm.broadcast(std::move(setting));
+        in_agreement(comm, [&] {
+            unpacker in(setting);
+            const auto counts = in.get<whole_counts>();
+            tiles_ = in.get<std::uint64_t>();
+            auto rim = unpack<Point, Index>(in.get_array<std::vector<std::byte>>(), scheme);
+            whole_.emplace(counts, std::move(rim.part), std::move(rim.scheme), levels);
+        });
+    }
+
+    /// Local. The numbering of all levels.
+    [[nodiscard]] const whole_levels<Scheme>& whole() const { return *whole_; }
+    [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
+
+    /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level.
+    /// Errors: phase_error, of the first rank that has one.
+    template <class Use>
+    work_done refine(sharing how, const Use& use)
+    {
+        work_done done;
+        if (how == sharing::spmd or comm_.size() == 1)
+            refine_dealt(use, done);
+        else
+            refine_handed_out(use, done);
+        return done;
+    }
+
+private:
+    template <class Use>
+    void refine_dealt(const Use& use, work_done& done)
+    {
+        std::vector<std::vector<std::byte>> mine; // packed: control faces are few
+        std::string problem;
+        for (std::uint64_t t = 0; t < tiles_; ++t) {
+            const int owner = int(t % std::uint64_t(comm_.size()));
+            if (comm_.is_root()) {
+                auto packed = problem.empty() ? cut(t, problem) : std::vector<std::byte>();
+                if (owner == 0)
+                    mine.push_back(std::move(packed));
+                else
+                    comm_.send(packed, owner);
+            } else if (owner == comm_.rank()) {
+                int root = 0;
+                mine.push_back(comm_.receive(root));
+            }
+        }
+        comm_.agree(problem);
+        MPI_Pcontrol(1); // for profilers: from here to the next there is nothing to see
+        try {
+            for (std::size_t i = 0; i < mine.size(); ++i) {
+                const auto packed = std::exchange(mine[i], {});
+                refine_one(std::uint64_t(comm_.rank()) + i * std::uint64_t(comm_.size()), packed, use, done);
+            }
+        } catch (const std::bad_alloc&) {
+            problem = "there is not enough memory for a tile; use more tiles or fewer levels";
+        } catch (const std::exception& failure) {
+            problem = failure.what();
+        }
+        MPI_Pcontrol(0);
+        comm_.agree(problem);
+    }
+
+    std::vector<std::byte> cut(std::uint64_t number, std::string& problem)
+    {
+        try {
+            return pack(cutter_->cut(number, whole_->rings(0)));
+        } catch (const std::bad_alloc&) {
+            problem = "there is not enough memory to cut tiles";
+        } catch (const std::exception& failure) {
+            problem = failure.what();
+        }
+        return {};
+    }
+
+    /// A worker asks with one byte, which tells whether its last tile went well; the answer is a number and a tile, or
+    /// nothing when there is none left.
+    template <class Use>
+    void refine_handed_out(const Use& use, work_done& done)
+    {
+        in_agreement(comm_, [&] {
+            if (comm_.is_root())
+                hand_out();
+            else
+                work(use, done);
+        });
+    }
+    void hand_out()
+    {
+        std::vector<std::uint64_t> order(tiles_);
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(), [&](std::uint64_t a, std::uint64_t b) {
+            return cutter_->faces(a).size() > cutter_->faces(b).size();
+        });
+        std::size_t next = 0;
+        std::string problem;
+        for (int working = comm_.size() - 1; working > 0;) {
+            int worker = communicator::any_rank;
+            const auto question = comm_.receive(worker);
+            if (question[0] != std::byte(0))
+                next = order.size(); // it has failed, so the rest is of no use
+            std::vector<std::byte> answer;
+            if (next < order.size() and problem.empty()) {
+                const auto packed = cut(order[next], problem); // after a problem the workers hear that nothing is left
+                if (problem.empty())
+                    answer = packer().add(order[next]).add_array(packed).take();
+                ++next;
+            }
+            working -= answer.empty();
+            comm_.send(answer, worker);
+        }
+        if (not problem.empty())
+            throw std::runtime_error(problem);
+    }
+    template <class Use>
+    void work(const Use& use, work_done& done)
+    {
+        std::string problem;
+        for (;;) {
+            const std::byte question{problem.empty() ? std::uint8_t(0) : std::uint8_t(1)};
+            comm_.send({&question, 1}, 0);
+            int root = 0;
+            const auto answer = comm_.receive(root);
+            if (answer.empty())
+                break;
+            try {
+                unpacker in(answer);
+                const auto number = in.get<std::uint64_t>();
+                refine_one(number, in.get_array<std::vector<std::byte>>(), use, done);
+            } catch (const std::bad_alloc&) {
+                problem = "there is not enough memory for a tile; use more tiles or fewer levels";
+            } catch (const std::exception& failure) {
+                problem = failure.what();
+            }
+        }
+        if (not problem.empty())
+            throw std::runtime_error(problem);
+    }
+
+    template <class Use>
+    void refine_one(std::uint64_t number, std::span<const std::byte> packed, const Use& use, work_done& done)
+    {
+        auto job = unpack<Point, Index>(packed, scheme_);
+        work_done more{.tiles = 1};
+        for (int level = 0; level < whole_->levels(); ++level) {
+            job.part = refine_once(job.part, job.scheme, level, *whole_);
+            more.made_faces += job.part.mesh.face_count();
+            for (const unsigned char mark : job.part.face_marks)
+                more.useful_faces += mark & owned_mark;
+        }
+        for (const unsigned char mark : job.part.face_marks)
+            more.owned_faces += mark & owned_mark;
+        more.checksum = checksum(job.part);
+        use(number, std::as_const(job.part));
+        done += more;
+    }
+
+    communicator& comm_;
+    Scheme scheme_;
+    std::optional<tile_cutter<Point, Index, Scheme>> cutter_; // on rank 0
+    std::optional<whole_levels<Scheme>> whole_;
+    std::uint64_t tiles_ = 0;
+};
+
+} // namespace kith::mpi

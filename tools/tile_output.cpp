@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tile_output.hpp"
+
+#include "errors.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace kith::tool {
+
+namespace {
+
+std::string extension_of(const std::string& path)
+{
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(
+        extension, extension.begin(), [](char c) { return c >= 'A' and c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+} // namespace
+
+bool is_stitched_format(const std::string& path)
+{
+    return extension_of(path) == ".vtu" or extension_of(path) == ".ply";
+}
+
+void require_stitched_format(const std::string& path)
+{
+    if (not is_stitched_format(path))
+        throw usage_error(path + ": tiles are written to .vtu or .ply, where every byte has its place");
+}
+
+tile_output::tile_output(const std::string& path, const whole_counts& counts, int level, bool with_origin)
+    : path_(path), incomplete_(path + ".incomplete")
+{
+    require_stitched_format(path);
+    if (extension_of(path) == ".ply")
+        layout_ = std::make_unique<ply_file>(counts);
+    else
+        layout_ = std::make_unique<vtu_file>(counts, level, with_origin);
+}
+
+void tile_output::begin()
+{
+    std::error_code failed;
+    if (std::filesystem::is_directory(path_, failed))
+        throw file_error(path_ + ": is a directory, not a file");
+    file_.emplace(offset_file::create(incomplete_, layout_->size()));
+    layout_->write_frame(*file_);
+}
+
+void tile_output::open()
+{
+    if (not file_)
+        file_.emplace(offset_file::open(incomplete_));
+}
+
+void tile_output::close()
+{
+    file_->close();
+    file_.reset();
+}
+
+void tile_output::commit()
+{
+    std::error_code failed;
+    std::filesystem::rename(incomplete_, path_, failed);
+    if (failed)
+        throw file_error(path_ + ": cannot be written: " + failed.message());
+}
+
+void tile_output::abandon() noexcept
+{
+    std::remove(incomplete_.c_str());
+}
+
+} // namespace kith::tool
