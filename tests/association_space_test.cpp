@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/association_space.hpp>
 
+#include "error_text.hpp"
 #include "own_scheme.hpp"
 
 #include <gtest/gtest.h>
@@ -194,4 +195,71 @@ TEST(association_space, a_vertex_may_be_a_copy_of_another)
     };
     const auto made = make_vertices(native(shapes::polygon(3)), new_vertices(kith::per_vertex), text);
     EXPECT_EQ(made, (points{3, shapes::polygon(3).points[2]}));
+}
+
+TEST(association_space, of_a_pass_between_two_levels)
+{
+    const auto text = [](const auto& coarse, const auto& assoc) {
+        const auto corners = assoc.pass(new_vertices(kith::per_corner));
+        for (auto c : coarse.corners())
+            corners(c, V) = c.v();
+        for (auto f : coarse.faces())
+            assoc(f, V) = average(corners(f.corners(), V));
+    };
+    expect_last(make_vertices(native(control), new_vertices(kith::per_face), text), face_centres());
+}
+
+TEST(association_space, masks_join_the_coarse_level_passes_and_the_next_level)
+{
+    const auto text = [](const auto& coarse, const auto& assoc) {
+        const auto edges = assoc.pass(new_vertices(kith::per_edge));
+        for (auto e : coarse.edges())
+            edges(e, V) = average(e.org(), e.dst());
+        for (auto f : coarse.faces()) // edge midpoints and vertices have the same mean
+            assoc(f, V) = 1. / 4 * average(edges(f.edges(), V)) + 3. / 4 * average(f.vertices());
+        for (auto v : coarse.vertices())
+            assoc(v, V) = assoc(v.first_corner().f(), V) + v - edges(v.first_corner().next_edge(), V);
+    };
+    const auto made = make_vertices(native(control), new_vertices(kith::per_vertex, kith::per_face), text);
+    expect_last(made, face_centres());
+    const auto mesh = native(control);
+    const kith::level_of<mesh3d> level(mesh);
+    const auto c = level.vertices()[3].first_corner();
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(
+            made[3][i], face_centres()[c.f().index()][i] + c.v().point()[i] / 2 - c.next().v().point()[i] / 2, 1e-14);
+}
+
+TEST(association_space, of_a_pass_is_checked_like_any_other)
+{
+    const auto run = [](const auto& text) {
+        return error_text<kith::association_error>(
+            [&] { make_vertices(native(control), new_vertices(kith::per_face), text); });
+    };
+    EXPECT_EQ(run([](const auto& coarse, const auto& assoc) {
+                  const auto edges = assoc.pass(new_vertices(kith::per_edge));
+                  assoc(coarse.faces()[0], V) = average(edges(coarse.faces()[0].edges(), V));
+              }),
+              "assoc(e 0) -> V is read before it is set");
+    EXPECT_EQ(run([](const auto& coarse, const auto& assoc) {
+                  const auto corners = assoc.pass(new_vertices(kith::per_corner));
+                  for (int i = 0; i < 2; ++i)
+                      corners(coarse.corners()[0], V) = coarse.corners()[0].v();
+              }),
+              "assoc(f 0, v 0) -> V is set twice");
+}
+
+TEST(association_space, of_a_pass_can_be_written_again)
+{
+    const auto text = [](const auto& coarse, const auto& assoc) {
+        const auto faces = assoc.pass(new_vertices(kith::per_face));
+        for (auto f : coarse.faces())
+            faces(f, V) = f.first_corner().v();
+        const auto& again = faces.again();
+        for (auto f : coarse.faces())
+            again(f, V) = average(f.vertices());
+        for (auto f : coarse.faces())
+            assoc(f, V) = again(f, V);
+    };
+    expect_last(make_vertices(native(control), new_vertices(kith::per_face), text), face_centres());
 }

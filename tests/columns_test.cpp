@@ -124,6 +124,16 @@ TEST(columns, a_condition_may_pick_tuples_anywhere)
     EXPECT_EQ(ids.origin(13).second, 5U);
 }
 
+TEST(columns, a_form_of_a_scheme_may_have_all_tuples_or_none)
+{
+    const auto ids = ids_on(open, kith::per_vertex.when(false), kith::per_edge.when(true), kith::per_face.when(false));
+    EXPECT_EQ(ids.total(), 12U);
+    EXPECT_EQ(ids.id<tuple_kind::v>(0), ids.none);
+    EXPECT_EQ(ids.id<tuple_kind::e>(7), 7U);
+    EXPECT_EQ(ids.id<tuple_kind::f>(3), ids.none);
+    expect_inverse<tuple_kind::v, tuple_kind::e, tuple_kind::f>(ids);
+}
+
 TEST(columns, a_condition_sees_the_element_of_the_tuple)
 {
     const auto ids = ids_on(open,

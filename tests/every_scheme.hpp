@@ -15,6 +15,7 @@
 #include <kith/nasri_hasbini.hpp>
 #include <kith/sqrt3.hpp>
 #include <kith/tri_quad.hpp>
+#include <kith/unified.hpp>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,9 @@ void for_each_other_scheme_and_shape(const Test& test)
         if (name != "valence two") // of which it would make a face of two corners
             run(kith::mid_edge{}, mesh);
         run(kith::four_eight{}, kith::tri_quad(mesh));
+        if (count(mesh.topology()).boundary_edges == 0)
+            for (const int degree : {1, 2, 5, 8})
+                run(kith::unified{.degree = degree}, mesh);
         const int degree = mesh.topology().degree;
         if (degree == 4)
             run(kith::kobbelt{}, mesh);

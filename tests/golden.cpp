@@ -57,6 +57,7 @@ file read(const std::filesystem::path& path)
                 .weights = convention.value("weights", ""),
                 .boundary = convention.value("boundary", ""),
                 .crease_method = convention.value("crease_method", ""),
+                .degree = convention.value("degree", 0),
                 .levels = {}};
     for (std::size_t i = 0; text.contains("level" + std::to_string(i)); ++i)
         result.levels.push_back(read_level(text.at("level" + std::to_string(i))));

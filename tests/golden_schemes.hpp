@@ -8,6 +8,7 @@
 #include <kith/doo_sabin.hpp>
 #include <kith/loop.hpp>
 #include <kith/sqrt3.hpp>
+#include <kith/unified.hpp>
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,8 @@ struct doo_sabin_on {
         using boundary = kith::doo_sabin_boundary;
         using weights = kith::doo_sabin_weights;
         for (const auto& f : golden::files_of("doo_sabin"))
-            test(f, control_mesh<M>(f),
+            test(f,
+                 control_mesh<M>(f),
                  kith::doo_sabin{.boundary = f.boundary == "drop"      ? boundary::drop
                                              : f.boundary == "clamped" ? boundary::clamped
                                                                        : boundary::thesis,
@@ -74,8 +76,18 @@ struct sqrt3_on {
             test(f, control_mesh<M>(f), kith::sqrt3{});
     }
 };
+template <class M>
+struct unified_on {
+    using mesh = M;
+    template <class Test>
+    static void for_each(const Test& test)
+    {
+        for (const auto& f : golden::files_of("unified"))
+            test(f, control_mesh<M>(f), kith::unified{.degree = f.degree});
+    }
+};
 
 template <class M>
 using triangle_schemes_on = testing::Types<loop_on<M>, sqrt3_on<M>>;
 template <class M>
-using all_schemes_on = testing::Types<catmull_clark_on<M>, doo_sabin_on<M>, loop_on<M>, sqrt3_on<M>>;
+using all_schemes_on = testing::Types<catmull_clark_on<M>, doo_sabin_on<M>, loop_on<M>, sqrt3_on<M>, unified_on<M>>;

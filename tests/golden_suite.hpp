@@ -87,6 +87,8 @@ TYPED_TEST_P(golden_files, each_vertex_of_level_1_is_found_by_its_tuple)
         const mesh& fine = levels[1];
         const auto& level = f.levels[1];
         TestFixture::expect_counts(fine, level);
+        if (f.degree != 0)
+            return; // the files of the unified scheme tell no tuples
         ASSERT_EQ(level.keys.size(), level.vertices.size());
         std::vector<std::size_t> number(level.vertices.size(), level.vertices.size());
         for (std::size_t i = 0; i < level.keys.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <kith/doo_sabin.hpp>
 #include <kith/loop.hpp>
 #include <kith/sqrt3.hpp>
+#include <kith/unified.hpp>
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,19 @@ TEST(plan, loop_of_the_triangulated_cube_is_that_of_the_thesis)
 TEST(plan, sqrt3_of_the_triangulated_cube_is_that_of_the_thesis)
 {
     EXPECT_EQ(levels(triangulated_cube, kith::sqrt3(), 2), (table{{8, 18, 12}, {20, 54, 36}, {56, 162, 108}}));
+}
+
+TEST(plan, the_unified_scheme_counts_as_catmull_clark_or_as_doo_sabin)
+{
+    EXPECT_EQ(levels(cube, kith::unified{.degree = 5}, 9), levels(cube, kith::catmull_clark(), 9));
+    EXPECT_EQ(levels(cube, kith::unified{.degree = 4}, 9), levels(cube, kith::doo_sabin(), 9));
+}
+
+TEST(plan, refuses_a_boundary_for_schemes_that_take_none)
+{
+    const counts grid{.vertices = 20, .edges = 31, .faces = 12, .boundary_edges = 14};
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { plan(grid, kith::unified(), 1); }),
+              "unified: the mesh has 14 boundary edges; close it first, or take a scheme with a boundary rule");
 }
 
 TEST(plan, the_torus_by_each_scheme)

@@ -18,6 +18,9 @@ struct triangles_by_name : nameless {
     static constexpr bool triangles_only = true;
     static constexpr counts next(const counts& c, int) { return c; }
 };
+struct closed : nameless {
+    static constexpr bool closed_only = true;
+};
 struct by_generation {
     static constexpr auto columns(int generation)
     {
@@ -54,6 +57,17 @@ TEST(scheme, refuses_the_faces_it_does_not_take)
     EXPECT_EQ(error_text<mesh_error>([&] { require_input<triangles_by_name>(level); }),
               "by-name: face 5 has 4 vertices; triangulate the mesh first");
     EXPECT_NO_THROW(require_input<nameless>(level));
+}
+
+TEST(scheme, refuses_the_boundary_it_does_not_take)
+{
+    const auto open = native(shapes::grid());
+    EXPECT_EQ(
+        error_text<mesh_error>([&] { require_input<closed>(level_type(open)); }),
+        "scheme: edge 0 between vertices 0 and 1 is a boundary edge; close the mesh first, or take a scheme with a "
+        "boundary rule");
+    const auto house = native(shapes::house());
+    EXPECT_NO_THROW(require_input<closed>(level_type(house)));
 }
 
 TEST(scheme, columns_may_depend_on_the_generation)

@@ -26,6 +26,7 @@ scheme_line describe(const scheme_entry<Scheme>& entry)
     const std::string_view takes = entry.prepare != nullptr  ? "any polygons"
                                    : needs_triangles<Scheme> ? "triangles"
                                    : needs_quads<Scheme>     ? "quads"
+                                   : needs_closed<Scheme>    ? "closed meshes"
                                                              : "any polygons";
     scheme_line result{scheme_name<Scheme>(), takes, entry.source, {}};
     Scheme scheme;
@@ -36,6 +37,8 @@ scheme_line describe(const scheme_entry<Scheme>& entry)
         result.options.emplace_back("--crease-angle", "a number of degrees");
     if constexpr (requires { scheme.tension; })
         result.options.emplace_back("--tension", "a number between 0 and 2.472");
+    if constexpr (requires { scheme.degree; })
+        result.options.emplace_back("--degree", "a number from 1 to 9");
     return result;
 }
 

@@ -25,6 +25,7 @@ void add_scheme_options(boost::program_options::options_description& options)
                             "WORD",
                             "how the sharpness of creases in the file decays: " + all_words<crease_method>());
     add_option<double>(options, "tension", "W", "kobbelt: between 0 and 2.472, else 1");
+    add_option<int>(options, "degree", "N", "unified: of the B-spline, 1 to 9, else 3");
 }
 
 scheme_words scheme_words_of(const boost::program_options::variables_map& values)
@@ -41,7 +42,8 @@ scheme_words scheme_words_of(const boost::program_options::variables_map& values
             .boundary = word("boundary"),
             .crease_method = word("crease-method"),
             .crease_angle = number("crease-angle"),
-            .tension = number("tension")};
+            .tension = number("tension"),
+            .degree = values.count("degree") == 0 ? std::nullopt : std::optional(values["degree"].as<int>())};
 }
 
 } // namespace kith::tool

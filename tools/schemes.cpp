@@ -40,6 +40,19 @@ void set_tension(Scheme& scheme, double tension)
 }
 
 template <class Scheme>
+void set_degree(Scheme& scheme, int degree)
+{
+    if constexpr (requires { scheme.degree; }) {
+        if (degree < 1 or degree > Scheme::max_degree)
+            throw usage_error("--degree: " + std::to_string(degree) + " is not between 1 and " +
+                              std::to_string(Scheme::max_degree));
+        scheme.degree = degree;
+    } else {
+        throw usage_error("--degree: " + std::string(scheme_name<Scheme>()) + " has no such choice");
+    }
+}
+
+template <class Scheme>
 void require_creases(const Scheme&, double angle)
 {
     if constexpr (not requires(Scheme s) { s.sharpness; })
@@ -54,6 +67,8 @@ Scheme configured(const scheme_words& words)
     Scheme scheme = scheme_like<Scheme>(words.preset);
     if (words.tension)
         set_tension(scheme, *words.tension);
+    if (words.degree)
+        set_degree(scheme, *words.degree);
     if (words.crease_angle)
         require_creases(scheme, *words.crease_angle);
     const std::array<std::pair<std::string_view, const std::string*>, 4> given{

@@ -14,6 +14,7 @@
 #include <kith/nasri_hasbini.hpp>
 #include <kith/sqrt3.hpp>
 #include <kith/tri_quad.hpp>
+#include <kith/unified.hpp>
 
 #include <optional>
 #include <string>
@@ -41,6 +42,7 @@ inline constexpr std::tuple known_schemes{
     scheme_entry<nasri_hasbini>{"Nasri, Hasbini, Zheng & Sederberg; irregular masks derived, docs/schemes.md"},
     scheme_entry<four_eight>{"Velho & Zorin 2001", [](const basic_mesh<>& mesh) { return tri_quad(mesh); }},
     scheme_entry<mid_edge>{"Peters & Reif 1997"},
+    scheme_entry<unified>{"Zorin & Schroeder 2001"},
     scheme_entry<linear>{"midpoints and centroids"},
     scheme_entry<linear_triangles>{"midpoints"},
 };
@@ -63,6 +65,7 @@ struct scheme_words {
     std::string crease_method;
     std::optional<double> crease_angle;
     std::optional<double> tension;
+    std::optional<int> degree;
 };
 
 /// Errors: usage_error for a name that is not known, and for words that this scheme does not take.

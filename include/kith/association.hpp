@@ -87,9 +87,9 @@ public:
 
     [[nodiscard]] index id() const { return space_->template vertex_id<Kind>(tuple_); }
     template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
+    [[nodiscard]] typename Values::sum evaluate(const Values&) const
     {
-        return values.fine(id());
+        return space_->vertex_value(id());
     }
     [[nodiscard]] new_vertex<index> vertex() const { return {id()}; }
     [[nodiscard]] face_line<index> operator>>(new_side<index> side) const { return vertex() >> side; }
@@ -162,9 +162,9 @@ public:
         return space_->listed_vertex(tuple_);
     }
     template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
+    [[nodiscard]] typename Values::sum evaluate(const Values&) const
     {
-        return values.listed(id());
+        return space_->listed_value(id());
     }
     operator face_line<index>() const { return {id(), Space::none}; }
 

@@ -21,6 +21,8 @@ namespace kith {
 /// How much of a new level's connectivity is wanted: none (only values are computed), face-vertex lists, or all.
 enum class connect : unsigned char { nothing, faces, everything };
 
+template <class Level, class Numbering, class Values, bool Checked> class pass_space;
+
 /// The association space of one refinement step: `assoc(f, V)`, `assoc(v, e, E)`, `assoc(c, F)`. Thesis 4.1.
 /// It holds no table: a tuple is an index, and the new element's id is the base of its column plus that index. What is
 /// written goes straight into the arrays of the new level.
@@ -99,9 +101,25 @@ public:
         return range.map([this, x, target](const auto& y) { return (*this)(x, y, target); });
     }
 
+    /// A space between the coarse level and the next one, with vertices under the tuples of these columns, for schemes
+    /// that average several times in a step. It lives as long as the scheme keeps it. Cost: that of its values.
+    template <class... Columns>
+    [[nodiscard]] auto pass(const new_vertices<Columns...>& vertices) const
+    {
+        using ids = numbering<columns<new_vertices<Columns...>, new_edges<>, new_faces<>>, index_type>;
+        return pass_space<Level, ids, Values, Checked>(*coarse_, {vertices, new_edges(), new_faces()}, *values_);
+    }
+
     /// Which elements have been made; empty unless Checked.
     [[nodiscard]] const std::vector<unsigned char>& vertex_is_set() const { return vertex_is_set_; }
     [[nodiscard]] const std::vector<unsigned char>& face_is_set() const { return face_is_set_; }
+
+protected:
+    void forget_what_is_set() const
+    {
+        vertex_is_set_.assign(vertex_is_set_.size(), 0);
+        dictionary_.clear();
+    }
 
 private:
     template <class, tuple_kind> friend class vertex_association;
@@ -170,6 +188,10 @@ private:
             if (std::atomic_ref(vertex_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
                 throw association_error("assoc" + to_string(list_tuple(*coarse_, Kind, tuple)) + " -> V is set twice");
     }
+    // Masks read each association in its own space, so that they may join those of several passes.
+    [[nodiscard]] decltype(auto) vertex_value(index_type id) const { return values_->fine(id); }
+    [[nodiscard]] decltype(auto) listed_value(index_type id) const { return values_->listed(id); }
+
     template <tuple_kind Kind>
     index_type edge_id(std::size_t tuple) const
     {
@@ -297,6 +319,43 @@ private:
     connectivity<index_type>* fine_;
     mutable std::vector<unsigned char> vertex_is_set_, face_is_set_; // Checked only
     mutable std::map<tuple_elements, index_type> dictionary_;
+};
+
+namespace detail {
+
+/// What a pass has of its own; a base, so that it is there before the space that refers to it.
+template <class Numbering, class Values>
+struct pass_parts {
+    Numbering ids;
+    Values values;
+    connectivity<typename Numbering::index_type> nothing;
+};
+
+} // namespace detail
+
+/// The association space of one of the passes of a step; thesis 4.1, chained. Its vertices are of no level: they are set
+/// and read as others are and go with it.
+template <class Level, class Numbering, class Values, bool Checked>
+class pass_space : detail::pass_parts<Numbering, Values>,
+                   public association_space<Level, Numbering, Values, connect::nothing, Checked> {
+    using parts = detail::pass_parts<Numbering, Values>;
+    using space = association_space<Level, Numbering, Values, connect::nothing, Checked>;
+
+public:
+    pass_space(const Level& coarse, const typename Numbering::columns_type& columns, const Values& step)
+        : parts{{coarse, columns}, step.another(), {}}, space(coarse, parts::ids, parts::values, parts::nothing)
+    {
+        parts::values.allocate(parts::ids.vertices.total());
+    }
+    pass_space(const pass_space&) = delete;
+    pass_space& operator=(const pass_space&) = delete;
+
+    /// The same space to be written anew, in the same memory.
+    const pass_space& again() const
+    {
+        space::forget_what_is_set();
+        return *this;
+    }
 };
 
 namespace detail {

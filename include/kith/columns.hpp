@@ -54,9 +54,12 @@ auto tuple_element(const Level& level, std::size_t index)
         return level.corners()[index];
 }
 
-/// Which tuples of a column give birth: all of them, all inner ones and some at the boundary, the latter only, or those
-/// that a condition picks anywhere.
+/// Which tuples of a column give birth: all of them, all or none as the form of the scheme says, all inner ones and some
+/// at the boundary, the latter only, or those that a condition picks anywhere.
 struct everywhere {};
+struct all_or_none {
+    bool all;
+};
 template <class Keep>
 struct inside_or {
     static constexpr bool inner = true;
@@ -81,6 +84,11 @@ struct column {
     Where where{};
     Degree degree{};
 
+    /// All tuples if the condition holds, else none.
+    [[nodiscard]] constexpr auto when(bool condition) const
+    {
+        return column<Kind, all_or_none, Degree>{{condition}, degree};
+    }
     /// Only inner tuples.
     [[nodiscard]] constexpr auto inside() const
     {
@@ -251,6 +259,8 @@ private:
                 count = pick<Kind>(level, i, count, [&](const auto& element) {
                     return element.is_boundary() ? bool(c.where.keep(element)) : Where::inner;
                 });
+        } else if constexpr (std::same_as<Where, all_or_none>) {
+            count = c.where.all ? count : 0;
         } else if constexpr (not std::same_as<Where, everywhere>) {
             count = pick<Kind>(level, i, count, c.where.keep);
         }

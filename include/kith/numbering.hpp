@@ -41,10 +41,11 @@ constexpr std::size_t common_degree(const std::tuple<Columns...>*)
             return std::size_t(0);
     };
     constexpr std::array<std::size_t, sizeof...(Columns)> all{degree(static_cast<const Columns*>(nullptr))...};
+    std::size_t common = sizeof...(Columns) == 0 ? 0 : *all.begin();
     for (const std::size_t d : all)
-        if (d != all[0])
+        if (d != common)
             return 0;
-    return all[0];
+    return common;
 }
 
 } // namespace detail

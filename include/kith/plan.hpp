@@ -28,7 +28,7 @@ inline planned_level plan_level(const counts& c, int degree, std::size_t point_b
 }
 
 /// V, E, F and bytes of levels 0 to n before anything is allocated; thesis table 1.1.
-/// Errors: mesh_error for negative n, and for a level with more elements than 64 bits count or `index_bytes` number.
+/// Errors: mesh_error for negative n, for a boundary that the scheme refuses, and for a level with more elements than 64 bits count or `index_bytes` number.
 /// Cost: O(n).
 template <countable_scheme S>
 std::vector<planned_level> plan(const counts& control, const S& scheme, int levels, int generation = 0,
@@ -38,6 +38,10 @@ std::vector<planned_level> plan(const counts& control, const S& scheme, int leve
     const std::string name(scheme_name<S>());
     if (levels < 0)
         throw mesh_error(name + ": " + std::to_string(levels) + " levels were asked for; ask for 0 or more");
+    if constexpr (needs_closed<S>)
+        if (control.boundary_edges != 0)
+            throw mesh_error(name + ": the mesh has " + std::to_string(control.boundary_edges) +
+                             " boundary edges; close it first, or take a scheme with a boundary rule");
     std::vector<planned_level> result{plan_level(control, 0, point_bytes, index_bytes)};
     for (int level = 1; level <= levels; ++level) {
         const counts& last = result.back().counts;

@@ -21,6 +21,7 @@ namespace kith {
 ///
 ///   static constexpr std::string_view name            for messages
 ///   static constexpr bool triangles_only = true       it refuses other faces; likewise quads_only
+///   static constexpr bool closed_only = true          it refuses a boundary
 ///   counts next(counts, generation)                   the next level's counts in closed form, for plans over many levels
 ///   static void require(level, generation)            throws mesh_error for a control mesh that it cannot take
 ///   static constexpr int reach(int rings)             for tiles: rings of faces around a tile that a step uses up
@@ -45,11 +46,14 @@ template <class S>
 inline constexpr bool needs_quads = requires { requires S::quads_only; };
 
 template <class S>
+inline constexpr bool needs_closed = requires { requires S::closed_only; };
+
+template <class S>
 concept countable_scheme = requires(const S& s, const counts& c) {
     { s.next(c, 0) } -> std::same_as<counts>;
 };
 
-/// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh.
+/// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh, or its boundary.
 template <class S, class Level>
 void require_input(const Level& level, [[maybe_unused]] int generation = 0)
 {
@@ -60,6 +64,13 @@ void require_input(const Level& level, [[maybe_unused]] int generation = 0)
                                  std::to_string(f.degree()) + " vertices; " +
                                  (needs_triangles<S> ? "triangulate the mesh first"
                                                      : "split it into quads first, by one step of the linear scheme"));
+    if constexpr (needs_closed<S>)
+        for (const auto e : level.edges())
+            if (e.is_boundary())
+                throw mesh_error(std::string(scheme_name<S>()) + ": edge " + std::to_string(e.index()) +
+                                 " between vertices " + std::to_string(e.org().index()) + " and " +
+                                 std::to_string(e.dst().index()) +
+                                 " is a boundary edge; close the mesh first, or take a scheme with a boundary rule");
     if constexpr (requires { S::require(level, generation); })
         S::require(level, generation);
 }

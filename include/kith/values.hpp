@@ -58,6 +58,9 @@ private:
 template <class Level>
 class point_values : public fine_values<typename Level::point_type> {
 public:
+    /// Empty ones over the same coarse level, for another pass of a step.
+    [[nodiscard]] point_values another() const { return {}; }
+
     template <class L>
     [[nodiscard]] decltype(auto) coarse(const vertex<L>& v) const
     {
@@ -70,6 +73,9 @@ template <class T>
 class attribute_values : public fine_values<T> {
 public:
     explicit attribute_values(std::span<const T> coarse) : coarse_(coarse) {}
+
+    /// Empty ones over the same coarse level, for another pass of a step.
+    [[nodiscard]] attribute_values another() const { return attribute_values(coarse_); }
 
     template <class L>
     [[nodiscard]] decltype(auto) coarse(const vertex<L>& v) const

@@ -32,6 +32,10 @@ says 'triangulate'
 run plan quad.off -s doo-sabin -n 1 --boundary-corners kept
 exits 2
 
+run plan quad.off -s unified -n 1
+exits 1
+says 'edge 0 between vertices 0 and 1 is a boundary edge'
+
 # What is planned is what refining gives, boundaries included.
 for scheme in catmull-clark doo-sabin; do
     for mesh in cube.off quad.off; do

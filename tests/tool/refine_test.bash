@@ -38,6 +38,16 @@ exits 0
 prints '24 vertices, 48 edges, 26 faces'
 check "a corner point" grep -qxE -- '-0.5 -0.5 -1' out.off
 
+# The unified scheme, degree 3: the corner comes to 1/2 + 1/4 of 1/3 + 1/4 of 1/3; degree 2 is Doo-Sabin.
+run refine cube.off -s unified -n 1 -o out.off
+exits 0
+prints '26 vertices, 48 edges, 24 faces'
+check "first vertex" at 4 out.off -0.666666666666666667 -0.666666666666666667 -0.666666666666666667
+run refine cube.off -s unified --degree 2 -n 1 -o out.off
+exits 0
+prints '24 vertices, 48 edges, 26 faces'
+check "a corner point" grep -qxE -- '-0.5 -0.5 -1' out.off
+
 # Refining twice is refining once and once more, and level 0 is the mesh itself.
 run refine cube.off -s catmull-clark -n 2 -o twice.off
 run refine cube.off -s catmull-clark -n 1 -o once.off
@@ -53,7 +63,7 @@ exits 0
 
 # Every scheme that `kith schemes` lists runs, on what it takes, with the same bits on every kind of mesh.
 run schemes
-sed -n 's/^\([a-z0-9-]*\)  *\(triangles\|quads\|any polygons\) .*/\1 \2/p' "$results/out" >list
+sed -n 's/^\([a-z0-9-]*\)  *\(triangles\|quads\|any polygons\|closed meshes\) .*/\1 \2/p' "$results/out" >list
 check "there are some" test "$(wc -l <list)" -ge 4
 while read -r scheme takes; do
     input=cube.off

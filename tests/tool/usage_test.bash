@@ -58,6 +58,9 @@ wrong 'sqrt3 has no such choice' refine cube.off -s sqrt3 -n 1 -o out.off --boun
 wrong 'loop has no such choice' refine cube.off -s loop -n 1 -o out.off --tension 1
 wrong 'not between' refine cube.off -s kobbelt -n 1 -o out.off --tension 2.5
 wrong 'not between' refine cube.off -s kobbelt -n 1 -o out.off --tension nan
+wrong 'not between 1 and 9' refine cube.off -s unified -n 1 -o out.off --degree 10
+wrong 'degree' refine cube.off -s unified -n 1 -o out.off --degree three
+wrong 'kobbelt has no such choice' refine cube.off -s kobbelt -n 1 -o out.off --degree 3
 wrong "'cosine' is not one of loop, warren" refine cube.off -s loop -n 1 -o out.off --weights cosine
 wrong "'round' is not one of kept, smoothed" refine cube.off -s loop -n 1 -o out.off --boundary-corners round
 wrong "'blender' is not one of native, cgal, openmesh" refine cube.off -s catmull-clark -n 1 -o out.off --mesh blender
@@ -87,6 +90,8 @@ prints '^loop +triangles'
 prints '^doo-sabin +any polygons'
 prints '^sqrt3 +triangles'
 prints '--boundary thesis, clamped, drop'
+prints '^unified +closed meshes +Zorin & Schroeder 2001'
+prints '--degree a number from 1 to 9'
 run schemes --json
 exits 0
 prints '^\[\{"name":"catmull-clark","takes":"any polygons",.*\}\]$'
