@@ -45,7 +45,8 @@ std::uint64_t count_of(const po::variables_map& values, const char* option, std:
         return otherwise;
     const auto count = values[option].as<std::int64_t>();
     if (count < 1)
-        throw usage_error("--" + std::string(option) + ": " + std::to_string(count) + " were asked for; ask for 1 or more");
+        throw usage_error("--" + std::string(option) + ": " + std::to_string(count) +
+                          " were asked for; ask for 1 or more");
     return std::uint64_t(count);
 }
 
@@ -66,7 +67,8 @@ po::options_description options_of_refine()
     add_option<std::string>(options, "mode", "MODE", "spmd: tiles are dealt out; manager: rank 0 hands them out");
     add_option<std::int64_t>(options, "tiles-per-rank", "K", "cut the mesh into so many tiles per rank");
     add_option<std::string>(options, "memory-per-rank", "BYTES", "cut it into as many tiles as this needs, e.g. 2G");
-    add_option<std::string>(options, "partitioner", "P", "metis, block or file:PATH (a part per face, as METIS writes)");
+    add_option<std::string>(
+        options, "partitioner", "P", "metis, block or file:PATH (a part per face, as METIS writes)");
     add_flag(options, "cell-origin", "write tile and rank of every cell; the file then depends on the ranks");
     add_flag(options, "verify", "refine on one rank as well and compare the checksums");
     add_option<std::string>(options, "stats", "FILE", "write what each rank did, a JSON object a line");
@@ -93,6 +95,7 @@ std::optional<rank_request> request_from(const std::vector<std::string>& argumen
     request.tiles_per_rank = count_of(*values, "tiles-per-rank", 1);
     request.memory_per_rank = values->count("memory-per-rank") != 0 ? bytes_from(text("memory-per-rank", "")) : 0;
     request.partitioner = text("partitioner", request.partitioner);
+    require_partitioner(request.partitioner);
     request.stats = text("stats", "");
     request.verify = values->count("verify") != 0;
     request.with_origin = values->count("cell-origin") != 0;
@@ -114,7 +117,8 @@ std::uint64_t tiles_for(const rank_request& request, const Scheme& scheme, const
 {
     const auto levels = plan(count(control.topology()), scheme, request.levels, control.generation());
     const double bytes_of_tile = 3.5 * double(levels.back().bytes);
-    return std::uint64_t(std::clamp(bytes_of_tile / double(request.memory_per_rank) + 1, 1., double(control.face_count())));
+    return std::uint64_t(
+        std::clamp(bytes_of_tile / double(request.memory_per_rank) + 1, 1., double(control.face_count())));
 }
 
 std::string stats_line(int rank, const mpi::work_done& done, const mpi::traffic& traffic)
@@ -176,7 +180,8 @@ void refine_on_ranks(mpi::communicator& comm, rank_request& request, const Schem
             output.write(part, {std::uint32_t(number), std::uint32_t(comm.rank())});
         });
         mpi::in_agreement(comm, [&] { output.close(); });
-        const auto sums = comm.sum(std::array{done.owned_faces, done.made_faces, done.useful_faces, done.checksum.bits});
+        const auto sums = comm.sum(
+            std::array{done.owned_faces, done.made_faces, done.useful_faces, done.checksum.bits});
         all = {.owned_faces = sums[0], .made_faces = sums[1], .useful_faces = sums[2], .checksum = {sums[3]}};
         mpi::in_agreement(comm, [&] {
             if (all.owned_faces != counts.faces)
@@ -219,7 +224,8 @@ void run_on_ranks(mpi::communicator& comm, rank_request& request)
                 refine_on_ranks(comm, request, scheme, control.mesh);
             else
                 mpi::in_agreement(comm, [] {
-                    throw usage_error(std::string(kith::scheme_name<Scheme>()) + " has no reach, so no tiles; use kith refine");
+                    throw usage_error(std::string(kith::scheme_name<Scheme>()) +
+                                      " has no reach, so no tiles; use kith refine");
                 });
         },
         request.scheme);

@@ -6,18 +6,28 @@
 #include <kith/metis_partition.hpp>
 
 #include <fstream>
+#include <string_view>
 
 namespace kith::tool {
 
+namespace {
+
+constexpr std::string_view from_file = "file:";
+
+} // namespace
+
+void require_partitioner(const std::string& partitioner)
+{
+    if (partitioner != "metis" and partitioner != "block" and not partitioner.starts_with(from_file))
+        throw usage_error("--partitioner: '" + partitioner + "' is not one of metis, block, file:PATH");
+}
+
 partition make_partition(const std::string& partitioner, const basic_mesh<>& mesh, std::size_t parts)
 {
-    const std::string from_file = "file:";
     if (partitioner == "metis")
         return metis_partition(mesh, parts);
     if (partitioner == "block")
         return block_partition(mesh, parts);
-    if (not partitioner.starts_with(from_file))
-        throw usage_error("--partitioner: '" + partitioner + "' is not one of metis, block, file:PATH");
     const std::string path = partitioner.substr(from_file.size());
     std::ifstream in(path);
     if (not in)

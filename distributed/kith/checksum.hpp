@@ -50,7 +50,8 @@ void add_place(word_hash& hash, const Point& point)
 }
 
 template <class Mesh, class FaceId, class VertexId, class Counts>
-mesh_checksum checksum_of_faces(const Mesh& mesh, const FaceId& face_id, const VertexId& vertex_id, const Counts& counts)
+mesh_checksum checksum_of_faces(const Mesh& mesh, const FaceId& face_id, const VertexId& vertex_id,
+                                const Counts& counts)
 {
     mesh_checksum sum;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {

@@ -40,8 +40,19 @@ partition metis_partition(const basic_mesh<Point, Index>& mesh, std::size_t part
     options[METIS_OPTION_SEED] = 1;
     options[METIS_OPTION_NUMBERING] = 0;
     std::vector<idx_t> part_of(mesh.face_count());
-    const int status = METIS_PartGraphKway(&vertices, &constraints, first.data(), neighbors.data(), weights.data(), nullptr,
-                                           nullptr, &part_count, nullptr, nullptr, options, &cut, part_of.data());
+    const int status = METIS_PartGraphKway(&vertices,
+                                           &constraints,
+                                           first.data(),
+                                           neighbors.data(),
+                                           weights.data(),
+                                           nullptr,
+                                           nullptr,
+                                           &part_count,
+                                           nullptr,
+                                           nullptr,
+                                           options,
+                                           &cut,
+                                           part_of.data());
     if (status == METIS_ERROR_MEMORY)
         throw std::bad_alloc();
     if (status != METIS_OK)

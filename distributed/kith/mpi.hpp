@@ -126,7 +126,8 @@ public:
     template <std::size_t N>
     [[nodiscard]] std::array<std::uint64_t, N> sum(std::array<std::uint64_t, N> values)
     {
-        detail::check(MPI_Allreduce(MPI_IN_PLACE, values.data(), int(N), MPI_UINT64_T, MPI_SUM, comm_), "MPI_Allreduce");
+        detail::check(MPI_Allreduce(MPI_IN_PLACE, values.data(), int(N), MPI_UINT64_T, MPI_SUM, comm_),
+                      "MPI_Allreduce");
         return values;
     }
     [[nodiscard]] std::uint64_t maximum(std::uint64_t value)

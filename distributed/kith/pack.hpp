@@ -157,11 +157,16 @@ std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
     out.add(detail::kind_of_message<Point, Index>());
     out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(part.mesh.generation());
     out.add_array(part.mesh.points());
-    for (const auto* array : {&t.corner_vertex, &t.corner_halfedge, &t.halfedge_corner, &t.vertex_corner, &t.face_corner,
-                              &t.corner_face, &part.root_of})
+    for (const auto* array : {&t.corner_vertex,
+                              &t.corner_halfedge,
+                              &t.halfedge_corner,
+                              &t.vertex_corner,
+                              &t.face_corner,
+                              &t.corner_face,
+                              &part.root_of})
         out.add_array(*array);
-    for (const auto* array : {&part.vertex_ids, &part.edge_ids, &part.face_ids, &part.first_corner_ids,
-                              &part.corners_before, &part.roots})
+    for (const auto* array :
+         {&part.vertex_ids, &part.edge_ids, &part.face_ids, &part.first_corner_ids, &part.corners_before, &part.roots})
         out.add_array(*array);
     for (const auto* array : {&part.vertex_marks, &part.edge_marks, &part.face_marks})
         out.add_array(*array);
@@ -195,11 +200,16 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
     t.degree = in.get<int>();
     const int generation = in.get<int>();
     auto points = in.get_array<storage<Point>>();
-    for (auto* array : {&t.corner_vertex, &t.corner_halfedge, &t.halfedge_corner, &t.vertex_corner, &t.face_corner,
-                        &t.corner_face, &part.root_of})
+    for (auto* array : {&t.corner_vertex,
+                        &t.corner_halfedge,
+                        &t.halfedge_corner,
+                        &t.vertex_corner,
+                        &t.face_corner,
+                        &t.corner_face,
+                        &part.root_of})
         *array = in.get_array<storage<Index>>();
-    for (auto* array : {&part.vertex_ids, &part.edge_ids, &part.face_ids, &part.first_corner_ids, &part.corners_before,
-                        &part.roots})
+    for (auto* array :
+         {&part.vertex_ids, &part.edge_ids, &part.face_ids, &part.first_corner_ids, &part.corners_before, &part.roots})
         *array = in.get_array<storage<global_id>>();
     for (auto* array : {&part.vertex_marks, &part.edge_marks, &part.face_marks})
         *array = in.get_array<storage<unsigned char>>();

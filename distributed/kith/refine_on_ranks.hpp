@@ -25,9 +25,9 @@ enum class sharing : unsigned char { spmd, manager };
 /// What a rank did.
 struct work_done {
     std::uint64_t tiles = 0;
-    std::uint64_t owned_faces = 0;   ///< of the last level
-    std::uint64_t made_faces = 0;    ///< on all levels, shadows and what was cut off included
-    std::uint64_t useful_faces = 0;  ///< on all levels, owned
+    std::uint64_t owned_faces = 0;  ///< of the last level
+    std::uint64_t made_faces = 0;   ///< on all levels, shadows and what was cut off included
+    std::uint64_t useful_faces = 0; ///< on all levels, owned
     mesh_checksum checksum{};
 
     work_done& operator+=(const work_done& more)

@@ -69,10 +69,11 @@ public:
             add(ranks_, counts.faces * 4, "type=\"UInt32\" Name=\"rank\"");
         }
         arrays += "</CellData>\n";
-        head_ = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-                std::to_string(counts.vertices) + "\" NumberOfCells=\"" + cells + "\">\n" + arrays +
-                "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+        head_ =
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+            "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+            std::to_string(counts.vertices) + "\" NumberOfCells=\"" + cells + "\">\n" + arrays +
+            "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
         tail_ = "\n</AppendedData>\n</VTKFile>\n";
         for (array_place* place : {&points_, &connectivity_, &offsets_, &types_, &parents_, &levels_, &tiles_, &ranks_})
             place->offset += head_.size();
@@ -110,9 +111,8 @@ public:
                     corners.put(connectivity_.offset + 8 * part.corner_id(f, k),
                                 std::int64_t(part.vertex_ids[part.mesh.face(f)[k]]));
         corners.flush();
-        for_owned_faces(offsets_, 8, [&](std::size_t f) {
-            return std::int64_t(part.corner_id(f, part.mesh.face(f).size()));
-        });
+        for_owned_faces(
+            offsets_, 8, [&](std::size_t f) { return std::int64_t(part.corner_id(f, part.mesh.face(f).size())); });
         for_owned_faces(types_, 1, [&](std::size_t f) {
             constexpr std::uint8_t triangle = 5, polygon = 7, quad = 9; // VTK's numbers
             const std::size_t degree = part.mesh.face(f).size();

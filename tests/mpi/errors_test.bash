@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# errors_test.bash KITH KITH_MPI SHIM: what goes wrong on ranks ends the job, soon, with one message and no file.
+source "$(dirname "$0")/../tool/check.bash"
+kith_mpi=$2
+shim=$3
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
+on() {
+    local ranks=$1
+    shift
+    command="mpirun -n $ranks kith-mpi $*"
+    timeout 30 mpirun -n "$ranks" "$kith_mpi" "$@" >"$results/out" 2>"$results/err" </dev/null
+    code=$?
+}
+one_message() { check "should say one thing" test "$(grep -c '^kith-mpi: ' "$results/err")" -eq 1; }
+
+cube >cube.off
+tetrahedron >tetra.off
+
+on 3 refine cube.off -s loop -n 1 -o out.vtu
+exits 1
+says 'loop: face 0 has 4 vertices; triangulate the mesh first'
+one_message
+on 3 refine nothing.off -s loop -n 1 -o out.vtu
+exits 1
+says 'nothing.off'
+one_message
+on 3 refine cube.off -s catmull-clark -n 1 -o out.stl
+exits 2
+says 'tiles are written to .vtu or .ply'
+one_message
+on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --mode some
+exits 2
+says "'some' is not one of spmd, manager"
+on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --partitioner some
+exits 2
+says "'some' is not one of metis, block, file:PATH"
+on 3 refine cube.off -s catmull-clark -n 1 -o nowhere/out.vtu
+exits 1
+says 'nowhere/out.vtu'
+one_message
+on 3 refine cube.off -s catmull-clark -n 40 -o out.vtu
+exits 1
+says 'refine fewer times|more elements than'
+printf '0 1 2\n' >short.part
+on 2 refine cube.off -s catmull-clark -n 1 -o out.vtu --partitioner file:short.part
+exits 1
+says 'the partition file has 3 numbers, the mesh has 6 faces'
+check "no output is left" test -z "$(ls | grep -E 'vtu|incomplete')"
+
+# A tile that needs more memory than its rank has: no rank waits for another.
+for mode in spmd manager; do
+    command="mpirun -n 3 with little memory, $mode"
+    timeout 60 mpirun -n 3 bash -c 'ulimit -v 900000; exec "$@"' sh "$kith_mpi" refine tetra.off -s loop -n 11 -o out.vtu \
+        --mode $mode >"$results/out" 2>"$results/err" </dev/null
+    code=$?
+    exits 1
+    says 'not enough memory'
+    check "no output is left" test -z "$(ls | grep -E 'vtu|incomplete')"
+done
+
+# A file of parts is a partition like any other; parts may be empty, and scattered.
+printf '0\n3\n0\n5\n3\n0\n' >some.part
+on 1 refine cube.off -s doo-sabin -n 3 -o one.ply
+on 3 refine cube.off -s doo-sabin -n 3 -o many.ply --partitioner file:some.part --verify
+exits 0
+same one.ply many.ply
+run info many.ply
+exits 0
+prints '386'
+
+# Refinement itself sends nothing: counted by a library between kith and MPI, not by kith.
+command="mpirun -n 3 with a library that counts"
+timeout 60 mpirun -n 3 -x LD_PRELOAD="$shim" "$kith_mpi" refine cube.off -s catmull-clark -n 4 -o out.vtu \
+    --tiles-per-rank 2 >"$results/out" 2>"$results/err" </dev/null
+code=$?
+exits 0
+check "three ranks have counted" test "$(grep -c '^refinement: 0 calls' "$results/err")" -eq 3
+check "and saw the rest" test "$(grep -c '^elsewhere: [1-9][0-9]* calls' "$results/err")" -eq 3
+
+finish
