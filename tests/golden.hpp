@@ -43,7 +43,7 @@ struct level {
 struct file {
     std::string name;
     std::string corner_rule, weights, boundary, crease_method; ///< empty where the scheme knows no such choice
-    int degree; ///< of the unified scheme
+    int degree;                                                ///< of the unified scheme
     std::vector<level> levels;
 };
 

@@ -44,8 +44,9 @@ TEST(refine_tile, takes_scattered_and_empty_parts)
 TEST(refine_tile, takes_parts_of_one_face)
 {
     for_each_reaching_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
-        if (mesh.face_count() <= 60)
+        if (mesh.face_count() <= 60) {
             EXPECT_EQ(tiles_differ(mesh, scheme, 3, one_part_per_face(mesh.face_count()), mesh.face_count()), "");
+        }
     });
 }
 
@@ -53,8 +54,9 @@ TEST(refine_tile, needs_no_more_rings_for_more_levels)
 {
     for_each_reaching_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
         const int levels = scheme.name == "sqrt3" or scheme.name == "mid-edge" ? 6 : 4;
-        if (mesh.face_count() <= 20 and scheme.name != "nasri-hasbini")
+        if (mesh.face_count() <= 20 and scheme.name != "nasri-hasbini") {
             EXPECT_EQ(tiles_differ(mesh, scheme, levels, partitions::scattered(mesh.face_count(), 3, 4), 3), "");
+        }
     });
 }
 
@@ -64,6 +66,15 @@ TEST(refine_tile, leaves_rings_of_shadows_where_asked)
         for (const int rings : {1, 2})
             EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::scattered(mesh.face_count(), 4, 3), 4, rings), "")
                 << rings;
+    });
+}
+
+TEST(refine_tile, leaves_edges_and_shadows_out_at_the_end)
+{
+    for_each_reaching_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        const auto parts = partitions::scattered(mesh.face_count(), 4, 6);
+        for (const int levels : {1, 2, 3})
+            EXPECT_EQ(tiles_differ(mesh, scheme, levels, parts, 4, 0, kith::connect::faces), "") << levels;
     });
 }
 

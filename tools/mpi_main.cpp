@@ -110,13 +110,13 @@ std::uint64_t peak_memory()
     return std::uint64_t(usage.ru_maxrss) * 1024;
 }
 
-/// How many tiles there must be so that refining one stays within the memory of a rank: two tiles of the last level, one
-/// of them untrimmed, with the ids, and what shadows add.
+/// How many tiles there must be so that refining one stays within the memory of a rank: the last level twice, once with
+/// what shadows add to it and once with its ids.
 template <class Scheme>
 std::uint64_t tiles_for(const rank_request& request, const Scheme& scheme, const basic_mesh<>& control)
 {
     const auto levels = plan(count(control.topology()), scheme, request.levels, control.generation());
-    const double bytes_of_tile = 3.5 * double(levels.back().bytes);
+    const double bytes_of_tile = 2.5 * double(levels.back().least_bytes);
     return std::uint64_t(
         std::clamp(bytes_of_tile / double(request.memory_per_rank) + 1, 1., double(control.face_count())));
 }
@@ -127,7 +127,7 @@ std::string stats_line(int rank, const mpi::work_done& done, const mpi::traffic&
                .add("rank", rank)
                .add("tiles", done.tiles)
                .add("owned_faces", done.owned_faces)
-               .add("kept_faces", done.made_faces)
+               .add("kept_faces", done.kept_faces)
                .add("useful_faces", done.useful_faces)
                .add("bytes_sent", traffic.bytes_sent)
                .add("messages_sent", traffic.messages_sent)
@@ -181,8 +181,8 @@ void refine_on_ranks(mpi::communicator& comm, rank_request& request, const Schem
         });
         mpi::in_agreement(comm, [&] { output.close(); });
         const auto sums = comm.sum(
-            std::array{done.owned_faces, done.made_faces, done.useful_faces, done.checksum.bits});
-        all = {.owned_faces = sums[0], .made_faces = sums[1], .useful_faces = sums[2], .checksum = {sums[3]}};
+            std::array{done.owned_faces, done.kept_faces, done.useful_faces, done.checksum.bits});
+        all = {.owned_faces = sums[0], .kept_faces = sums[1], .useful_faces = sums[2], .checksum = {sums[3]}};
         mpi::in_agreement(comm, [&] {
             if (all.owned_faces != counts.faces)
                 throw std::logic_error("the tiles have " + std::to_string(all.owned_faces) + " faces, not " +

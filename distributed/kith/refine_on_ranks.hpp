@@ -26,7 +26,7 @@ enum class sharing : unsigned char { spmd, manager };
 struct work_done {
     std::uint64_t tiles = 0;
     std::uint64_t owned_faces = 0;  ///< of the last level
-    std::uint64_t made_faces = 0;   ///< on all levels, shadows and what was cut off included
+    std::uint64_t kept_faces = 0;   ///< on all levels, shadows and what was cut off included
     std::uint64_t useful_faces = 0; ///< on all levels, owned
     mesh_checksum checksum{};
 
@@ -34,7 +34,7 @@ struct work_done {
     {
         tiles += more.tiles;
         owned_faces += more.owned_faces;
-        made_faces += more.made_faces;
+        kept_faces += more.kept_faces;
         useful_faces += more.useful_faces;
         checksum += more.checksum;
         return *this;
@@ -208,12 +208,12 @@ private:
     {
         auto job = unpack<Point, Index>(packed, scheme_);
         work_done more{.tiles = 1};
-        for (int level = 0; level < whole_->levels(); ++level) {
-            job.part = refine_once(job.part, job.scheme, level, *whole_);
-            more.made_faces += job.part.mesh.face_count();
-            for (const unsigned char mark : job.part.face_marks)
+        const auto count = [&](const tile_type& part) {
+            more.kept_faces += part.mesh.face_count();
+            for (const unsigned char mark : part.face_marks)
                 more.useful_faces += mark & owned_mark;
-        }
+        };
+        job.part = kith::refine(std::move(job.part), std::move(job.scheme), *whole_, connect::faces, count);
         for (const unsigned char mark : job.part.face_marks)
             more.owned_faces += mark & owned_mark;
         more.checksum = checksum(job.part);

@@ -96,6 +96,22 @@ private:
     level_type level_;
 };
 
+/// Who owns a new vertex or edge: what a face, or a corner of it, gave birth to belongs to whom the face belongs. All else
+/// belongs to the first of the new faces around it; they are all here when all old ones around the tuple are.
+constexpr bool is_of_face(tuple_kind kind)
+{
+    return kind != tuple_kind::v and kind != tuple_kind::e and kind != tuple_kind::ve;
+}
+
+/// What whole_column_ids::first_corner asks for.
+template <class Tile>
+global_id corners_before(const Tile& coarse, tuple_kind kind, std::size_t tuple)
+{
+    if (kind == tuple_kind::v)
+        return coarse.corners_before.empty() ? 0 : coarse.corners_before[tuple];
+    return kind == tuple_kind::f ? coarse.corner_id(tuple, 0) : 0;
+}
+
 /// The part of a scheme's state (creases) that belongs to a submesh.
 template <class Scheme, class Index>
 Scheme scheme_of_part(const Scheme& scheme, std::span<const Index> vertex_from, std::span<const Index> edge_from)
@@ -247,7 +263,8 @@ public:
             result.root_of[f] = coarse_.root_of[facts_.face(kind, tuple)];
             result.face_marks[f] = is_owned_[kept[f]] != 0 ? owned_mark : 0;
             if constexpr (mixed)
-                result.first_corner_ids[f] = whole.faces.first_corner(kind, tuple_there, corners_before(kind, tuple));
+                result.first_corner_ids[f] = whole.faces.first_corner(
+                    kind, tuple_there, corners_before(coarse_, kind, tuple));
         }
         result.roots = coarse_.roots;
         result.mesh = std::move(part.mesh);
@@ -255,13 +272,6 @@ public:
     }
 
 private:
-    // Who owns a new vertex or edge: what a face, or a corner of it, gave birth to belongs to whom the face belongs. All
-    // else belongs to the first of the new faces around it. They are all here when all old ones around the tuple are.
-
-    static constexpr bool is_of_face(tuple_kind kind)
-    {
-        return kind != tuple_kind::v and kind != tuple_kind::e and kind != tuple_kind::ve;
-    }
     [[nodiscard]] bool is_owned_face(index face) const { return is_owned_[face] != 0; }
     [[nodiscard]] index first_face_at_vertex(index vertex) const
     {
@@ -277,13 +287,6 @@ private:
         const index left = face_of_corner(t, t.halfedge_corner[2 * edge]);
         const index right = t.halfedge_corner[2 * edge + 1];
         return right == none ? left : std::min(left, face_of_corner(t, right));
-    }
-
-    [[nodiscard]] global_id corners_before(tuple_kind kind, std::size_t tuple) const
-    {
-        if (kind == tuple_kind::v)
-            return coarse_.corners_before.empty() ? 0 : coarse_.corners_before[tuple];
-        return kind == tuple_kind::f ? coarse_.corner_id(tuple, 0) : 0;
     }
 
     const Tile& coarse_;
@@ -372,13 +375,115 @@ tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme,
     return result;
 }
 
-/// Refines a tile of level 0 through all levels that `whole` was made for.
+/// The last step of all: the faces that the tile owns and their vertices, without edges and shadows, in half of the memory.
+/// Errors and cost: as refine_once.
 template <class Point, class Index, reaching_scheme Scheme>
-tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole)
+tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& scheme, int level,
+                               const whole_levels<Scheme>& whole)
 {
-    for (int level = 0; level < whole.levels(); ++level)
-        part = refine_once(part, scheme, level, whole);
+    constexpr Index none = connectivity<Index>::none;
+    const detail::tuple_facts facts(coarse);
+    const auto& numbers = whole.numbering(level);
+    numbering_of<Scheme, Index> ids;
+    auto fine = refine_mesh<connect::faces>(coarse.mesh, scheme, ids);
+
+    std::vector<unsigned char> owned(fine.face_count());
+    std::size_t faces = 0, corners = 0;
+    for (std::size_t f = 0; f < fine.face_count(); ++f) {
+        const auto [kind, tuple] = ids.faces.origin(f);
+        owned[f] = facts.is_owned(kind, tuple);
+        faces += owned[f];
+        corners += owned[f] != 0 ? fine.face(f).size() : 0;
+    }
+    // As in tile_step: what no face gave birth to belongs to the first of the new faces around it.
+    std::vector<unsigned char> is_met(fine.vertex_count(), 0), first_face_is_owned(fine.vertex_count(), 0);
+    std::vector<Index> here(fine.vertex_count(), none);
+    for (std::size_t f = 0; f < fine.face_count(); ++f)
+        for (const Index v : fine.face(f)) {
+            if (is_met[v] == 0)
+                first_face_is_owned[v] = owned[f];
+            is_met[v] = 1;
+            if (owned[f] != 0)
+                here[v] = 0;
+        }
+    Index vertices = 0;
+    for (Index& v : here)
+        if (v != none)
+            v = vertices++;
+
+    tile<Point, Index> result;
+    result.roots = coarse.roots;
+    connectivity<Index> t;
+    t.vertices = vertices;
+    t.faces = faces;
+    t.degree = fine.topology().degree;
+    t.corner_vertex = storage<Index>(corners);
+    if (t.degree == 0) {
+        t.face_corner = storage<Index>(faces + 1);
+        t.corner_face = storage<Index>(corners);
+        t.face_corner[faces] = Index(corners);
+    }
+    constexpr bool mixed = numbering_of<Scheme, Index>::common_degree == 0;
+    if constexpr (mixed)
+        result.first_corner_ids = storage<global_id>(faces);
+    result.face_ids = storage<global_id>(faces);
+    result.face_marks = storage<unsigned char>(faces, owned_mark);
+    result.root_of = storage<Index>(faces);
+    Index corner = 0;
+    for (std::size_t f = 0, n = 0; f < fine.face_count(); ++f) {
+        if (owned[f] == 0)
+            continue;
+        const auto [kind, tuple] = ids.faces.origin(f);
+        const global_id tuple_there = detail::tuple_id(coarse, facts.level(), kind, tuple);
+        result.face_ids[n] = numbers.faces.id(kind, tuple_there);
+        result.root_of[n] = coarse.root_of[facts.face(kind, tuple)];
+        if constexpr (mixed)
+            result.first_corner_ids[n] = numbers.faces.first_corner(
+                kind, tuple_there, detail::corners_before(coarse, kind, tuple));
+        if (t.degree == 0) {
+            t.face_corner[n] = corner;
+            std::fill_n(t.corner_face.begin() + corner, fine.face(f).size(), Index(n));
+        }
+        for (const Index v : fine.face(f))
+            t.corner_vertex[corner++] = here[v];
+        ++n;
+    }
+    storage<Point> points(vertices);
+    result.vertex_ids = storage<global_id>(vertices);
+    result.vertex_marks = storage<unsigned char>(vertices);
+    for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
+        if (here[v] == none)
+            continue;
+        const auto [kind, tuple] = ids.vertices.origin(v);
+        points[here[v]] = fine.point(v);
+        result.vertex_ids[here[v]] = numbers.vertices.id(kind, detail::tuple_id(coarse, facts.level(), kind, tuple));
+        const bool mine = detail::is_of_face(kind) ? facts.is_owned(kind, tuple)
+                                                   : facts.is_complete(kind, tuple) and first_face_is_owned[v] != 0;
+        result.vertex_marks[here[v]] = mine ? owned_mark : 0;
+    }
+    result.mesh = {std::move(points), std::move(t), fine.generation()};
+    return result;
+}
+
+/// Refines a tile of level 0 through all levels that `whole` was made for. `connect::faces` gives the last level without
+/// edges and shadows. `each(tile)` is called with every level but the first.
+template <class Point, class Index, reaching_scheme Scheme, class Each>
+tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole, connect last,
+                          const Each& each)
+{
+    for (int level = 0; level < whole.levels(); ++level) {
+        const bool is_last = level + 1 == whole.levels();
+        part = is_last and last == connect::faces ? refine_last(part, scheme, level, whole)
+                                                  : refine_once(part, scheme, level, whole);
+        each(std::as_const(part));
+    }
     return part;
+}
+template <class Point, class Index, reaching_scheme Scheme>
+tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole,
+                          connect last = connect::everything)
+{
+    return refine(std::move(part), std::move(scheme), whole, last, [](const auto&) {});
 }
 
 } // namespace kith

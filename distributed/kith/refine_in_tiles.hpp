@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cut_tiles.hpp"
+#include "partition.hpp"
+#include "refine_tile.hpp"
+
+#include <kith/validate.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace kith {
+
+/// A control mesh refined part by part on one machine: only one refined tile is in memory at a time, so a surface may be
+/// larger than the memory. The bits and the ids are those of `refine`.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+class tiled_refinement {
+public:
+    using tile_type = tile<Point, Index>;
+
+    /// The mesh and the partition must outlive this object. Errors: mesh_error for everything that `refine` refuses but
+    /// for lack of memory, for a partition of another mesh, and for more elements than 64 bits can number.
+    /// Cost: that of the control mesh, and of refining its boundary.
+    tiled_refinement(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels, const partition& parts)
+        : cutter_(checked(mesh, scheme, levels), scheme, parts.part_of, parts.parts)
+        , whole_(whole_of(cutter_, scheme, levels))
+    {
+    }
+
+    /// The numbering of all levels.
+    [[nodiscard]] const whole_levels<Scheme>& whole() const { return whole_; }
+    [[nodiscard]] std::size_t tiles() const { return cutter_.parts(); }
+
+    /// The last level of one part, with its edges where asked for. Errors: as `refine`.
+    [[nodiscard]] tile_type refine(std::size_t part, connect last = connect::faces)
+    {
+        auto job = cutter_.cut(part, whole_.rings(0));
+        return kith::refine(std::move(job.part), std::move(job.scheme), whole_, last);
+    }
+
+private:
+    static const basic_mesh<Point, Index>& checked(const basic_mesh<Point, Index>& mesh, const Scheme&, int levels)
+    {
+        detail::require_levels<Scheme>(levels);
+        validate(mesh).require_ok();
+        require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh), mesh.generation());
+        return mesh;
+    }
+    static whole_levels<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme, int levels)
+    {
+        auto rim = cutter.cut_rim(ring_schedule(scheme, levels, 1)[0]);
+        return {cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels};
+    }
+
+    tile_cutter<Point, Index, Scheme> cutter_;
+    whole_levels<Scheme> whole_;
+};
+
+} // namespace kith
