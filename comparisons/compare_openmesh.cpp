@@ -14,9 +14,13 @@ int main(int count, char** words)
                              if (control.is_closed()) {
                                  compare_scheme<polygons, kith::catmull_clark>(control, levels, verdicts);
                                  compare_scheme<polygons, kith::mid_edge>(control, levels, verdicts);
-                             } else { // 1/6 4/6 1/6 along it, which is not Catmull-Clark; faces dropped by mid-edge
+                                 compare_scheme<triangles, kith::interpolatory_sqrt3>(control, levels, verdicts);
+                             } else {
+                                 // 1/6 4/6 1/6 along it, which is not Catmull-Clark; faces dropped by mid-edge; vertices
+                                 // beyond it taken from the boundary itself by interpolatory sqrt(3).
                                  verdicts.skip(control.name, kith::catmull_clark::name, "has a boundary");
                                  verdicts.skip(control.name, kith::mid_edge::name, "has a boundary");
+                                 verdicts.skip(control.name, kith::interpolatory_sqrt3::name, "has a boundary");
                              }
                              compare_scheme<triangles, kith::butterfly>(control, levels, verdicts);
                              compare_scheme<triangles, kith::loop>(control, levels, verdicts);

@@ -5,6 +5,7 @@
 
 #include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>
+#include <kith/interpolatory_sqrt3.hpp>
 #include <kith/loop.hpp>
 #include <kith/mid_edge.hpp>
 #include <kith/openmesh.hpp>
@@ -14,6 +15,7 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/MidpointT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3InterpolatingSubdividerLabsikGreinerT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
 // Not self-contained: it needs the mesh headers above it.
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
@@ -92,6 +94,10 @@ struct openmesh_peer {
     {
         run_with_weights(OpenMesh::Subdivider::Uniform::Sqrt3T<mesh, double>(), m, levels);
     }
+    static void refine(mesh& m, const interpolatory_sqrt3&, int levels)
+    {
+        run_with_weights(OpenMesh::Subdivider::Uniform::InterpolatingSqrt3LGT<mesh, double>(), m, levels);
+    }
 
 private:
     template <class Subdivider>
@@ -100,7 +106,7 @@ private:
         if (not subdivider(m, std::size_t(levels)))
             throw std::runtime_error("OpenMesh did not refine");
     }
-    /// These two have a table of weights for valences below 50, and read past its end without a word.
+    /// These have a table of weights for valences below 50, and read past its end without a word.
     template <class Subdivider>
     static void run_with_weights(Subdivider&& subdivider, mesh& m, int levels)
     {

@@ -8,6 +8,7 @@
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/four_eight.hpp>
+#include <kith/interpolatory_sqrt3.hpp>
 #include <kith/kobbelt.hpp>
 #include <kith/linear.hpp>
 #include <kith/loop.hpp>
@@ -63,10 +64,13 @@ void for_each_other_scheme_and_shape(const Test& test)
         if (name != "valence two") // of which it would make a face of two corners
             run(kith::mid_edge{}, mesh);
         run(kith::four_eight{}, kith::tri_quad(mesh));
-        if (count(mesh.topology()).boundary_edges == 0)
-            for (const int degree : {1, 2, 5, 8})
-                run(kith::unified{.degree = degree}, mesh);
         const int degree = mesh.topology().degree;
+        if (count(mesh.topology()).boundary_edges == 0) {
+            for (const int bidegree : {1, 2, 5, 8})
+                run(kith::unified{.degree = bidegree}, mesh);
+            if (degree == 3)
+                run(kith::interpolatory_sqrt3{}, mesh);
+        }
         if (degree == 4)
             run(kith::kobbelt{}, mesh);
         if (degree == 3) {

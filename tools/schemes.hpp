@@ -7,6 +7,7 @@
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/four_eight.hpp>
+#include <kith/interpolatory_sqrt3.hpp>
 #include <kith/kobbelt.hpp>
 #include <kith/linear.hpp>
 #include <kith/loop.hpp>
@@ -37,6 +38,7 @@ inline constexpr std::tuple known_schemes{
     scheme_entry<loop>{"Loop 1987; boundary Hoppe et al. 1994"},
     scheme_entry<doo_sabin>{"Doo & Sabin 1978"},
     scheme_entry<sqrt3>{"Kobbelt 2000"},
+    scheme_entry<interpolatory_sqrt3>{"Labsik & Greiner 2000"},
     scheme_entry<butterfly>{"Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996"},
     scheme_entry<kobbelt>{"Kobbelt 1996"},
     scheme_entry<nasri_hasbini>{"Nasri, Hasbini, Zheng & Sederberg; irregular masks derived, docs/schemes.md"},

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "library.hpp"
+#include "require_faces.hpp"
+#include "sqrt3_split.hpp"
+
+#include <kith/cos_turn.hpp>
+#include <kith/weight_rows.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace kith {
+
+/// Interpolatory sqrt(3): closed meshes of triangles, three times as many per step, and no point moves. Labsik & Greiner
+/// 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners + sum of irregular valences).
+struct interpolatory_sqrt3 {
+    static constexpr std::string_view name = "interpolatory-sqrt3";
+    static constexpr bool triangles_only = true;
+    static constexpr bool closed_only = true;
+    static constexpr bool trusted = true;
+    static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
+    static constexpr counts next(const counts& c, int generation) { return sqrt3_split::next(c, generation); }
+
+    static interpolatory_sqrt3 like(library other)
+    {
+        if (other != library::kith and other != library::openmesh)
+            refuse_preset(name, "kith and OpenMesh");
+        return {};
+    }
+
+    /// The weights of the neighbours of a vertex of valence n, counter-clockwise from the face that the new point is in;
+    /// the vertex itself has the rest. Labsik & Greiner 2000, section 3.
+    static std::vector<double> ring_weights(std::size_t n)
+    {
+        if (n == 3)
+            return {4. / 27, -5. / 27, 4. / 27};
+        if (n == 4)
+            return {2. / 9, -1. / 9, -1. / 9, 2. / 9};
+        const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
+        std::vector<double> row;
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto turns = std::int64_t(2 * j + 1);
+            const double first = cos_turn(turns, 2 * std::int64_t(n)), second = cos_turn(turns, std::int64_t(n));
+            row.push_back((a * a + 2 * a * first + 2 * a * a * second) / double(n));
+        }
+        return row;
+    }
+    /// The weight of the vertex itself: one minus those of its neighbours.
+    static constexpr double center_weight(std::size_t n)
+    {
+        const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
+        return n == 3 ? 8. / 9 : n == 4 ? 7. / 9 : 1 - a * a;
+    }
+
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        using real = scalar_type<R>;
+        const auto& [coarse, assoc, generation] = r;
+        const weight_rows<real> rows(ring_weights);
+        if (generation == 0)
+            require_three_faces(coarse, name);
+
+        std::vector<unsigned char> irregular(coarse.vertex_count());
+        for_each(coarse.vertices(), [&](auto v) {
+            irregular[v.index()] = v.valence() != 6;
+            assoc(v, V) = v;
+        });
+
+        for_each(coarse.faces(), [&](auto f) {
+            const auto corners_to_mend = f.corners().only([&](auto c) { return irregular[c.v().index()] != 0; });
+            if (not(corners_to_mend.begin() == corners_to_mend.end())) {
+                std::vector<real> spare;
+                assoc(f, V) = average(corners_to_mend.map([&](auto c) {
+                    const std::size_t n = c.v().valence();
+                    const auto ring = c.prev().across().fan_from_here().map([](auto d) { return d.next().v(); });
+                    return real(center_weight(n)) * c.v() + sum(ring, rows(n, spare));
+                }));
+            } else {
+                const auto tip = [](auto c) { return c.across().prev().v(); };
+                const auto clockwise = [](auto c) { return c.across().next(); };
+                const auto behind = [&](auto c) { // the two neighbours of its vertex that lie away from the face
+                    const auto opposite = clockwise(clockwise(clockwise(c)));
+                    return opposite.next().v() + opposite.prev().v();
+                };
+                const auto corners = f.corners();
+                assoc(f, V) = (32. * sum(f.vertices()) - sum(corners.map(tip)) - 2. * sum(corners.map(behind))) / 81;
+            }
+        });
+
+        sqrt3_split::connect(r);
+    }
+};
+
+} // namespace kith
