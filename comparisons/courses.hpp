@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../tests/shapes.hpp"
-
 #include <kith/butterfly.hpp>
+#include <kith/figures.hpp>
 #include <kith/loop.hpp>
 #include <kith/make_mesh.hpp>
 #include <kith/plan.hpp>
@@ -51,9 +50,9 @@ template <class Scheme>
 std::vector<course> courses(const Scheme& scheme, const course_settings& settings)
 {
     constexpr bool quadruples_triangles = std::same_as<Scheme, loop> or std::same_as<Scheme, butterfly>;
-    auto torus = shapes::torus(quadruples_triangles ? 24 : 12, 24);
+    auto torus = figures::torus(quadruples_triangles ? 24 : 12, 24);
     if (needs_triangles<Scheme>)
-        torus = shapes::triangulated(torus);
+        torus = figures::triangulated(torus);
     auto control = std::make_shared<const basic_mesh<>>(make_mesh(torus.points, torus.faces));
     const std::string name = "torus of " + std::to_string(torus.faces.size()) +
                              (needs_triangles<Scheme> ? " triangles" : " quads");

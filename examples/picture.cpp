@@ -4,6 +4,7 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
+#include <kith/figures.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
 #include <kith/sqrt3.hpp>
@@ -21,38 +22,9 @@ using mesh = kith::basic_mesh<point>;
 /// Three cubes in an L, as quads or, each quad cut in two, as triangles.
 mesh l_shape(bool triangles)
 {
-    const std::vector<std::array<int, 2>> cells{{0, 0}, {1, 0}, {0, 1}};
-    const auto has = [&](int x, int y) { return std::ranges::count(cells, std::array{x, y}) != 0; };
-    std::vector<point> points;
-    const auto at = [&](int x, int y, int z) {
-        const point p{double(x), double(y), double(z)};
-        const auto place = std::ranges::find(points, p) - points.begin();
-        if (place == std::ptrdiff_t(points.size()))
-            points.push_back(p);
-        return place;
-    };
-    kith::face_list faces;
-    const auto add = [&](auto a, auto b, auto c, auto d) {
-        if (triangles) {
-            faces.push_back(std::array{a, b, c});
-            faces.push_back(std::array{a, c, d});
-        } else {
-            faces.push_back(std::array{a, b, c, d});
-        }
-    };
-    for (const auto& [x, y] : cells) {
-        add(at(x, y, 1), at(x + 1, y, 1), at(x + 1, y + 1, 1), at(x, y + 1, 1));
-        add(at(x, y, 0), at(x, y + 1, 0), at(x + 1, y + 1, 0), at(x + 1, y, 0));
-        if (not has(x, y - 1))
-            add(at(x, y, 0), at(x + 1, y, 0), at(x + 1, y, 1), at(x, y, 1));
-        if (not has(x + 1, y))
-            add(at(x + 1, y, 0), at(x + 1, y + 1, 0), at(x + 1, y + 1, 1), at(x + 1, y, 1));
-        if (not has(x, y + 1))
-            add(at(x + 1, y + 1, 0), at(x, y + 1, 0), at(x, y + 1, 1), at(x + 1, y + 1, 1));
-        if (not has(x - 1, y))
-            add(at(x, y + 1, 0), at(x, y, 0), at(x, y, 1), at(x, y + 1, 1));
-    }
-    return kith::make_mesh(points, faces);
+    const auto l = kith::figures::cubes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    const auto shape = triangles ? kith::figures::triangulated(l) : l;
+    return kith::make_mesh(shape.points, shape.faces);
 }
 
 /// Turned towards the reader: right, up and out of the page.

@@ -1,58 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <kith/figures.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-/// The control meshes of the tests.
+/// The control meshes of the tests: those of the figures and others.
 namespace shapes {
 
-using point = std::array<double, 3>;
-using polygons = std::vector<std::vector<std::size_t>>;
-
-struct shape {
-    std::vector<point> points;
-    polygons faces;
-};
-
-inline shape cube()
-{
-    return {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
-            {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-}
+using namespace kith::figures;
 
 inline shape tetrahedron()
 {
     return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
-}
-
-/// Each face cut along the diagonal from its second corner.
-inline shape triangulated(const shape& s)
-{
-    shape result{s.points, {}};
-    for (const auto& f : s.faces)
-        for (std::size_t i = 2; i < f.size(); ++i)
-            result.faces.push_back({f[1], f[i], f[(i + 1) % f.size()]});
-    return result;
-}
-
-/// rows * columns quads, closed in both directions; valence 4 everywhere.
-inline shape torus(std::size_t rows = 12, std::size_t columns = 24)
-{
-    const double turn = 2 * std::acos(-1.);
-    shape result;
-    for (std::size_t i = 0; i < rows; ++i)
-        for (std::size_t j = 0; j < columns; ++j) {
-            const double a = turn * double(i) / double(rows), b = turn * double(j) / double(columns);
-            const double r = 2 + std::cos(a);
-            result.points.push_back({r * std::cos(b), r * std::sin(b), std::sin(a)});
-            const std::size_t up = (i + 1) % rows, right = (j + 1) % columns;
-            result.faces.push_back({i * columns + j, i * columns + right, up * columns + right, up * columns + j});
-        }
-    return result;
 }
 
 /// rows * columns quads with a boundary, over the unit lattice and not flat.
@@ -100,18 +63,10 @@ inline shape umbrella(std::size_t n)
     return result;
 }
 
-/// A pentagonal prism with a roof: triangles, quads and a pentagon; V, E, F = 11, 20, 11.
+/// Triangles, quads and a pentagon; V, E, F = 11, 20, 11.
 inline shape house()
 {
-    shape result = umbrella(5);
-    result.points[0] = {0, 0, 2};
-    for (std::size_t i = 0; i < 5; ++i) {
-        const auto [x, y, z] = result.points[1 + i];
-        result.points.push_back({x, y, z - 1});
-        result.faces.push_back({6 + i, 6 + (i + 1) % 5, 1 + (i + 1) % 5, 1 + i});
-    }
-    result.faces.push_back({10, 9, 8, 7, 6});
-    return result;
+    return pentacube();
 }
 
 /// The house without its floor and one wall: mixed polygons with a boundary.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the control meshes of the thesis's figures as OBJ files, which `kith refine` reads with their creases.
+// Sample run: figures FOLDER
+
+#include <kith/figures.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+namespace {
+
+using creases = std::vector<std::array<std::size_t, 2>>;
+
+bool write(const std::string& file, const kith::figures::shape& shape, const creases& sharp = {})
+{
+    std::ofstream out(file);
+    out.precision(17);
+    for (const auto& [x, y, z] : shape.points)
+        out << "v " << x << ' ' << y << ' ' << z << '\n';
+    for (const auto& face : shape.faces) {
+        out << 'f';
+        for (const std::size_t v : face)
+            out << ' ' << v + 1;
+        out << '\n';
+    }
+    for (const auto& [a, b] : sharp) // as OpenSubdiv writes it: from 0, and 10 means for ever
+        out << "t crease 2/1/0 " << a << ' ' << b << " 10\n";
+    out.close();
+    std::printf("%s: %zu vertices, %zu faces\n", file.c_str(), shape.points.size(), shape.faces.size());
+    return bool(out);
+}
+
+} // namespace
+
+int main(int count, char** words)
+{
+    using namespace kith::figures;
+    const std::string folder = count > 1 ? words[1] : ".";
+    const bool all = write(folder + "/cube.obj", cube()) and
+                     write(folder + "/triangulated_cube.obj", triangulated(cube())) and
+                     write(folder + "/t_shape.obj", t_shape(), t_shape_creases()) and
+                     write(folder + "/pentacube.obj", pentacube()) and write(folder + "/torus.obj", torus()) and
+                     write(folder + "/hollow_cube.obj", hollow_cube());
+    return all ? 0 : 1;
+}
