@@ -10,6 +10,7 @@
 #include <kith/mid_edge.hpp>
 #include <kith/refine.hpp>
 
+#include <cstddef>
 #include <vector>
 
 using namespace kith::targets;

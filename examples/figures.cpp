@@ -4,9 +4,11 @@
 
 #include <kith/figures.hpp>
 
+#include <array>
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace {
 

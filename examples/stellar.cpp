@@ -10,6 +10,9 @@
 #include <kith/refine.hpp>
 #include <kith/sqrt3.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 using namespace kith::targets;

@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace figures = kith::figures;
 
 namespace {
@@ -26,15 +29,13 @@ void expect_closed(const figures::shape& shape, std::size_t vertices, std::size_
 double volume(const figures::shape& shape)
 {
     double result = 0;
-    for (const auto& [a, b, c] : [&] {
-             std::vector<std::array<figures::point, 3>> all;
-             for (const auto& f : figures::triangulated(shape).faces)
-                 all.push_back({shape.points[f[0]], shape.points[f[1]], shape.points[f[2]]});
-             return all;
-         }())
+    const auto triangles = figures::triangulated(shape);
+    for (const auto& f : triangles.faces) {
+        const auto &a = shape.points[f[0]], &b = shape.points[f[1]], &c = shape.points[f[2]];
         result += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
                    a[2] * (b[0] * c[1] - b[1] * c[0])) /
                   6;
+    }
     return result;
 }
 
@@ -82,7 +83,8 @@ TEST(figures, the_t_stays_flat_within_its_creases)
     }
     const auto height = [&](const kith::catmull_clark& s) {
         double result = -1;
-        for (const auto& p : kith::refine(control, s, 3).points())
+        const auto fine = kith::refine(control, s, 3);
+        for (const auto& p : fine.points())
             result = std::max(result, p[2]);
         return result;
     };

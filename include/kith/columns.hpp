@@ -81,8 +81,8 @@ struct only_where {
 template <tuple_kind Kind, class Where = everywhere, class Degree = int>
 struct column {
     static constexpr tuple_kind kind = Kind;
-    Where where{};
-    Degree degree{};
+    Where where;
+    Degree degree;
 
     /// All tuples if the condition holds, else none.
     [[nodiscard]] constexpr auto when(bool condition) const
