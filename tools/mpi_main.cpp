@@ -21,6 +21,10 @@
 
 #include <sys/resource.h>
 
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
 namespace kith::tool {
 
 namespace {
@@ -34,7 +38,7 @@ struct rank_request {
     any_scheme scheme;
     scheme_words words;
     int levels = 0;
-    std::uint64_t tiles_per_rank = 1, memory_per_rank = 0;
+    std::uint64_t tiles_per_rank = 1, memory_per_rank = 0, threads = 1;
     mpi::sharing sharing = mpi::sharing::spmd;
     bool verify = false, with_origin = false;
 };
@@ -69,6 +73,7 @@ po::options_description options_of_refine()
     add_option<std::string>(options, "memory-per-rank", "BYTES", "cut it into as many tiles as this needs, e.g. 2G");
     add_option<std::string>(
         options, "partitioner", "P", "metis, block or file:PATH (a part per face, as METIS writes)");
+    add_option<std::int64_t>(options, "threads", "N", "threads of each rank; 1 unless told, as ranks fill the machine");
     add_flag(options, "cell-origin", "write tile and rank of every cell; the file then depends on the ranks");
     add_flag(options, "verify", "refine on one rank as well and compare the checksums");
     add_option<std::string>(options, "stats", "FILE", "write what each rank did, a JSON object a line");
@@ -93,6 +98,7 @@ std::optional<rank_request> request_from(const std::vector<std::string>& argumen
     request.levels = levels_of(*values);
     request.sharing = sharing_named(text("mode", "spmd"));
     request.tiles_per_rank = count_of(*values, "tiles-per-rank", 1);
+    request.threads = count_of(*values, "threads", 1);
     request.memory_per_rank = values->count("memory-per-rank") != 0 ? bytes_from(text("memory-per-rank", "")) : 0;
     request.partitioner = text("partitioner", request.partitioner);
     require_partitioner(request.partitioner);
@@ -244,8 +250,12 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
         if (not comm.is_root())
             std::cout.setstate(std::ios::failbit); // --help is answered once
         auto request = request_from({arguments.begin() + 1, arguments.end()});
-        if (request)
+        if (request) {
+#if defined(_OPENMP)
+            omp_set_num_threads(int(request->threads));
+#endif
             run_on_ranks(comm, *request);
+        }
         return 0;
     } catch (const usage_error& error) {
         tell(error.what());

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: BSD-3-Clause
+source "$(dirname "$0")/check.bash"
+cube >cube.off
+tetrahedron >tetra.off
+
+# The bytes do not depend on the tiles.
+run refine cube.off -s catmull-clark -n 4 -o one.vtu
+exits 0
+says_nothing
+prints '^one.vtu: 1538 vertices, 3072 edges, 1536 faces, checksum [0-9a-f]+$'
+for tiles in 2 5 6 9; do
+    for partitioner in metis block; do
+        run refine cube.off -s catmull-clark -n 4 -o many.vtu --tiles $tiles --partitioner $partitioner
+        exits 0
+        same one.vtu many.vtu
+    done
+done
+has one.vtu 'NumberOfPoints="1538" NumberOfCells="1536"'
+has one.vtu 'Name="parent"'
+
+# The PLY file is the surface that is refined without tiles.
+run refine tetra.off -s loop -n 5 -o tiles.ply --tiles 3
+exits 0
+run refine tetra.off -s loop -n 5 -o whole.ply --binary
+exits 0
+run compare tiles.ply whole.ply --tolerance 0
+exits 0
+prints 'largest distance 0, equal'
+run refine cube.off -s doo-sabin -n 3 -o tiles.ply --tiles 4 # faces of several degrees
+run refine cube.off -s doo-sabin -n 3 -o whole.ply --binary
+run compare tiles.ply whole.ply --tolerance 0
+exits 0
+prints 'largest distance 0, equal'
+run refine cube.off -s catmull-clark -n 2 -o tiles.ply --tiles 2 --json
+exits 0
+prints '"tiles":2.*"faces":96'
+rm ./*.ply ./*.vtu
+
+# What tiles cannot do is refused, and nothing is left.
+run refine cube.off -s catmull-clark -n 1 -o out.off --tiles 2
+exits 2
+says 'tiles are written to .vtu or .ply'
+run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 0
+exits 2
+says '0 were asked for'
+run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 2 --mesh cgal
+exits 2
+says '--mesh and tiles do not go together'
+run refine cube.off -s 4-8 -n 1 -o out.ply --tiles 2
+exits 2
+says '4-8 has no reach'
+run refine cube.off -s catmull-clark -n 1 -o nowhere/out.ply --tiles 2
+exits 1
+says 'nowhere/out.ply'
+run refine cube.off -s catmull-clark -n 40 -o out.ply --tiles 2
+exits 1
+leaves cube.off tetra.off
+
+# A surface too large for the memory is refined in tiles: 6 million faces in 300 MB.
+command="kith refine with little memory"
+(ulimit -v 300000 && timeout 60 "$kith" refine cube.off -s catmull-clark -n 10 -o whole.ply --binary) \
+    >"$results/out" 2>"$results/err"
+code=$?
+exits 1
+says 'not enough memory'
+run refine cube.off -s catmull-clark -n 4 -o control.ply --binary
+(ulimit -v 300000 && OMP_NUM_THREADS=1 timeout 60 "$kith" refine control.ply -s catmull-clark -n 6 -o tiles.ply --tiles 48) \
+    >"$results/out" 2>"$results/err"
+code=$?
+exits 0
+prints '6291456 faces'
+finish
