@@ -3,6 +3,10 @@
 
 #include "mesh_statements.hpp"
 
+#include <kith/make_creases.hpp>
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cmath>
@@ -97,6 +101,36 @@ TEST(cgal, faces_that_do_not_fit_the_scheme_are_refused)
 {
     EXPECT_EQ(error_text<kith::mesh_error>([] { kith::refine(make(shapes::cube()), kith::loop(), 1); }),
               "loop: face 0 has 4 vertices; triangulate the mesh first");
+}
+
+TEST(cgal, constrained_edges_are_creases)
+{
+    auto m = make(shapes::cube());
+    auto constrained = m.add_property_map<mesh::Edge_index, bool>("e:is_constrained", false).first;
+    CGAL::Polygon_mesh_processing::detect_sharp_edges(m, 89, constrained);
+    const auto fine = kith::refine(
+        m, kith::catmull_clark{.corners = {}, .sharpness = kith::make_creases(m, constrained)}, 3);
+    for (const auto v : m.vertices())
+        EXPECT_EQ(fine.point(v), m.point(v));
+    EXPECT_EQ(kith::make_creases(m, constrained).edges().size(), 12U);
+}
+
+TEST(cgal, properties_hold_sharpness)
+{
+    auto m = cube_after_removed_tetrahedron(); // its elements have other numbers than their handles
+    auto of_edge = m.add_property_map<mesh::Edge_index, double>("e:sharpness", 0).first;
+    auto of_vertex = m.add_property_map<mesh::Vertex_index, double>("v:sharpness", 0).first;
+    // From (1,-1,1) to (1,1,1); the vertex is (-1,-1,-1).
+    const auto edge = m.edge(m.halfedge(mesh::Vertex_index(4 + 5), mesh::Vertex_index(4 + 6)));
+    of_edge[edge] = 1;
+    of_vertex[mesh::Vertex_index(4)] = kith::infinitely_sharp;
+    kith::hierarchy levels(m,
+                           kith::catmull_clark{.corners = {}, .sharpness = kith::make_creases(m, of_edge, of_vertex)});
+    levels.refine();
+    EXPECT_EQ(levels[1].point(levels.assoc(0, edge, kith::targets::V)), point(1, 0, 1));
+    EXPECT_EQ(levels[1].point(levels.assoc(0, mesh::Vertex_index(4), kith::targets::V)), point(-1, -1, -1));
+    EXPECT_EQ(levels.scheme(0).sharpness.edges().size(), 1U);
+    EXPECT_EQ(levels.scheme(1).sharpness.edges().size(), 0U);
 }
 
 TEST(cgal, exact_numbers_are_refined_exactly)

@@ -6,6 +6,7 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/make_creases.hpp>
 
 #include <gtest/gtest.h>
 
@@ -28,11 +29,6 @@ struct plane {
     auto edge_of(std::size_t a, std::size_t b) const { return level.edges()[edge(a, b)]; }
     auto vertex(std::size_t v) const { return level.vertices()[v]; }
 };
-
-std::size_t sharp_edges(const shapes::shape& s, double degrees)
-{
-    return creases_by_angle(native(s), degrees).edges().size();
-}
 
 } // namespace
 
@@ -85,24 +81,6 @@ TEST(creases, chaikin_ones_mix_with_their_neighbours)
     sharp.sharpen_edge(p.edge(7, 8), 4);
     EXPECT_EQ(sharp.child_sharpness(p.vertex(7), p.edge_of(6, 7)), 3. / 4 * 2 + 1. / 4 * 4 - 1);
     EXPECT_EQ(sharp.child_sharpness(p.vertex(6), p.edge_of(6, 7)), 1.); // no other one there
-}
-
-TEST(creases, handles_of_a_mesh_may_name_them)
-{
-    const plane p;
-    const auto chosen = p.edge_of(6, 7).handle();
-    const auto sharp = make_creases(
-        p.mesh, [&](auto e) { return e == chosen ? 3. : 0.; }, [](auto v) { return v.value == 12 ? 2. : 0.; });
-    EXPECT_EQ(sharp.edges().size(), 1U);
-    EXPECT_EQ(sharp.of_edge(p.edge(6, 7)), 3.);
-    EXPECT_EQ(sharp.of_vertex(12), 2.);
-}
-
-TEST(creases, angles_find_them)
-{
-    EXPECT_EQ(sharp_edges(shapes::cube(), 89), 12U);
-    EXPECT_EQ(sharp_edges(shapes::cube(), 91), 0U);
-    EXPECT_EQ(sharp_edges(shapes::triangulated(shapes::cube()), 45), 12U); // not the diagonals
 }
 
 TEST(creases, an_infinitely_sharp_line_is_a_cubic_curve)

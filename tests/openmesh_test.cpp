@@ -3,6 +3,10 @@
 
 #include "mesh_statements.hpp"
 
+#include <kith/make_creases.hpp>
+
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
+
 INSTANTIATE_TYPED_TEST_SUITE_P(poly_mesh, mesh_statements, testing::Types<poly_mesh>);
 INSTANTIATE_TYPED_TEST_SUITE_P(tri_mesh, mesh_statements, testing::Types<tri_mesh>);
 
@@ -43,6 +47,68 @@ TEST(openmesh, deleted_elements_do_not_shift_associations)
     const auto centre = levels.assoc(0, bottom, kith::targets::V);
     EXPECT_EQ(levels[1].point(centre), OpenMesh::Vec3d(0, 0, -1));
     EXPECT_EQ(levels.origin(1, centre).f, bottom);
+}
+
+TEST(openmesh, features_are_creases_and_corners)
+{
+    auto mesh = make(shapes::cube());
+    const auto edge = mesh.edge_handle(mesh.find_halfedge(OpenMesh::VertexHandle(5), OpenMesh::VertexHandle(6)));
+    mesh.status(edge).set_feature(true);
+    mesh.status(OpenMesh::VertexHandle(0)).set_feature(true);
+    kith::hierarchy levels(mesh, kith::catmull_clark{.corners = {}, .sharpness = kith::creases_from_features(mesh, 1)});
+    levels.refine();
+    EXPECT_EQ(levels[1].point(levels.assoc(0, edge, kith::targets::V)), OpenMesh::Vec3d(1, 0, 1));
+    // A vertex of sharpness 1 stays for one step, and is smooth from then on.
+    EXPECT_EQ(levels[1].point(OpenMesh::VertexHandle(0)), OpenMesh::Vec3d(-1, -1, -1));
+    EXPECT_EQ(levels.scheme(0).sharpness.edges().size(), 1U);
+    EXPECT_EQ(levels.scheme(0).sharpness.vertices().size(), 1U);
+    EXPECT_TRUE(levels.scheme(1).sharpness.empty());
+}
+
+TEST(openmesh, features_of_deleted_elements_do_not_count)
+{
+    auto mesh = make(shapes::both(shapes::tetrahedron(), shapes::cube()));
+    mesh.find_feature_edges(OpenMesh::deg_to_rad(89.));
+    mesh.delete_face(OpenMesh::FaceHandle(0), true);
+    mesh.delete_face(OpenMesh::FaceHandle(1), true);
+    mesh.delete_face(OpenMesh::FaceHandle(2), true);
+    mesh.delete_face(OpenMesh::FaceHandle(3), true);
+    const auto fine = kith::refine(
+        mesh, kith::catmull_clark{.corners = {}, .sharpness = kith::creases_from_features(mesh)}, 2);
+    for (int v = 0; v < 8; ++v)
+        EXPECT_EQ(fine.point(OpenMesh::VertexHandle(v)), mesh.point(OpenMesh::VertexHandle(4 + v)));
+}
+
+TEST(openmesh, one_status_is_enough_for_features)
+{
+    const auto [points, faces] = shapes::cube();
+    auto mesh = user_mesh<poly_mesh_float>::make(points, faces);
+    mesh.request_vertex_status();
+    mesh.status(OpenMesh::VertexHandle(3)).set_feature(true);
+    const auto sharp = kith::creases_from_features(mesh);
+    EXPECT_TRUE(sharp.edges().empty());
+    EXPECT_EQ(sharp.of_vertex(3), kith::infinitely_sharp);
+    EXPECT_EQ(sharp.vertices().size(), 1U);
+}
+
+TEST(openmesh, features_need_a_status)
+{
+    const auto [points, faces] = shapes::cube();
+    const auto mesh = user_mesh<poly_mesh_float>::make(points, faces);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::creases_from_features(mesh); }),
+              "neither edges nor vertices have a status, where features are marked; call request_edge_status() or "
+              "request_vertex_status() and mark them");
+}
+
+TEST(openmesh, properties_hold_sharpness)
+{
+    auto mesh = make(shapes::cube());
+    OpenMesh::EProp<double> of_edge(mesh);
+    for (const auto e : mesh.edges())
+        of_edge[e] = e.idx() == 4 ? 2.5 : 0;
+    const auto sharp = kith::make_creases(mesh, of_edge);
+    EXPECT_EQ(sharp.edges().size(), 1U);
+    EXPECT_EQ(sharp.of_edge(4), 2.5);
 }
 
 TEST(openmesh, a_class_derived_from_its_meshes_is_a_mesh)

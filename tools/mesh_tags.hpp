@@ -11,7 +11,8 @@
 
 namespace kith::tool {
 
-/// What an OBJ file says about sharp edges and vertices in lines `t ...`, as OpenSubdiv's test files have them.
+/// What an OBJ file says about sharp edges, sharp vertices and holes in lines `t ...`, as OpenSubdiv's test files have
+/// them.
 struct mesh_tags {
     struct edge {
         std::size_t from = 0;
@@ -21,9 +22,11 @@ struct mesh_tags {
 
     std::vector<edge> edges;
     std::vector<std::pair<std::size_t, double>> vertices;
+    std::vector<std::size_t> holes; ///< faces
+    bool boundary_is_hole = false;  ///< the faces at the boundary, too
     std::optional<boundary_corner> corners;
     std::optional<crease_method> method;
-    std::size_t unread = 0; ///< lines that mean something else, such as holes
+    std::size_t unread = 0; ///< lines that mean something else
 
     [[nodiscard]] bool has_creases() const { return not edges.empty() or not vertices.empty(); }
 };

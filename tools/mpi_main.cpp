@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
 #include "errors.hpp"
+#include "holes.hpp"
 #include "json.hpp"
 #include "mesh_input.hpp"
 #include "partition_options.hpp"
@@ -220,6 +221,7 @@ void run_on_ranks(mpi::communicator& comm, rank_request& request)
             return;
         control = read_mesh(request.input);
         give_creases(request.scheme, control, request.words);
+        require_no_holes(control);
         control.mesh = prepared(request.scheme, std::move(control.mesh));
         std::visit([&]<class Scheme>(const Scheme&) { require_input<Scheme>(level_of<basic_mesh<>>(control.mesh)); },
                    request.scheme);

@@ -72,8 +72,11 @@ void read_obj_tag(text_scanner& scan, mesh_tags& tags)
     } else if (name == "corner") {
         for (std::size_t i = 0; i < whole.size(); ++i)
             tags.vertices.emplace_back(whole[i], sharpness_at(scan, arguments.numbers, i, whole.size()));
-    } else if (name == "interpolateboundary" and whole.size() == 1 and (whole[0] == 1 or whole[0] == 2)) {
+    } else if (name == "hole") {
+        tags.holes.insert(tags.holes.end(), whole.begin(), whole.end());
+    } else if (name == "interpolateboundary" and whole.size() == 1 and whole[0] <= 2) {
         tags.corners = whole[0] == 1 ? boundary_corner::kept : boundary_corner::smoothed;
+        tags.boundary_is_hole = whole[0] == 0;
     } else if (name == "creasemethod" and arguments.words.size() == 1 and
                (arguments.words[0] == "chaikin" or arguments.words[0] == "normal")) {
         tags.method = arguments.words[0] == "chaikin" ? crease_method::chaikin : crease_method::uniform;

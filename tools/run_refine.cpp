@@ -2,6 +2,7 @@
 #include "back_end.hpp"
 #include "command_line.hpp"
 #include "errors.hpp"
+#include "holes.hpp"
 #include "json.hpp"
 #include "mesh_file.hpp"
 #include "mesh_format.hpp"
@@ -98,6 +99,7 @@ int run_in_tiles(const po::variables_map& values, refine_request& request, const
     const std::string output = required(values, "output");
     control_mesh control = read_mesh(required(values, "IN"));
     give_creases(request.scheme, control, words);
+    require_no_holes(control);
     control.mesh = prepared(request.scheme, std::move(control.mesh));
     const auto [counts, checksum] = refine_tiles(control.mesh, request, std::uint64_t(tiles), partitioner, output);
     if (values.count("json") != 0)
@@ -162,7 +164,11 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
 
     control_mesh control = read_mesh(input);
     give_creases(request.scheme, control, words);
-    const refined_mesh result = refine_on(prepared(request.scheme, std::move(control.mesh)), request);
+    const auto holes = holes_of(control.tags, control.mesh);
+    const basic_mesh<> with_holes = holes.empty() ? basic_mesh<>() : control.mesh;
+    refined_mesh result = refine_on(prepared(request.scheme, std::move(control.mesh)), request);
+    if (not holes.empty())
+        leave_out(result, holes_after(request.scheme, request.levels, with_holes, holes));
     write_mesh_file(output, result.mesh, binary, result.normals);
     if (result.without_limit != 0)
         std::cerr << "kith: note: " << result.without_limit << " of " << result.mesh.vertex_count()

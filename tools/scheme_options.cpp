@@ -20,12 +20,14 @@ void add_scheme_options(boost::program_options::options_description& options)
     add_option<std::string>(options, "boundary", "WORD", "doo-sabin: " + all_words<doo_sabin_boundary>());
     add_option<double>(
         options, "crease-angle", "DEGREES", "catmull-clark, loop: edges at which the faces turn by more stay sharp");
+    add_option<double>(options, "crease-sharpness", "S", "for so many levels, else for ever");
     add_option<std::string>(options,
                             "crease-method",
                             "WORD",
                             "how the sharpness of creases in the file decays: " + all_words<crease_method>());
     add_option<double>(options, "tension", "W", "kobbelt: between 0 and 2.472, else 1");
     add_option<int>(options, "degree", "N", "unified: of the B-spline, 1 to 9, else 3");
+    add_flag(options, "ignore-tags", "leave aside what an OBJ file says of creases, corners, holes and boundaries");
 }
 
 scheme_words scheme_words_of(const boost::program_options::variables_map& values)
@@ -42,8 +44,10 @@ scheme_words scheme_words_of(const boost::program_options::variables_map& values
             .boundary = word("boundary"),
             .crease_method = word("crease-method"),
             .crease_angle = number("crease-angle"),
+            .crease_sharpness = number("crease-sharpness"),
             .tension = number("tension"),
-            .degree = values.count("degree") == 0 ? std::nullopt : std::optional(values["degree"].as<int>())};
+            .degree = values.count("degree") == 0 ? std::nullopt : std::optional(values["degree"].as<int>()),
+            .ignore_tags = values.count("ignore-tags") != 0};
 }
 
 } // namespace kith::tool

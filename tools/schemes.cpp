@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "schemes.hpp"
 
+#include "holes.hpp"
 #include "scheme_words.hpp"
 
 #include <kith/limit.hpp>
+#include <kith/make_creases.hpp>
 #include <kith/scheme.hpp>
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <optional>
@@ -53,12 +56,39 @@ void set_degree(Scheme& scheme, int degree)
 }
 
 template <class Scheme>
-void require_creases(const Scheme&, double angle)
+constexpr bool has_creases = requires(Scheme s) { s.sharpness; };
+
+/// "catmull-clark and loop"
+std::string schemes_with_creases()
 {
-    if constexpr (not requires(Scheme s) { s.sharpness; })
-        throw usage_error("--crease-angle: " + std::string(scheme_name<Scheme>()) + " has no creases");
-    if (not(angle >= 0 and angle <= 180))
-        throw usage_error("--crease-angle: " + std::to_string(angle) + " is not between 0 and 180 degrees");
+    std::string result;
+    std::apply(
+        [&]<class... Schemes>(const scheme_entry<Schemes>&...) {
+            ((has_creases<Schemes>
+                  ? void(result += (result.empty() ? "" : " and ") + std::string(scheme_name<Schemes>()))
+                  : void()),
+             ...);
+        },
+        known_schemes);
+    return result;
+}
+
+template <class Scheme>
+void require_creases(const scheme_words& words)
+{
+    if (not words.crease_angle) {
+        if (words.crease_sharpness)
+            throw usage_error("--crease-sharpness: say with --crease-angle which edges");
+        return;
+    }
+    if constexpr (not has_creases<Scheme>)
+        throw usage_error("--crease-angle: " + std::string(scheme_name<Scheme>()) + " has no creases; " +
+                          schemes_with_creases() + " have");
+    if (not(*words.crease_angle >= 0 and *words.crease_angle <= 180))
+        throw usage_error("--crease-angle: " + std::to_string(*words.crease_angle) +
+                          " is not between 0 and 180 degrees");
+    if (words.crease_sharpness and not(*words.crease_sharpness >= 0))
+        throw usage_error("--crease-sharpness: " + std::to_string(*words.crease_sharpness) + " is not 0 or more");
 }
 
 template <class Scheme>
@@ -69,8 +99,7 @@ Scheme configured(const scheme_words& words)
         set_tension(scheme, *words.tension);
     if (words.degree)
         set_degree(scheme, *words.degree);
-    if (words.crease_angle)
-        require_creases(scheme, *words.crease_angle);
+    require_creases<Scheme>(words);
     const std::array<std::pair<std::string_view, const std::string*>, 4> given{
         {{"--boundary-corners", &words.boundary_corners},
          {"--weights", &words.weights},
@@ -124,27 +153,32 @@ any_scheme make_scheme(const std::string& name, const scheme_words& words)
     return *result;
 }
 
-void give_creases(any_scheme& scheme, const control_mesh& control, const scheme_words& words)
+void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words& words)
 {
+    if (words.ignore_tags)
+        control.tags = {};
     const mesh_tags& tags = control.tags;
     if (tags.unread != 0)
         std::cerr << "kith: note: " << tags.unread << " tags of the file are not understood\n";
     std::visit(
         [&]<class Scheme>(Scheme& s) {
-            if constexpr (requires { s.sharpness; }) {
+            if constexpr (has_creases<Scheme>) {
                 const auto method = s.sharpness.method;
                 s.sharpness = creases_of(tags, control.mesh);
                 if (words.crease_angle) {
-                    const creases by_angle = creases_by_angle(control.mesh, *words.crease_angle);
+                    const creases by_angle = creases_by_angle(
+                        control.mesh, *words.crease_angle, words.crease_sharpness.value_or(infinitely_sharp));
                     for (const auto& [edge, sharpness] : by_angle.edges())
-                        s.sharpness.sharpen_edge(edge, sharpness);
+                        s.sharpness.sharpen_edge(edge, std::max(sharpness, s.sharpness.of_edge(edge)));
                 }
                 if (not words.crease_method.empty())
                     s.sharpness.method = method;
                 if (tags.corners and words.preset.empty() and words.boundary_corners.empty())
                     s.corners = *tags.corners;
-            } else if (tags.has_creases()) {
-                std::cerr << "kith: note: the file has creases, which " << scheme_name<Scheme>() << " does not know\n";
+            } else if (tags.has_creases() or not holes_of(tags, control.mesh).empty()) {
+                throw mesh_error(std::string(scheme_name<Scheme>()) +
+                                 " has no rules for the creases, corners or holes of the file; " +
+                                 schemes_with_creases() + " have, or leave them aside with --ignore-tags");
             }
         },
         scheme);

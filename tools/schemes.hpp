@@ -66,16 +66,19 @@ struct scheme_words {
     std::string boundary;
     std::string crease_method;
     std::optional<double> crease_angle;
+    std::optional<double> crease_sharpness;
     std::optional<double> tension;
     std::optional<int> degree;
+    bool ignore_tags = false;
 };
 
 /// Errors: usage_error for a name that is not known, and for words that this scheme does not take.
 any_scheme make_scheme(const std::string& name, const scheme_words& words);
 
 /// Tells the scheme of the creases of its control mesh: those of the file, and edges sharper than the angle.
-/// What the file says and the scheme has no use for is noted on standard error. Errors: mesh_error.
-void give_creases(any_scheme& scheme, const control_mesh& control, const scheme_words& words);
+/// Tags that mean something else are noted on standard error; where tags are to be ignored, the mesh has none then.
+/// Errors: mesh_error for tags that do not fit the mesh, and for creases and holes if the scheme has no rules for them.
+void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words& words);
 
 /// The mesh that the scheme starts from: the control mesh itself, except for 4-8.
 basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control);

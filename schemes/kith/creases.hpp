@@ -5,7 +5,6 @@
 #include <kith/refinement.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -126,57 +125,5 @@ private:
 
     list edges_, vertices_;
 };
-
-/// The creases of a mesh from what its user knows of them: edge_sharpness(edge) and vertex_sharpness(vertex) take handles
-/// of the mesh and give a number >= 0. Cost: O(elements).
-template <mesh M, class EdgeSharpness, class VertexSharpness>
-creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const VertexSharpness& vertex_sharpness,
-                     crease_method method = crease_method::uniform)
-{
-    const level_of<M> level(mesh);
-    creases result(method);
-    for (const auto e : level.edges())
-        result.sharpen_edge(e.index(), edge_sharpness(e.handle()));
-    for (const auto v : level.vertices())
-        result.sharpen_vertex(v.index(), vertex_sharpness(v.handle()));
-    return result;
-}
-template <mesh M, class EdgeSharpness>
-creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, crease_method method = crease_method::uniform)
-{
-    return make_creases(mesh, edge_sharpness, [](const auto&) { return 0.; }, method);
-}
-
-/// Makes every inner edge sharp at which the normals of its two faces turn by more than `degrees`.
-/// Cost: O(corners).
-template <mesh M>
-creases creases_by_angle(const M& mesh, double degrees, double sharpness = infinitely_sharp)
-{
-    using coordinates = std::array<double, 3>;
-    const level_of<M> level(mesh);
-    const auto place = [](const auto& v) {
-        const auto sum = affine<typename level_of<M>::point_type>::load(v.point());
-        return coordinates{double(sum[0]), double(sum[1]), double(sum[2])};
-    };
-    const auto normal = [&](const auto& f) { // Newell's
-        coordinates n{};
-        for (const auto c : f.corners()) {
-            const auto a = place(c.v()), b = place(c.next().v());
-            for (int i = 0; i < 3; ++i)
-                n[i] += (a[(i + 1) % 3] - b[(i + 1) % 3]) * (a[(i + 2) % 3] + b[(i + 2) % 3]);
-        }
-        return n;
-    };
-    const auto dot = [](const coordinates& a, const coordinates& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-    const double limit = std::cos(degrees * 3.14159265358979323846 / 180);
-    creases result;
-    for (const auto e : level.edges())
-        if (not e.is_boundary()) {
-            const auto a = normal(e.lface()), b = normal(e.rface());
-            if (dot(a, b) < limit * std::sqrt(dot(a, a) * dot(b, b)))
-                result.sharpen_edge(e.index(), sharpness);
-        }
-    return result;
-}
 
 } // namespace kith

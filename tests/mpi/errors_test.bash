@@ -46,6 +46,12 @@ printf '0 1 2\n' >short.part
 on 2 refine cube.off -s catmull-clark -n 1 -o out.vtu --partitioner file:short.part
 exits 1
 says 'the partition file has 3 numbers, the mesh has 6 faces'
+run refine cube.off -s linear -n 0 -o cube.obj
+(cat cube.obj; echo; echo 't hole 1/0/0 1') >holes.obj
+on 2 refine holes.obj -s catmull-clark -n 1 -o out.vtu
+exits 1
+says 'the file has holes, which are not left out of tiles'
+one_message
 check "no output is left" test -z "$(ls | grep -E 'vtu|incomplete')"
 
 # A tile that needs more memory than its rank has: no rank waits for another.

@@ -171,57 +171,103 @@ check "the middle of the edge" grep -qxE -- '0 -1 -1' one.off
 (cat cube.obj; echo; echo 't corner 1/1/0 0 12') >creased.obj
 run refine creased.obj -s catmull-clark -n 3 -o corner.off
 check "the vertex stays" at 4 corner.off -1 -1 -1
-run refine creased.obj -s doo-sabin -n 1 -o corner.off
+run refine creased.obj -s doo-sabin -n 1 -o refused.off
+exits 1
+says 'doo-sabin has no rules for the creases, corners or holes of the file; catmull-clark and loop have'
+check "no output file" test ! -e refused.off
+run refine creased.obj -s doo-sabin -n 1 -o ignored.off --ignore-tags
 exits 0
-says 'note: the file has creases, which doo-sabin does not know'
-printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nt interpolateboundary 1/0/0 2\nt hole 1/0/0 0\n' >quad.obj
+says_nothing
+run refine cube.off -s doo-sabin -n 1 -o plain.off
+same plain.off ignored.off
+run refine cube.off -s catmull-clark -n 2 -o for_ever.off --crease-angle 89
+run refine cube.off -s catmull-clark -n 1 -o once.off --crease-angle 89 --crease-sharpness 1
+run refine once.off -s catmull-clark -n 1 -o then_smooth.off
+run refine cube.off -s catmull-clark -n 2 -o once.off --crease-angle 89 --crease-sharpness 1
+exits 0
+run compare then_smooth.off once.off --tolerance 1e-15
+exits 0
+check "for ever is longer" test ! "$(cmp -s for_ever.off once.off; echo $?)" = 0
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nt interpolateboundary 1/0/0 2\nt smoothtriangles 0/0/1 smooth\n' >quad.obj
 run refine quad.obj -s catmull-clark -n 1 -o smoothed.off
 exits 0
 says 'note: 1 tags of the file are not understood'
 check "the corner is smoothed" at 4 smoothed.off 0.125 0.125 0
 run refine quad.obj -s catmull-clark -n 1 -o kept.off --boundary-corners kept
 check "unless the command line says otherwise" at 4 kept.off 0 0 0
+
+# Holes shape what is around them and are not written: the rest is as without them, vertices that only they had are gone.
+(cat cube.obj; echo; echo 't hole 2/0/0 1 3') >holes.obj
+cat >cube_without.awk <<'END'
+# Of an OFF file the faces but those numbered in [from, to) of each range in `holes`, as points in place of indices.
+NR == 2 { vertices = $1 }
+NR > 2 && NF == 3 { point[n++] = $0 }
+NF == 5 && n == vertices {
+    if (!(f in hole)) print point[$2] "|" point[$3] "|" point[$4] "|" point[$5]
+    ++f
+}
+BEGIN { split(holes, list, " "); for (i in list) hole[list[i]] = 1 }
+END
+faces() { awk -v holes="$2" -f cube_without.awk "$1" | sort; }
+run refine cube.off -s catmull-clark -n 1 -o whole.off
+for mesh in native cgal openmesh; do
+    run refine holes.obj -s catmull-clark -n 1 -o $mesh.off --mesh $mesh
+    exits 0
+    says_nothing
+    prints '23 vertices, 38 edges, 16 faces'
+done
+same native.off cgal.off
+same native.off openmesh.off
+check "the rest is the same" test "$(faces whole.off '4 5 6 7 12 13 14 15')" = "$(faces native.off '')"
+run refine cube.off -s catmull-clark -n 2 -o whole.off
+run refine holes.obj -s catmull-clark -n 2 -o native.off
+prints '77 vertices, 140 edges, 64 faces'
+check "and on the next level" \
+    test "$(faces whole.off "$(seq -s ' ' 16 31) $(seq -s ' ' 48 63)")" = "$(faces native.off '')"
+run refine holes.obj -s catmull-clark -n 0 -o native.off
+prints '8 vertices, 11 edges, 4 faces'
+run refine holes.obj -s catmull-clark -n 1 -o refused.vtu --tiles 2
+exits 1
+says 'the file has holes, which are not left out of tiles'
+run refine holes.obj -s linear -n 1 -o refused.off
+exits 1
+says 'linear has no rules for the creases, corners or holes'
+(cat cube.obj; echo; echo 't hole 1/0/0 6') >holes.obj
+run refine holes.obj -s catmull-clark -n 1 -o refused.off
+exits 1
+says 'hole 6: there is no such face; correct the tag'
+(cat cube.obj; echo; echo 't hole 6/0/0 0 1 2 3 4 5') >holes.obj
+run refine holes.obj -s catmull-clark -n 1 -o refused.off
+exits 1
+says 'all 6 faces are holes, nothing would be left'
+# Loop: of the tetrahedron three faces are left, each of four on level 1.
+run refine tetra.off -s loop -n 0 -o holes.obj
+echo 't hole 1/0/0 2' >>holes.obj
+run refine holes.obj -s loop -n 2 -o native.off
+prints '31 vertices, 78 edges, 48 faces'
+run refine tetra.off -s loop -n 1 -o whole.off
+run refine holes.obj -s loop -n 1 -o native.off
+triangles() { awk 'NR == 2 { vertices = $1 } NR > 2 && NF == 3 { point[n++] = $0 }
+    NF == 4 && n == vertices { print point[$2] "|" point[$3] "|" point[$4] }' "$1" | sort; }
+triangles whole.off >whole.list
+triangles native.off >native.list
+check "they are faces of the whole" test "$(comm -12 whole.list native.list | wc -l)" -eq 12
+# Where the boundary is not interpolated, the faces that touch it are holes: of 3 x 3 quads the middle one is left.
+{
+    for v in 0 1 2 3; do for u in 0 1 2 3; do echo "v $u $v 0"; done; done
+    for v in 0 1 2; do for u in 1 2 3; do
+        a=$((4 * v + u)); echo "f $a $((a + 1)) $((a + 5)) $((a + 4))"
+    done; done
+    echo 't interpolateboundary 1/0/0 0'
+} >grid.obj
+run refine grid.obj -s catmull-clark -n 1 -o grid.off
+exits 0
+says_nothing
+prints '9 vertices, 12 edges, 4 faces'
+check "the B-spline of the grid" test "$(sed -n '4,12p' grid.off | sort | tr '\n' ' ')" = \
+    "1 1 0 1 1.5 0 1 2 0 1.5 1 0 1.5 1.5 0 1.5 2 0 2 1 0 2 1.5 0 2 2 0 "
 
 run refine cube.off -s kobbelt -n 1 -o kobbelt.off
-
-# Creases: by angle all edges of the cube stay where they are; a tag of the file holds for as many levels as it says.
-run refine cube.off -s catmull-clark -n 2 -o sharp.off --crease-angle 89
-exits 0
-check "a corner stays" at 4 sharp.off -1 -1 -1
-run refine cube.off -s catmull-clark -n 2 -o smooth.off
-run refine cube.off -s catmull-clark -n 2 -o same.off --crease-angle 91
-same smooth.off same.off
-run refine cube.off -s linear -n 0 -o cube.obj
-for crease in 0:no 1:once 2:twice; do
-    (cat cube.obj; echo; echo "t crease 2/1/0 0 1 ${crease%:*}") >creased.obj
-    for mesh in native cgal openmesh; do
-        run refine creased.obj -s catmull-clark -n 2 -o $mesh.off --mesh $mesh
-        exits 0
-        says_nothing
-    done
-    same native.off cgal.off
-    same native.off openmesh.off
-    mv native.off "${crease#*:}.off"
-done
-same smooth.off no.off
-check "1 and 2 are not the same" test ! "$(cmp -s once.off twice.off; echo $?)" = 0
-# After two levels of an edge of sharpness 2 its quarter points lie on it: (-1/2, -1, -1), moved by its ends alone.
-run refine creased.obj -s catmull-clark -n 1 -o one.off
-check "the middle of the edge" grep -qxE -- '0 -1 -1' one.off
-(cat cube.obj; echo; echo 't corner 1/1/0 0 12') >creased.obj
-run refine creased.obj -s catmull-clark -n 3 -o corner.off
-check "the vertex stays" at 4 corner.off -1 -1 -1
-run refine creased.obj -s doo-sabin -n 1 -o corner.off
-exits 0
-says 'note: the file has creases, which doo-sabin does not know'
-printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nt interpolateboundary 1/0/0 2\nt hole 1/0/0 0\n' >quad.obj
-run refine quad.obj -s catmull-clark -n 1 -o smoothed.off
-exits 0
-says 'note: 1 tags of the file are not understood'
-check "the corner is smoothed" at 4 smoothed.off 0.125 0.125 0
-run refine quad.obj -s catmull-clark -n 1 -o kept.off --boundary-corners kept
-check "unless the command line says otherwise" at 4 kept.off 0 0 0
-
 run refine cube.off -s kobbelt -n 1 -o tight.off --tension 0.001
 run refine cube.off -s linear -n 1 -o linear.off
 run compare linear.off kobbelt.off --tolerance 0.01

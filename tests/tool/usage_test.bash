@@ -65,6 +65,10 @@ wrong "'cosine' is not one of loop, warren" refine cube.off -s loop -n 1 -o out.
 wrong "'round' is not one of kept, smoothed" refine cube.off -s loop -n 1 -o out.off --boundary-corners round
 wrong "'blender' is not one of native, cgal, openmesh" refine cube.off -s catmull-clark -n 1 -o out.off --mesh blender
 wrong 'doo-sabin has no creases' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
+wrong 'catmull-clark and loop have' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
+wrong 'say with --crease-angle which edges' refine cube.off -s loop -n 1 -o out.off --crease-sharpness 2
+wrong 'is not 0 or more' refine cube.off -s loop -n 1 -o out.off --crease-angle 30 --crease-sharpness -1
+wrong 'is not 0 or more' refine cube.off -s loop -n 1 -o out.off --crease-angle 30 --crease-sharpness nan
 wrong 'sqrt3 has no such choice' refine cube.off -s sqrt3 -n 1 -o out.off --crease-method chaikin
 wrong "'soft' is not one of uniform, chaikin" refine cube.off -s loop -n 1 -o out.off --crease-method soft
 wrong 'not between 0 and 180' refine cube.off -s catmull-clark -n 1 -o out.off --crease-angle 181

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "holes.hpp"
+
+#include <kith/error.hpp>
+#include <kith/lift.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace kith::tool {
+
+std::vector<bool> holes_of(const mesh_tags& tags, const basic_mesh<>& mesh)
+{
+    std::vector<bool> result(mesh.face_count());
+    for (const std::size_t face : tags.holes) {
+        if (face >= result.size())
+            throw mesh_error("hole " + std::to_string(face) + ": there is no such face; correct the tag");
+        result[face] = true;
+    }
+    if (tags.boundary_is_hole) {
+        const level_of<basic_mesh<>> level(mesh);
+        for (const auto v : level.vertices())
+            if (v.is_boundary())
+                for (const auto f : v.faces())
+                    result[f.index()] = true;
+    }
+    const auto count = std::size_t(std::ranges::count(result, true));
+    if (count == result.size())
+        throw mesh_error("all " + std::to_string(count) + " faces are holes, nothing would be left; correct the tags");
+    return count == 0 ? std::vector<bool>() : result;
+}
+
+std::vector<bool> holes_after(const any_scheme& scheme, int levels, const basic_mesh<>& control,
+                              std::vector<bool> holes)
+{
+    const bool in_triangles = std::holds_alternative<loop>(scheme);
+    for (int level = 0; level < levels; ++level) { // in the order in which the columns of the split number the faces
+        std::vector<bool> finer;
+        for (std::size_t f = 0; f < holes.size(); ++f)
+            finer.insert(finer.end(), in_triangles ? 3 : level == 0 ? control.face(f).size() : 4, holes[f]);
+        if (in_triangles)
+            finer.insert(finer.end(), holes.begin(), holes.end());
+        holes = std::move(finer);
+    }
+    return holes;
+}
+
+void require_no_holes(const control_mesh& control)
+{
+    if (not holes_of(control.tags, control.mesh).empty())
+        throw mesh_error("the file has holes, which are not left out of tiles; write a file of another kind without "
+                         "--tiles, or leave them aside with --ignore-tags");
+}
+
+void leave_out(refined_mesh& result, const std::vector<bool>& holes)
+{
+    const basic_mesh<>& mesh = result.mesh;
+    using index = basic_mesh<>::index_type;
+    std::vector<bool> used(mesh.vertex_count());
+    std::vector<std::pair<index, index>> edges;
+    connectivity<index> kept;
+    kept.degree = mesh.topology().degree;
+    std::vector<index> corners, first{0};
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        if (holes[f])
+            continue;
+        const auto face = mesh.face(f);
+        for (std::size_t i = 0; i < face.size(); ++i) {
+            used[face[i]] = true;
+            corners.push_back(face[i]);
+            edges.push_back(std::minmax({face[i], face[(i + 1) % face.size()]}));
+        }
+        first.push_back(index(corners.size()));
+    }
+    std::vector<index> number(mesh.vertex_count());
+    std::vector<std::array<double, 3>> points, normals;
+    for (std::size_t v = 0; v < number.size(); ++v)
+        if (used[v]) {
+            number[v] = index(points.size());
+            points.push_back(mesh.point(v));
+            if (not result.normals.empty())
+                normals.push_back(result.normals[v]);
+        }
+    for (auto& v : corners)
+        v = number[v];
+    std::ranges::sort(edges);
+    result.edges = std::uint64_t(std::ranges::unique(edges).begin() - edges.begin());
+    result.normals = std::move(normals);
+    kept.vertices = points.size();
+    kept.faces = first.size() - 1;
+    kept.corner_vertex = storage<index>(corners);
+    if (kept.degree == 0)
+        kept.face_corner = storage<index>(first);
+    result.mesh = basic_mesh<>(storage<std::array<double, 3>>(points), std::move(kept));
+}
+
+} // namespace kith::tool
