@@ -10,8 +10,10 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/loop.hpp>
+#include <kith/make_creases.hpp>
 #include <kith/refine.hpp>
 #include <kith/sqrt3.hpp>
+#include <kith/vertex_type.hpp>
 
 #include <gtest/gtest.h>
 
@@ -153,6 +155,24 @@ TYPED_TEST_P(mesh_statements, sqrt3_twice_once_is_once_twice)
     }
 }
 
+TYPED_TEST_P(mesh_statements, vertices_have_the_types_that_creases_give_them)
+{
+    for (const auto& [name, shape] : TestFixture::all()) {
+        SCOPED_TRACE(name);
+        const auto mesh = TestFixture::make(shape);
+        const auto copy = TestFixture::as_native(mesh);
+        auto sharp = kith::creases_by_angle(mesh, 50);
+        EXPECT_EQ(kith::vertex_types(mesh, sharp), kith::vertex_types(copy, kith::creases_by_angle(copy, 50)));
+        const kith::level_of<TypeParam> level(mesh);
+        for (const auto v : level.vertices()) {
+            const auto type = v.is_boundary() ? kith::vertex_type::boundary : kith::vertex_type::inner;
+            set_type(sharp, v, type, {}, 1, kith::boundary_corner::smoothed);
+            EXPECT_EQ(type_of(v, sharp, kith::boundary_corner::smoothed), type);
+        }
+        EXPECT_TRUE(sharp.empty());
+    }
+}
+
 TYPED_TEST_P(mesh_statements, negative_levels_are_refused)
 {
     EXPECT_THROW(kith::refine(TestFixture::make(shapes::tetrahedron()), typename TestFixture::scheme(), -1),
@@ -172,4 +192,5 @@ REGISTER_TYPED_TEST_SUITE_P(mesh_statements, is_a_refinable_mesh, the_users_mesh
                             a_native_mesh_is_refined_by_the_same_operations_there, the_refined_mesh_is_sound,
                             the_input_is_left_as_it_was, good_meshes_are_valid, a_mesh_without_faces_is_refused,
                             vertices_without_faces_are_refused, fans_that_only_meet_in_a_vertex_are_refused,
-                            sqrt3_twice_once_is_once_twice, negative_levels_are_refused, too_much_memory_is_refused);
+                            sqrt3_twice_once_is_once_twice, vertices_have_the_types_that_creases_give_them,
+                            negative_levels_are_refused, too_much_memory_is_refused);
