@@ -6,6 +6,7 @@
 #include "user_mesh.hpp"
 
 #include <kith/hierarchy.hpp>
+#include <kith/limit.hpp>
 #include <kith/refine.hpp>
 
 #include <gtest/gtest.h>
@@ -135,6 +136,37 @@ TYPED_TEST_P(golden_files, level_by_level_gives_the_same_bits_as_all_levels_at_o
     });
 }
 
+/// Where the file knows no mask there is none here either.
+TYPED_TEST_P(golden_files, limit_points_of_level_1)
+{
+    using mesh = typename TypeParam::mesh;
+    TypeParam::for_each([]<class Scheme>(const golden::file& f, const mesh& control, const Scheme& scheme) {
+        const auto& level = f.levels[1];
+        if (level.limit_points.empty())
+            return;
+        SCOPED_TRACE(f.name);
+        kith::hierarchy levels(control, scheme);
+        levels.refine();
+        using elements = kith::level_of<mesh>;
+        if constexpr (kith::has_limit_positions<Scheme, kith::vertex<elements>, elements>) {
+            const auto limits = limit_positions(levels.elements(1), levels.scheme(1));
+            for (std::size_t i = 0; i < level.limit_points.size(); ++i) {
+                const auto v = std::size_t(
+                    TestFixture::traits::index(levels[1], TestFixture::vertex_of(levels, level.keys[i])));
+                const auto& should_be = level.limit_points[i];
+                ASSERT_EQ(limits[v].has_value(), should_be.has_value()) << "golden vertex " << i;
+                if (not limits[v])
+                    continue;
+                const auto is = coordinates(*limits[v]);
+                for (std::size_t k = 0; k < 3; ++k)
+                    EXPECT_NEAR(is[k], (*should_be)[k], TestFixture::tolerance(f)) << "golden vertex " << i;
+            }
+        } else {
+            ADD_FAILURE() << "the scheme has no limit masks";
+        }
+    });
+}
+
 REGISTER_TYPED_TEST_SUITE_P(golden_files, each_vertex_of_level_1_is_found_by_its_tuple,
                             all_levels_have_the_golden_points_and_faces,
-                            level_by_level_gives_the_same_bits_as_all_levels_at_once);
+                            level_by_level_gives_the_same_bits_as_all_levels_at_once, limit_points_of_level_1);

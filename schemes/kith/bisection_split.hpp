@@ -19,6 +19,14 @@ struct bisection_split {
         return c == c.f().first_corner();
     }
 
+    /// Two triangles at a marked edge are a block, a quad; of a corner whose half-edge is a side of one, that of the next side.
+    /// Precondition: the marked edge of c's triangle does not lie at the boundary.
+    template <class Corner>
+    static Corner block_next(const Corner& c)
+    {
+        return c.next() == c.f().first_corner() ? c.next().across().next() : c.next();
+    }
+
     static constexpr auto columns()
     {
         const auto marked = [](const auto& e) { return is_marked(e); };

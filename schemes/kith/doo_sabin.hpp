@@ -61,6 +61,43 @@ struct doo_sabin {
         return j == 0 ? (l + 5) / (4 * l) : (3 + 2 * cos_turn(std::int64_t(j), std::int64_t(n))) / (4 * l);
     }
 
+    /// The centre of every face is on the limit surface, unless a boundary rule moves its corners. Doo & Sabin 1978.
+    template <class Level, class Use>
+    void limit_position(const face<Level>& f, const Use& use) const
+    {
+        if (not has_boundary_rule(f))
+            use(average(f.vertices()));
+    }
+    template <class Level, class Use>
+    void limit_tangents(const face<Level>& f, const Use& use) const
+    {
+        if (not has_boundary_rule(f))
+            with_waves(std::int64_t(f.degree()), [&](const auto& cosine, const auto& sine) {
+                use(sum(f.vertices(), cosine), sum(f.vertices(), sine));
+            });
+    }
+    /// A vertex becomes a face, so its limit is the centre of that. On the boundary the middle of its two points on the
+    /// quadratic B-spline, with the rule of the thesis; corners stay.
+    template <class Level, class Use>
+    void limit_position(const vertex<Level>& v, const Use& use) const
+    {
+        if (not v.is_boundary())
+            with_points(v, [&](const auto& points) { use(average(points)); });
+        else if (boundary == doo_sabin_boundary::thesis and v.face_count() == 1)
+            use(sum(v));
+        else if (boundary == doo_sabin_boundary::thesis)
+            use((v.first_rim() + 6. * v + v.last_rim()) / 8);
+    }
+    template <class Level, class Use>
+    void limit_tangents(const vertex<Level>& v, const Use& use) const
+    {
+        if (not v.is_boundary())
+            with_points(v, [&](const auto& points) {
+                with_waves(std::int64_t(v.face_count()),
+                           [&](const auto& cosine, const auto& sine) { use(sum(points, cosine), sum(points, sine)); });
+            });
+    }
+
     template <class R>
     void operator()(const R& r) const
     {
@@ -89,6 +126,29 @@ struct doo_sabin {
     }
 
 private:
+    template <class Level>
+    [[nodiscard]] bool has_boundary_rule(const face<Level>& f) const
+    {
+        return boundary != doo_sabin_boundary::drop and f.is_boundary();
+    }
+    template <class Use>
+    static void with_waves(std::int64_t n, const Use& use)
+    {
+        use([n](std::size_t j) { return cos_turn(std::int64_t(j), n); },
+            [n](std::size_t j) { return sin_turn(std::int64_t(j), n); });
+    }
+    /// The points that the next step makes around an inner vertex, unless a boundary rule decides about one of them.
+    template <class Level, class Use>
+    void with_points(const vertex<Level>& v, const Use& use) const
+    {
+        for (const auto f : v.faces())
+            if (boundary == doo_sabin_boundary::clamped and has_boundary_rule(f))
+                return;
+        use(v.corners().map([this](const auto& c) {
+            return sum(c.vertices_from_here(), [this, l = c.f().degree()](std::size_t j) { return weight(j, l); });
+        }));
+    }
+
     /// For each degree that occurs, the weights of a face's corners, counted from the one that the point belongs to.
     template <class Real, class Level>
     auto masks_by_degree(const Level& coarse) const

@@ -20,8 +20,8 @@ struct linear {
     static linear like(library) { return {}; }
 
     /// Nothing moves.
-    template <class V, class Use>
-    void limit_position(const V& v, const Use& use) const
+    template <class Level, class Use>
+    void limit_position(const vertex<Level>& v, const Use& use) const
     {
         use(sum(v));
     }
@@ -49,8 +49,8 @@ struct linear_triangles {
     static linear_triangles like(library) { return {}; }
 
     /// Nothing moves.
-    template <class V, class Use>
-    void limit_position(const V& v, const Use& use) const
+    template <class Level, class Use>
+    void limit_position(const vertex<Level>& v, const Use& use) const
     {
         use(sum(v));
     }

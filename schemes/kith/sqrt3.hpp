@@ -39,8 +39,8 @@ struct sqrt3 {
 
     /// Kobbelt 2000, section 4; on the boundary the ternary cubic B-spline. `use(mask)`, but for inner vertices of a face
     /// at the boundary, whose rings the odd steps cut.
-    template <class V, class Use>
-    void limit_position(const V& v, const Use& use) const
+    template <class Level, class Use>
+    void limit_position(const vertex<Level>& v, const Use& use) const
     {
         if (v.is_boundary())
             return use((v.first_rim() + 4. * v + v.last_rim()) / 6);
@@ -50,8 +50,8 @@ struct sqrt3 {
         use((1 - b) * v + b * average(v.neighbors()));
     }
     /// Two tangents, counter-clockwise, inside.
-    template <class V, class Use>
-    void limit_tangents(const V& v, const Use& use) const
+    template <class Level, class Use>
+    void limit_tangents(const vertex<Level>& v, const Use& use) const
     {
         const auto n = std::int64_t(v.valence());
         if (not v.is_boundary() and not touches_boundary_face(v))
