@@ -24,8 +24,7 @@ namespace {
 using level_type = kith::level_of<mesh3d>;
 
 /// 4 x 4 quads; vertices by row and column: 12 is the middle, 2 and 10 lie on the boundary, 0 is its corner.
-class vertex_types_of_a_grid : public testing::Test {
-protected:
+struct vertex_types_of_a_grid : testing::Test {
     auto edge(std::size_t a, std::size_t b) const { return kith::edge(level, edge_between(level, a, b)); }
     auto vertex(std::size_t v) const { return level.vertices()[v]; }
     vertex_type type(std::size_t v, boundary_corner corners = boundary_corner::kept) const
