@@ -21,6 +21,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -311,4 +312,55 @@ TEST(spectrum, linear)
             expect_position(local);
         }
     }
+}
+
+TEST(spectrum, four_eight_is_the_four_directional_box_spline)
+{
+    // (v) and (e) of a step, 1/2 + 1/8 four times and 1/4 four times: the symbol with each direction twice, degree six.
+    const auto mesh = kith::tri_quad(native(shapes::torus(6, 6)));
+    kith::hierarchy levels(mesh, kith::four_eight());
+    levels.refine(1);
+    const auto matrix = levels.matrix(0, 1);
+    for (std::size_t i = 0; i < matrix.rows(); ++i) {
+        std::vector<double> row(matrix.weight.begin() + std::ptrdiff_t(matrix.row_start[i]),
+                                matrix.weight.begin() + std::ptrdiff_t(matrix.row_start[i + 1]));
+        std::ranges::sort(row, std::greater());
+        EXPECT_EQ(row, i < 36 ? (std::vector{.5, .125, .125, .125, .125}) : (std::vector{.25, .25, .25, .25}));
+    }
+}
+
+namespace {
+
+/// Points of the plane with a cubic as their height.
+double cubic(double x, double y)
+{
+    return 1 + x - 2 * y + x * x / 2 - x * y + y * y / 4 + x * x * x / 8 - x * x * y / 3 + x * y * y - y * y * y / 5;
+}
+template <class Scheme>
+void expect_cubics(shapes::shape flat, const Scheme& scheme)
+{
+    for (auto& p : flat.points)
+        p[2] = cubic(p[0], p[1]);
+    const auto fine = kith::refine(native(flat), scheme, 1);
+    std::size_t inside = 0;
+    for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
+        const auto& p = fine.point(v);
+        if (p[0] < 3 or p[0] > 5 or p[1] < 3 or p[1] > 5)
+            continue;
+        EXPECT_NEAR(p[2], cubic(p[0], p[1]), 1e-12) << p[0] << ", " << p[1];
+        ++inside;
+    }
+    EXPECT_EQ(inside, 25U);
+}
+
+} // namespace
+
+TEST(spectrum, butterfly_reproduces_cubics)
+{
+    expect_cubics(shapes::triangulated(shapes::grid(8, 8)), kith::butterfly());
+}
+
+TEST(spectrum, kobbelt_reproduces_cubics)
+{
+    expect_cubics(shapes::grid(8, 8), kith::kobbelt());
 }
