@@ -92,10 +92,9 @@ struct creased_on_native {
     }
 };
 
-using other_schemes_on_native =
-    testing::Types<butterfly_on_native, four_eight_on_native, kobbelt_on_native, linear_on_native,
-                   linear_triangles_on_native, mid_edge_on_native, nasri_hasbini_on_native,
-                   creased_on_native<kith::catmull_clark>, creased_on_native<kith::loop>>;
+using other_schemes_on_native = testing::Types<
+    butterfly_on_native, four_eight_on_native, kobbelt_on_native, linear_on_native, linear_triangles_on_native,
+    mid_edge_on_native, nasri_hasbini_on_native, creased_on_native<kith::catmull_clark>, creased_on_native<kith::loop>>;
 
 } // namespace
 
@@ -117,9 +116,10 @@ void expect_golden_tags()
             const auto points = levels[int(n)].points();
             const auto number = [&](std::size_t golden_vertex) {
                 const auto& q = golden.vertices[golden_vertex];
-                return std::size_t(std::ranges::min_element(points, {}, [&q](const auto& p) {
-                                       return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-                                   }) - points.begin());
+                return std::size_t(
+                    std::ranges::min_element(
+                        points, {}, [&q](const auto& p) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }) -
+                    points.begin());
             };
             EXPECT_EQ(sharpness.edges().size(), golden.creases.size());
             EXPECT_EQ(sharpness.vertices().size(), golden.corners.size());

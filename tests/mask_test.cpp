@@ -110,9 +110,7 @@ TEST(mask, operands_may_be_listed_with_their_weights)
 
 TEST(mask, a_choice_evaluates_only_what_it_takes)
 {
-    const auto pick = [](bool first) {
-        return text(kith::choose(first, [] { return a + b; }, [] { return 2. * c; }));
-    };
+    const auto pick = [](bool first) { return text(kith::choose(first, [] { return a + b; }, [] { return 2. * c; })); };
     EXPECT_EQ(pick(true), "(a+b)");
     EXPECT_EQ(pick(false), "2*c");
     const auto unused = []() -> operand { throw std::logic_error("the other one was made"); };

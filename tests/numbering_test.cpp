@@ -101,11 +101,11 @@ TEST(numbering, knows_the_degree_of_all_new_faces_while_compiling)
 
 TEST(numbering, columns_may_depend_on_the_generation)
 {
-    const auto mesh = native(shapes::polygon(3));
+    const auto mesh = native(shapes::umbrella(5));
     const level_type level(mesh);
     const numbering_of<kith::sqrt3> even(level, kith::sqrt3::columns(0)), odd(level, kith::sqrt3::columns(1));
-    EXPECT_EQ(even.vertices.total(), 4U); // with the centre of the face
-    EXPECT_EQ(odd.vertices.total(), 9U);  // with two points on each edge instead
+    EXPECT_EQ(even.vertices.total(), 6U + 5U); // with the centres of the faces
+    EXPECT_EQ(odd.vertices.total(), 6U + 10U); // with two points on each boundary edge instead
 }
 
 TEST(numbering, refuses_more_elements_than_its_index_can_number)
