@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -130,12 +131,19 @@ public:
                       "MPI_Allreduce");
         return values;
     }
-    [[nodiscard]] std::uint64_t maximum(std::uint64_t value)
+    /// Collective: the least and the greatest of each, on all ranks; unlike sums of floats they do not depend on the order.
+    template <std::size_t N>
+    [[nodiscard]] std::array<double, N> minimum(std::array<double, N> values)
     {
-        detail::check(MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_UINT64_T, MPI_MAX, comm_), "MPI_Allreduce");
-        return value;
+        detail::check(MPI_Allreduce(MPI_IN_PLACE, values.data(), int(N), MPI_DOUBLE, MPI_MIN, comm_), "MPI_Allreduce");
+        return values;
     }
-    void barrier() { detail::check(MPI_Barrier(comm_), "MPI_Barrier"); }
+    template <std::size_t N>
+    [[nodiscard]] std::array<double, N> maximum(std::array<double, N> values)
+    {
+        detail::check(MPI_Allreduce(MPI_IN_PLACE, values.data(), int(N), MPI_DOUBLE, MPI_MAX, comm_), "MPI_Allreduce");
+        return values;
+    }
 
     /// Collective, between phases: when a rank brings a problem, all ranks throw the one of the lowest such rank, so that
     /// an error on one rank is one message and no hang. Errors: phase_error.

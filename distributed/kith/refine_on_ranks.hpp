@@ -8,6 +8,8 @@
 #include "partition.hpp"
 #include "refine_tile.hpp"
 
+#include <kith/validate.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -49,8 +51,8 @@ public:
     using job_type = tile_job<tile_type, Scheme>;
 
     /// Collective. `mesh` and `parts` are read on rank 0 only and must outlive this object there; `scheme` has the same
-    /// options on all ranks, its creases count on rank 0. Errors: phase_error for everything tile_cutter refuses and for
-    /// counts beyond 64 bits.
+    /// options on all ranks, its creases count on rank 0. Errors: phase_error for everything that `refine` refuses, for a
+    /// partition of another mesh and for counts beyond 64 bits.
     rank_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                     const partition& parts)
         : comm_(comm), scheme_(scheme)
@@ -59,6 +61,9 @@ public:
         in_agreement(comm, [&] {
             if (not comm.is_root())
                 return;
+            kith::detail::require_levels<Scheme>(levels);
+            validate(mesh).require_ok();
+            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh), mesh.generation());
             cutter_.emplace(mesh, scheme_, parts.part_of, parts.parts);
             packer out;
             out.add(cutter_->counts()).add(std::uint64_t(parts.parts));
