@@ -13,8 +13,7 @@
 
 /// Expects that the arrays of a mesh belong together: what schemes write directly must be what matching would find.
 template <class Index>
-class consistent {
-public:
+struct consistent {
     explicit consistent(const kith::connectivity<Index>& topology)
         : t(topology), corner_face(t.corners()), next(t.corners())
     {
@@ -35,7 +34,6 @@ public:
         expect_fans();
     }
 
-private:
     void expect_faces() const
     {
         ASSERT_EQ(t.corner_halfedge.size(), t.corners());

@@ -113,11 +113,11 @@ public:
     }
 
 private:
-    static constexpr std::array<tuple_kind, size> kinds_{Columns::kind...};
+    static constexpr std::array<tuple_kind, size> kinds{Columns::kind...};
 
     static std::size_t position(tuple_kind kind)
     {
-        return std::size_t(std::find(kinds_.begin(), kinds_.end(), kind) - kinds_.begin());
+        return std::size_t(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
     }
     [[nodiscard]] global_id rank(std::size_t i, global_id tuple) const
     {
