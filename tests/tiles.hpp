@@ -3,6 +3,7 @@
 
 #include <kith/cut_tiles.hpp>
 #include <kith/refine.hpp>
+#include <kith/refine_tile.hpp>
 
 #include <algorithm>
 #include <cstddef>

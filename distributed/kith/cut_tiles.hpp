@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "refine_tile.hpp"
+#include "corners_at_vertices.hpp"
+#include "reach.hpp"
+#include "submesh.hpp"
+#include "tile_job.hpp"
+#include "whole_numbering.hpp"
 
 #include <kith/error.hpp>
 
@@ -13,13 +17,6 @@
 #include <vector>
 
 namespace kith {
-
-/// A tile of level 0 and the scheme for it, whose creases are numbered as the tile is.
-template <class Tile, class Scheme>
-struct tile_job {
-    Tile part;
-    Scheme scheme;
-};
 
 /// Cuts tiles out of a control mesh that is here as a whole. Meshes of other libraries are lifted first (`lift`): then the
 /// global ids are their numbers, removed elements left out.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cut_tiles.hpp"
+#include "tile_job.hpp"
 
 #include <kith/error.hpp>
 #include <kith/hash_value.hpp>
@@ -144,6 +144,17 @@ inline std::uint64_t checksum_of_bytes(std::span<const std::byte> bytes)
     return sum;
 }
 
+/// All arrays of a tile but its points, in the order of a message. `t` is the topology of its mesh.
+template <class Topology, class Tile, class F>
+void for_each_array(Topology& t, Tile& part, const F& f)
+{
+    f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner), f(t.vertex_corner);
+    f(t.face_corner), f(t.corner_face), f(part.root_of);
+    f(part.vertex_ids), f(part.edge_ids), f(part.face_ids);
+    f(part.first_corner_ids), f(part.corners_before), f(part.roots);
+    f(part.vertex_marks), f(part.edge_marks), f(part.face_marks);
+}
+
 } // namespace detail
 
 /// A tile and the state of its scheme as one message. Cost: O(elements).
@@ -157,19 +168,7 @@ std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
     out.add(detail::kind_of_message<Point, Index>());
     out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(part.mesh.generation());
     out.add_array(part.mesh.points());
-    for (const auto* array : {&t.corner_vertex,
-                              &t.corner_halfedge,
-                              &t.halfedge_corner,
-                              &t.vertex_corner,
-                              &t.face_corner,
-                              &t.corner_face,
-                              &part.root_of})
-        out.add_array(*array);
-    for (const auto* array :
-         {&part.vertex_ids, &part.edge_ids, &part.face_ids, &part.first_corner_ids, &part.corners_before, &part.roots})
-        out.add_array(*array);
-    for (const auto* array : {&part.vertex_marks, &part.edge_marks, &part.face_marks})
-        out.add_array(*array);
+    detail::for_each_array(t, part, [&](const auto& array) { out.add_array(array); });
     detail::pack_scheme(out, job.scheme);
     auto bytes = out.take();
     const std::uint64_t sum = detail::checksum_of_bytes(bytes);
@@ -200,19 +199,7 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
     t.degree = in.get<int>();
     const int generation = in.get<int>();
     auto points = in.get_array<storage<Point>>();
-    for (auto* array : {&t.corner_vertex,
-                        &t.corner_halfedge,
-                        &t.halfedge_corner,
-                        &t.vertex_corner,
-                        &t.face_corner,
-                        &t.corner_face,
-                        &part.root_of})
-        *array = in.get_array<storage<Index>>();
-    for (auto* array :
-         {&part.vertex_ids, &part.edge_ids, &part.face_ids, &part.first_corner_ids, &part.corners_before, &part.roots})
-        *array = in.get_array<storage<global_id>>();
-    for (auto* array : {&part.vertex_marks, &part.edge_marks, &part.face_marks})
-        *array = in.get_array<storage<unsigned char>>();
+    detail::for_each_array(t, part, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
     detail::unpack_scheme(in, scheme);
     if (not in.is_at_end())
         throw pack_error("a message is longer than what it holds");

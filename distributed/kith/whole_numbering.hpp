@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tile.hpp"
+#include "whole_tuple.hpp"
 
 #include <kith/columns.hpp>
 #include <kith/error.hpp>
@@ -48,24 +49,6 @@ inline global_id add_ids(global_id a, global_id b)
     return sum;
 }
 
-/// The number of a tuple of a tile's level among those of the whole level.
-template <class Tile, class Level>
-global_id tuple_id(const Tile& tile, const Level& level, tuple_kind kind, std::size_t tuple)
-{
-    const auto corner = [&](std::size_t c) {
-        const auto f = level.corners()[c].f();
-        return tile.corner_id(f.index(), c - f.first_corner().index());
-    };
-    switch (kind) {
-    case tuple_kind::v: return tile.vertex_ids[tuple];
-    case tuple_kind::e: return tile.edge_ids[tuple];
-    case tuple_kind::f: return tile.face_ids[tuple];
-    case tuple_kind::ve: return tile.end_id(tuple / 2, tuple % 2);
-    case tuple_kind::vfe: return 2 * corner(tuple / 2) + tuple % 2;
-    default: return corner(tuple);
-    }
-}
-
 template <class Where>
 inline constexpr bool is_picky = not std::same_as<Where, everywhere>;
 
@@ -94,22 +77,22 @@ public:
     /// The corners of all new faces.
     [[nodiscard]] global_id total_corners() const { return first_corner_[size]; }
 
-    /// The id that belongs to a tuple, given by its number in the whole coarse level. Precondition: the scheme makes one.
-    [[nodiscard]] global_id id(tuple_kind kind, global_id tuple) const
+    /// The id that belongs to a tuple. Precondition: the scheme makes one.
+    [[nodiscard]] global_id id(const whole_tuple& tuple) const
     {
-        const std::size_t i = position(kind);
+        const std::size_t i = position(tuple.kind);
         return base_[i] + rank(i, tuple);
     }
-    /// The first corner of a new face; `coarse_corners` are the corners of the coarse faces (of the coarse vertices) with
-    /// a smaller number, where the degree of the new face is that of a face (the number of faces at a vertex).
-    [[nodiscard]] global_id first_corner(tuple_kind kind, global_id tuple, global_id coarse_corners) const
+    /// The first corner of a new face. Where its degree is that of a face (the number of faces at a vertex) the tuple has
+    /// to know the corners before it.
+    [[nodiscard]] global_id first_corner(const whole_tuple& tuple) const
     {
-        const std::size_t i = position(kind);
+        const std::size_t i = position(tuple.kind);
         if (degree_[i] != 0)
             return first_corner_[i] + global_id(degree_[i]) * rank(i, tuple);
-        const auto before = std::lower_bound(exceptions_[i].begin(), exceptions_[i].end(), tuple);
+        const auto before = std::lower_bound(exceptions_[i].begin(), exceptions_[i].end(), tuple.id);
         const std::ptrdiff_t n = before - exceptions_[i].begin();
-        return first_corner_[i] + coarse_corners + global_id(n == 0 ? 0 : corners_more_[i][std::size_t(n - 1)]);
+        return first_corner_[i] + tuple.corners_before + global_id(n == 0 ? 0 : corners_more_[i][std::size_t(n - 1)]);
     }
 
 private:
@@ -119,13 +102,13 @@ private:
     {
         return std::size_t(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
     }
-    [[nodiscard]] global_id rank(std::size_t i, global_id tuple) const
+    [[nodiscard]] global_id rank(std::size_t i, const whole_tuple& tuple) const
     {
         if (exceptions_[i].empty())
-            return tuple;
-        const auto before = std::lower_bound(exceptions_[i].begin(), exceptions_[i].end(), tuple);
+            return tuple.id;
+        const auto before = std::lower_bound(exceptions_[i].begin(), exceptions_[i].end(), tuple.id);
         const auto n = global_id(before - exceptions_[i].begin());
-        return exceptions_are_all_[i] ? n : tuple - excluded_before(i, std::size_t(n));
+        return exceptions_are_all_[i] ? n : tuple.id - excluded_before(i, std::size_t(n));
     }
     /// Of the first n exceptions those that the column leaves out.
     [[nodiscard]] global_id excluded_before(std::size_t i, std::size_t n) const
@@ -150,7 +133,7 @@ private:
         if constexpr (detail::is_picky<Where>) {
             std::vector<std::pair<global_id, std::size_t>> found;
             for_boundary_tuples<Kind>(rim, level, [&](std::size_t tuple) {
-                found.emplace_back(detail::tuple_id(rim, level, Kind, tuple), tuple);
+                found.emplace_back(detail::in_whole(rim, level, Kind, tuple).id, tuple);
             });
             std::sort(found.begin(), found.end());
             exceptions_are_all_[i] = not Where::inner;
@@ -243,5 +226,9 @@ struct whole_numbering {
         return {vertices.total(), edges.total(), faces.total(), faces.total_corners()};
     }
 };
+
+/// The columns of a scheme.
+template <class Scheme>
+using columns_type = decltype(columns_of(std::declval<const Scheme&>(), 0));
 
 } // namespace kith

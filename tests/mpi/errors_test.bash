@@ -1,17 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # errors_test.bash KITH KITH_MPI SHIM: what goes wrong on ranks ends the job, soon, with one message and no file.
-source "$(dirname "$0")/../tool/check.bash"
-kith_mpi=$2
-shim=$3
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-export OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
-on() {
-    local ranks=$1
-    shift
-    command="mpirun -n $ranks kith-mpi $*"
-    timeout 30 mpirun -n "$ranks" "$kith_mpi" "$@" >"$results/out" 2>"$results/err" </dev/null
-    code=$?
-}
+source "$(dirname "$0")/on_ranks.bash"
 one_message() { check "should say one thing" test "$(grep -c '^kith-mpi: ' "$results/err")" -eq 1; }
 
 cube >cube.off

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile.hpp"
+#include "whole_numbering.hpp"
+
+#include <kith/lift.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+namespace detail {
+
+template <class List>
+inline constexpr bool counts_faces_at_vertices = false;
+template <class... C>
+inline constexpr bool counts_faces_at_vertices<new_faces<C...>> = ((C::kind == tuple_kind::v and not requires {
+                                                                       decltype(C::degree)::value;
+                                                                   }) or ...);
+
+} // namespace detail
+
+/// A scheme whose tiles need `tile::corners_before`: Doo-Sabin, mid-edge.
+template <class Scheme>
+inline constexpr bool numbers_corners_at_vertices =
+    detail::counts_faces_at_vertices<decltype(columns_type<Scheme>::faces)>;
+
+/// For schemes with faces that have as many corners as a vertex has faces: how many corners the vertices before a vertex
+/// have. Inside, all vertices that such a scheme makes have four faces; those at the boundary are listed.
+class corners_at_vertices {
+public:
+    corners_at_vertices() = default;
+    template <class Tile>
+    explicit corners_at_vertices(const Tile& rim)
+    {
+        const level_of<decltype(rim.mesh)> level(rim.mesh);
+        std::vector<std::pair<global_id, global_id>> found;
+        for (const auto v : level.vertices())
+            if (v.is_boundary() and rim.owns_vertex(v.index()))
+                found.emplace_back(rim.vertex_ids[v.index()], v.face_count());
+        std::sort(found.begin(), found.end());
+        std::int64_t fewer = 0;
+        for (const auto& [id, faces] : found) {
+            vertices_.push_back(id);
+            fewer_.push_back(fewer += 4 - std::int64_t(faces));
+        }
+    }
+
+    [[nodiscard]] global_id before(global_id vertex) const
+    {
+        const auto n = std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin();
+        return 4 * vertex - global_id(n == 0 ? 0 : fewer_[std::size_t(n - 1)]);
+    }
+    /// Gives all vertices of a tile these numbers.
+    template <class Tile>
+    void number(Tile& tile) const
+    {
+        tile.corners_before = storage<global_id>(tile.vertex_ids.size());
+        for (std::size_t v = 0; v < tile.vertex_ids.size(); ++v)
+            tile.corners_before[v] = before(tile.vertex_ids[v]);
+    }
+
+private:
+    std::vector<global_id> vertices_;
+    std::vector<std::int64_t> fewer_; // than four, in sum
+};
+
+} // namespace kith
