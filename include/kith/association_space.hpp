@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "association.hpp"
+#include "association_faults.hpp"
 #include "basic_mesh.hpp"
 #include "for_each.hpp"
 #include "match.hpp"
@@ -127,6 +127,18 @@ private:
     template <class, tuple_kind> friend class face_association;
     template <class> friend class dictionary_association;
 
+    /// The elements of a trusted scheme touch, which the compiler is told, so that it need not look.
+    template <tuple_kind Kind, element... X>
+    static void require_incident(tuple_index<Kind> tuple, const char* target, const X&... x)
+    {
+        if (tuple.value == tuple.not_incident) [[unlikely]] {
+            if constexpr (Checked)
+                faults::not_incident(target, x...);
+            else
+                __builtin_unreachable();
+        }
+    }
+
     template <tuple_kind Kind, element... X>
     auto vertex(tuple_index<Kind> tuple, const X&... x) const
     {
@@ -141,23 +153,20 @@ private:
                 incident and has_vertices<Kind> ? tuple.value
                                                 : dictionary_association<const association_space>::no_edge);
         } else {
-            if (tuple.value == tuple.not_incident) [[unlikely]]
-                refuse_not_incident("V", list_tuple(x...));
+            require_incident(tuple, "V", x...);
             return vertex_association<const association_space, Kind>(*this, tuple.value);
         }
     }
     template <tuple_kind Kind, element... X>
     auto edge(tuple_index<Kind> tuple, const X&... x) const
     {
-        if (tuple.value == tuple.not_incident) [[unlikely]]
-            refuse_not_incident("E", list_tuple(x...));
+        require_incident(tuple, "E", x...);
         return edge_association<const association_space, Kind>(*this, tuple.value);
     }
     template <tuple_kind Kind, element... X>
     auto face(tuple_index<Kind> tuple, const X&... x) const
     {
-        if (tuple.value == tuple.not_incident) [[unlikely]]
-            refuse_not_incident("F", list_tuple(x...));
+        require_incident(tuple, "F", x...);
         return face_association<const association_space, Kind>(*this, tuple.value);
     }
 
@@ -169,11 +178,10 @@ private:
         const index_type id = ids_.vertices.template id<Kind>(tuple);
         if constexpr (not decltype(Numbering::vertices)::template is_full<Kind>)
             if (id == none) [[unlikely]]
-                refuse_absent(Kind, tuple, "V");
+                faults::refuse(*coarse_, Kind, tuple, faults::absent_vertex);
         if constexpr (Checked)
             if (not std::atomic_ref(vertex_is_set_[id]).load(std::memory_order_relaxed)) [[unlikely]]
-                throw association_error("assoc" + to_string(list_tuple(*coarse_, Kind, tuple)) +
-                                        " -> V is read before it is set");
+                faults::refuse(*coarse_, Kind, tuple, faults::vertex_read_early);
         return id;
     }
     template <tuple_kind Kind, class Mask>
@@ -182,11 +190,11 @@ private:
         const index_type id = ids_.vertices.template id<Kind>(tuple);
         if constexpr (not decltype(Numbering::vertices)::template is_full<Kind>)
             if (id == none) [[unlikely]]
-                refuse_absent(Kind, tuple, "V");
+                faults::refuse(*coarse_, Kind, tuple, faults::absent_vertex);
         values_->assign(id, mask.evaluate(*values_));
         if constexpr (Checked)
             if (std::atomic_ref(vertex_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
-                throw association_error("assoc" + to_string(list_tuple(*coarse_, Kind, tuple)) + " -> V is set twice");
+                faults::refuse(*coarse_, Kind, tuple, faults::vertex_set_twice);
     }
     // Masks read each association in its own space, so that they may join those of several passes.
     [[nodiscard]] decltype(auto) vertex_value(index_type id) const { return values_->fine(id); }
@@ -198,7 +206,7 @@ private:
         const index_type id = ids_.edges.template id<Kind>(tuple);
         if constexpr (not decltype(Numbering::edges)::template is_full<Kind>)
             if (id == none) [[unlikely]]
-                refuse_absent(Kind, tuple, "E");
+                faults::refuse(*coarse_, Kind, tuple, faults::absent_edge);
         return id;
     }
     template <tuple_kind Kind>
@@ -207,7 +215,7 @@ private:
         const index_type id = ids_.faces.template id<Kind>(tuple);
         if constexpr (not decltype(Numbering::faces)::template is_full<Kind>)
             if (id == none) [[unlikely]]
-                refuse_absent(Kind, tuple, "F");
+                faults::refuse(*coarse_, Kind, tuple, faults::absent_face);
         return id;
     }
     template <tuple_kind Kind, class Lines>
@@ -217,8 +225,7 @@ private:
             const index_type id = face_id<Kind>(tuple);
             if constexpr (Checked)
                 if (std::atomic_ref(face_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
-                    throw association_error("assoc" + to_string(list_tuple(*coarse_, Kind, tuple)) +
-                                            " -> F is set twice");
+                    faults::refuse(*coarse_, Kind, tuple, faults::face_set_twice);
             const index_type first = first_corner(id);
             index_type corner = first;
             for (const face_line<index_type>& line : lines) {
@@ -236,7 +243,7 @@ private:
             }
             if constexpr (Checked)
                 if (corner != first_corner(id + 1))
-                    refuse_degree(Kind, tuple, corner - first, first_corner(id + 1) - first);
+                    faults::wrong_degree(*coarse_, Kind, tuple, corner - first, first_corner(id + 1) - first);
         }
     }
     [[nodiscard]] index_type first_corner(std::size_t face) const
@@ -257,59 +264,40 @@ private:
     // The dictionary.
 
     template <class Mask>
-    void make_listed_vertex(const tuple_elements& tuple, const Mask& mask) const
+    [[gnu::noinline]] void make_listed_vertex(const tuple_elements& tuple, const Mask& mask) const
     {
         const auto id = index_type(ids_.vertices.total() + values_->listed_count());
         auto value = mask.evaluate(*values_);
         list_vertex(tuple, id);
         values_->append(std::move(value));
     }
-    void list_vertex(const tuple_elements& tuple, index_type id) const
+    [[gnu::noinline]] void list_vertex(const tuple_elements& tuple, index_type id) const
     {
         if (not dictionary_.emplace(tuple, id).second)
-            throw association_error("assoc" + to_string(tuple) + " -> V is set twice");
+            faults::refuse(tuple, faults::vertex_set_twice);
     }
-    [[nodiscard]] index_type listed_vertex(const tuple_elements& tuple) const
+    [[nodiscard, gnu::noinline]] index_type listed_vertex(const tuple_elements& tuple) const
     {
         const auto found = dictionary_.find(tuple);
         if (found == dictionary_.end())
-            throw association_error("assoc" + to_string(tuple) + " -> V is read before it is set");
+            faults::refuse(tuple, faults::vertex_read_early);
         return found->second;
     }
-
-    // Errors, out of the way of the loops.
 
     template <tuple_kind Kind>
     static constexpr bool has_vertices = decltype(Numbering::vertices)::template has<Kind>;
 
-    [[noreturn, gnu::noinline]] static void refuse_not_incident(const char* target, const tuple_elements& tuple)
-    {
-        throw association_error("assoc" + to_string(tuple) + " -> " + target + ": the elements do not touch");
-    }
-    [[noreturn, gnu::noinline]] void refuse_absent(tuple_kind kind, std::size_t tuple, const char* target) const
-    {
-        throw association_error("assoc" + to_string(list_tuple(*coarse_, kind, tuple)) + " -> " + target +
-                                ": the columns of the scheme leave this tuple out");
-    }
-    [[noreturn, gnu::noinline]] void refuse_degree(tuple_kind kind, std::size_t tuple, std::size_t has,
-                                                   std::size_t declared) const
-    {
-        throw association_error("assoc" + to_string(list_tuple(*coarse_, kind, tuple)) + " -> F has " +
-                                std::to_string(has) + " vertices, its column says " + std::to_string(declared));
-    }
     [[gnu::noinline]] void check_line(tuple_kind kind, std::size_t tuple, index_type id, index_type corner,
                                       const face_line<index_type>& line) const
     {
         if (corner >= first_corner(id + 1))
-            refuse_degree(kind, tuple, corner - first_corner(id) + 1, first_corner(id + 1) - first_corner(id));
+            faults::wrong_degree(
+                *coarse_, kind, tuple, corner - first_corner(id) + 1, first_corner(id + 1) - first_corner(id));
         if constexpr (Connect == connect::everything and Numbering::has_edges) {
             if (line.halfedge == none)
-                throw association_error("assoc" + to_string(list_tuple(*coarse_, kind, tuple)) +
-                                        " -> F: the scheme declares edges, so each line needs its side: v >> side");
+                faults::refuse(*coarse_, kind, tuple, faults::no_side);
             if (fine_->halfedge_corner[line.halfedge] != none)
-                throw association_error("assoc" + to_string(list_tuple(*coarse_, kind, tuple)) + " -> F: side " +
-                                        std::to_string(line.halfedge % 2) + " of new edge " +
-                                        std::to_string(line.halfedge / 2) + " has a face already");
+                faults::taken_side(*coarse_, kind, tuple, line.halfedge);
         }
     }
 
@@ -320,76 +308,5 @@ private:
     mutable std::vector<unsigned char> vertex_is_set_, face_is_set_; // Checked only
     mutable std::map<tuple_elements, index_type> dictionary_;
 };
-
-namespace detail {
-
-/// What a pass has of its own; a base, so that it is there before the space that refers to it.
-template <class Numbering, class Values>
-struct pass_parts {
-    Numbering ids;
-    Values values;
-    connectivity<typename Numbering::index_type> nothing;
-};
-
-} // namespace detail
-
-/// The association space of one of the passes of a step; thesis 4.1, chained. Its vertices are of no level: they are set
-/// and read as others are and go with it.
-template <class Level, class Numbering, class Values, bool Checked>
-class pass_space : detail::pass_parts<Numbering, Values>,
-                   public association_space<Level, Numbering, Values, connect::nothing, Checked> {
-    using parts = detail::pass_parts<Numbering, Values>;
-    using space = association_space<Level, Numbering, Values, connect::nothing, Checked>;
-
-public:
-    pass_space(const Level& coarse, const typename Numbering::columns_type& columns, const Values& step)
-        : parts{{coarse, columns}, step.another(), {}}, space(coarse, parts::ids, parts::values, parts::nothing)
-    {
-        parts::values.allocate(parts::ids.vertices.total());
-    }
-    pass_space(const pass_space&) = delete;
-    pass_space& operator=(const pass_space&) = delete;
-
-    /// The same space to be written anew, in the same memory.
-    const pass_space& again() const
-    {
-        space::forget_what_is_set();
-        return *this;
-    }
-};
-
-namespace detail {
-template <class Index>
-Index index_of_line(const face_line<Index>&);
-template <class Association>
-typename Association::index index_of_line(const Association&);
-} // namespace detail
-
-/// A new face: its vertices counter-clockwise, each with the side that leaves it (`assoc(v, V) >> side`); the sides may
-/// be left out where the scheme declares no edges.
-template <class First, class... More>
-    requires(sizeof...(More) >= 2)
-auto polygon(const First& first, const More&... more)
-{
-    using line = face_line<decltype(detail::index_of_line(first))>;
-    return std::array<line, 1 + sizeof...(More)>{line(first), line(more)...};
-}
-
-/// The same from a range of elements and the line that each of them gives.
-template <class Range, class LineOf>
-auto polygon(const Range& range, const LineOf& line_of)
-{
-    using line = face_line<decltype(detail::index_of_line(line_of(*range.begin())))>;
-    return range.map([&line_of](const auto& x) { return line(line_of(x)); });
-}
-
-/// The same from a range of associations: polygon(assoc(f, f.vertices(), V)).
-template <class Range>
-    requires mask_range<Range>
-auto polygon(const Range& range)
-{
-    using line = face_line<typename decltype(*range.begin())::index>;
-    return range.map([](const auto& association) { return line(association); });
-}
 
 } // namespace kith

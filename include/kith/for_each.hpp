@@ -3,6 +3,7 @@
 
 #include "elements.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <concepts>
 #include <cstddef>
@@ -45,6 +46,38 @@ void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& bod
     body(std::size_t(0), size);
 }
 
+/// A level that knows a better order for its elements than that of their numbers goes through them by faces: the faces of
+/// a refined level follow a quadtree, and the neighbourhoods that are met in that order lie close together in memory; in
+/// the order of their numbers every ring would be fetched anew.
+template <class Level>
+concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level::vertex_handle),
+                                    void (*g)(typename Level::edge_handle)) {
+    level.for_vertices_of(0, 0, f);
+    level.for_edges_of(0, 0, g);
+};
+
+/// Calls f on the elements that belong to the faces [begin, end), or on those with these numbers. All that f calls is
+/// inlined: a mask is a tree of small functions, and one that stays a call in the innermost loop costs more than the
+/// arithmetic.
+template <class Level, class Element, class F>
+[[gnu::flatten]] void for_part(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
+                               const F& f)
+{
+    const Level& level = range.level();
+    if constexpr (ordered_by_faces<Level> and std::same_as<Element, vertex<Level>>) {
+        level.for_vertices_of(begin, end, [&](auto v) { f(vertex<Level>(level, v)); });
+    } else if constexpr (ordered_by_faces<Level> and std::same_as<Element, edge<Level>>) {
+        level.for_edges_of(begin, end, [&](auto e) { f(edge<Level>(level, e)); });
+    } else {
+        if constexpr (ordered_by_faces<Level> and std::same_as<Element, corner<Level>>) {
+            begin = level.corners_before(begin);
+            end = level.corners_before(end);
+        }
+        for (std::size_t i = begin; i < end; ++i)
+            f(range[i]);
+    }
+}
+
 } // namespace detail
 
 /// Calls f on every element of a range such as `coarse.faces()`. The order is not promised: bodies must write only what
@@ -52,18 +85,9 @@ void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& bod
 template <class Level, class Element, class F>
 void for_each(const all_elements<Level, Element>& range, const F& f)
 {
-    if constexpr (std::same_as<Element, vertex<Level>> and requires { range.level().for_vertices_of(0, 0, f); }) {
-        // The faces of a refined level follow a quadtree, and the rings of vertices that are met in that order lie close
-        // together in memory; in the order of their numbers every ring would be fetched anew.
-        detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
-            range.level().for_vertices_of(begin, end, [&](auto v) { f(vertex<Level>(range.level(), v)); });
-        });
-        return;
-    }
-    detail::for_parts(range.size(), Level::parallel, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            f(range[i]);
-    });
+    const std::size_t size = detail::ordered_by_faces<Level> ? range.level().face_count() : range.size();
+    detail::for_parts(
+        size, Level::parallel, [&](std::size_t begin, std::size_t end) { detail::for_part(range, begin, end, f); });
 }
 
 } // namespace kith

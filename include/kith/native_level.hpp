@@ -118,6 +118,8 @@ public:
     }
     [[nodiscard]] const Point& point(vertex_handle v) const { return points_[v.value]; }
 
+    /// How many corners the faces before this one have. Precondition: face <= face_count().
+    [[nodiscard]] std::size_t corners_before(std::size_t face) const { return first(face_handle{Index(face)}).value; }
     /// Calls f on each vertex whose fan starts in one of the faces [begin, end).
     template <class F>
     void for_vertices_of(std::size_t begin, std::size_t end, const F& f) const
@@ -126,6 +128,16 @@ public:
         for (Index c = first(face_handle{Index(begin)}).value; c < last; ++c)
             if (const vertex_handle v = vertex_of({c}); vertex_corner_[v.value] == c)
                 f(v);
+    }
+
+    /// Calls f on each edge whose left side is in one of the faces [begin, end).
+    template <class F>
+    void for_edges_of(std::size_t begin, std::size_t end, const F& f) const
+    {
+        const Index last = first(face_handle{Index(end)}).value;
+        for (Index c = first(face_handle{Index(begin)}).value; c < last; ++c)
+            if (const Index halfedge = corner_halfedge_[c]; halfedge % 2 == 0)
+                f(edge_handle{Index(halfedge / 2)});
     }
 
 private:

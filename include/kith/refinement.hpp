@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "association_space.hpp"
+#include "pass_space.hpp"
+#include "polygon.hpp"
 #include "values.hpp"
 
 #include <string>

@@ -145,7 +145,7 @@ auto index_tuple(const A& a, const B& b, const C& c)
 using tuple_elements = std::vector<std::pair<char, std::size_t>>;
 
 template <element... X>
-tuple_elements list_tuple(const X&... x)
+[[gnu::noinline]] tuple_elements list_tuple(const X&... x)
 {
     tuple_elements result;
     const auto add = [&](const auto& y) {
@@ -163,7 +163,7 @@ tuple_elements list_tuple(const X&... x)
 
 /// The elements of the tuple with this kind and index: the inverse of index_tuple.
 template <class Level>
-tuple_elements list_tuple(const Level& level, tuple_kind kind, std::size_t index)
+[[gnu::noinline]] tuple_elements list_tuple(const Level& level, tuple_kind kind, std::size_t index)
 {
     switch (kind) {
     case tuple_kind::v: return {{'v', index}};
@@ -186,7 +186,7 @@ tuple_elements list_tuple(const Level& level, tuple_kind kind, std::size_t index
     return {};
 }
 
-inline std::string to_string(const tuple_elements& tuple)
+[[gnu::noinline]] inline std::string to_string(const tuple_elements& tuple)
 {
     std::string result = "(";
     for (const auto& [letter, index] : tuple)

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "association_space.hpp"
+
+namespace kith {
+
+namespace detail {
+
+/// What a pass has of its own; a base, so that it is there before the space that refers to it.
+template <class Numbering, class Values>
+struct pass_parts {
+    Numbering ids;
+    Values values;
+    connectivity<typename Numbering::index_type> nothing;
+};
+
+} // namespace detail
+
+/// The association space of one of the passes of a step; thesis 4.1, chained. Its vertices are of no level: they are set
+/// and read as others are and go with it.
+template <class Level, class Numbering, class Values, bool Checked>
+class pass_space : detail::pass_parts<Numbering, Values>,
+                   public association_space<Level, Numbering, Values, connect::nothing, Checked> {
+    using parts = detail::pass_parts<Numbering, Values>;
+    using space = association_space<Level, Numbering, Values, connect::nothing, Checked>;
+
+public:
+    pass_space(const Level& coarse, const typename Numbering::columns_type& columns, const Values& step)
+        : parts{{coarse, columns}, step.another(), {}}, space(coarse, parts::ids, parts::values, parts::nothing)
+    {
+        parts::values.allocate(parts::ids.vertices.total());
+    }
+    pass_space(const pass_space&) = delete;
+    pass_space& operator=(const pass_space&) = delete;
+
+    /// The same space to be written anew, in the same memory.
+    const pass_space& again() const
+    {
+        space::forget_what_is_set();
+        return *this;
+    }
+};
+
+} // namespace kith

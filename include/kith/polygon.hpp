@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "association.hpp"
+
+#include <array>
+
+namespace kith {
+
+namespace detail {
+template <class Index>
+Index index_of_line(const face_line<Index>&);
+template <class Association>
+typename Association::index index_of_line(const Association&);
+} // namespace detail
+
+/// A new face: its vertices counter-clockwise, each with the side that leaves it (`assoc(v, V) >> side`); the sides may
+/// be left out where the scheme declares no edges.
+template <class First, class... More>
+    requires(sizeof...(More) >= 2)
+auto polygon(const First& first, const More&... more)
+{
+    using line = face_line<decltype(detail::index_of_line(first))>;
+    return std::array<line, 1 + sizeof...(More)>{line(first), line(more)...};
+}
+
+/// The same from a range of elements and the line that each of them gives.
+template <class Range, class LineOf>
+auto polygon(const Range& range, const LineOf& line_of)
+{
+    using line = face_line<decltype(detail::index_of_line(line_of(*range.begin())))>;
+    return range.map([&line_of](const auto& x) { return line(line_of(x)); });
+}
+
+/// The same from a range of associations: polygon(assoc(f, f.vertices(), V)).
+template <class Range>
+    requires mask_range<Range>
+auto polygon(const Range& range)
+{
+    using line = face_line<typename decltype(*range.begin())::index>;
+    return range.map([](const auto& association) { return line(association); });
+}
+
+} // namespace kith
