@@ -83,12 +83,10 @@ public:
         const std::uint64_t size = bytes.size();
         detail::check(MPI_Send(&size, 1, MPI_UINT64_T, to, size_tag, comm_), "MPI_Send");
         count_sent(sizeof size);
-        while (not bytes.empty()) {
-            const auto piece = bytes.first(std::min(bytes.size(), largest_));
+        for_each_piece(bytes, [&](std::span<const std::byte> piece) {
             detail::check(MPI_Send(piece.data(), int(piece.size()), MPI_BYTE, to, bytes_tag, comm_), "MPI_Send");
             count_sent(piece.size());
-            bytes = bytes.subspan(piece.size());
-        }
+        });
     }
     /// From one rank or, for any_rank, from whoever sends first; that rank is stored then.
     std::vector<std::byte> receive(int& from)
@@ -99,16 +97,45 @@ public:
         from = status.MPI_SOURCE;
         count_received(sizeof size);
         std::vector<std::byte> bytes(size);
-        for (std::size_t at = 0; at < bytes.size();) {
-            const std::size_t piece = std::min(bytes.size() - at, largest_);
-            detail::check(MPI_Recv(bytes.data() + at, int(piece), MPI_BYTE, from, bytes_tag, comm_, MPI_STATUS_IGNORE),
-                          "MPI_Recv");
-            count_received(piece);
-            at += piece;
-        }
+        for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
+            detail::check(
+                MPI_Recv(piece.data(), int(piece.size()), MPI_BYTE, from, bytes_tag, comm_, MPI_STATUS_IGNORE),
+                "MPI_Recv");
+            count_received(piece.size());
+        });
         return bytes;
     }
     static constexpr int any_rank = MPI_ANY_SOURCE;
+
+    /// Local: starts a message of a size that the other side knows, which calls start_receive for it; the bytes stay
+    /// where they are until `requests`, to which this appends, have been waited for.
+    void start_send(std::span<const std::byte> bytes, int to, std::vector<MPI_Request>& requests)
+    {
+        for_each_piece(bytes, [&](std::span<const std::byte> piece) {
+            detail::check(
+                MPI_Isend(piece.data(), int(piece.size()), MPI_BYTE, to, known_tag, comm_, &requests.emplace_back()),
+                "MPI_Isend");
+            count_sent(piece.size());
+        });
+    }
+    void start_receive(std::span<std::byte> bytes, int from, std::vector<MPI_Request>& requests)
+    {
+        for_each_piece(bytes, [&](std::span<std::byte> piece) {
+            detail::check(
+                MPI_Irecv(piece.data(), int(piece.size()), MPI_BYTE, from, known_tag, comm_, &requests.emplace_back()),
+                "MPI_Irecv");
+            count_received(piece.size());
+        });
+    }
+
+    /// Collective: one number from each rank to each, by rank.
+    [[nodiscard]] std::vector<std::uint64_t> to_each(const std::vector<std::uint64_t>& numbers)
+    {
+        std::vector<std::uint64_t> result(numbers.size());
+        detail::check(MPI_Alltoall(numbers.data(), 1, MPI_UINT64_T, result.data(), 1, MPI_UINT64_T, comm_),
+                      "MPI_Alltoall");
+        return result;
+    }
 
     /// Collective: what the root gives is what all get.
     std::vector<std::byte> broadcast(std::vector<std::byte> bytes)
@@ -116,11 +143,9 @@ public:
         std::uint64_t size = bytes.size();
         detail::check(MPI_Bcast(&size, 1, MPI_UINT64_T, 0, comm_), "MPI_Bcast");
         bytes.resize(size);
-        for (std::size_t at = 0; at < bytes.size();) {
-            const std::size_t piece = std::min(bytes.size() - at, largest_);
-            detail::check(MPI_Bcast(bytes.data() + at, int(piece), MPI_BYTE, 0, comm_), "MPI_Bcast");
-            at += piece;
-        }
+        for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
+            detail::check(MPI_Bcast(piece.data(), int(piece.size()), MPI_BYTE, 0, comm_), "MPI_Bcast");
+        });
         return bytes;
     }
     /// Collective: the sums (of integers, which do not depend on the order), on all ranks.
@@ -150,7 +175,17 @@ public:
     void agree(const std::string& problem);
 
 private:
-    static constexpr int size_tag = 1, bytes_tag = 2;
+    static constexpr int size_tag = 1, bytes_tag = 2, known_tag = 3;
+
+    template <class Byte, class Use>
+    void for_each_piece(std::span<Byte> bytes, const Use& use) const
+    {
+        while (not bytes.empty()) {
+            const auto piece = bytes.first(std::min(bytes.size(), largest_));
+            use(piece);
+            bytes = bytes.subspan(piece.size());
+        }
+    }
 
     void count_sent(std::size_t bytes)
     {

@@ -51,11 +51,12 @@ public:
     using job_type = tile_job<tile_type, Scheme>;
 
     /// Collective. `mesh` and `parts` are read on rank 0 only and must outlive this object there; `scheme` has the same
-    /// options on all ranks, its creases count on rank 0. Errors: phase_error for everything that `refine` refuses, for a
-    /// partition of another mesh and for counts beyond 64 bits.
+    /// options on all ranks, its creases count on rank 0. `last_rings`: the last level keeps its edges and so many rings
+    /// of shadows; without it only the owned faces are kept, in half of the memory. Errors: phase_error for everything
+    /// that `refine` refuses, for a partition of another mesh and for counts beyond 64 bits.
     rank_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
-                    const partition& parts)
-        : comm_(comm), scheme_(scheme)
+                    const partition& parts, std::optional<int> last_rings = std::nullopt)
+        : comm_(comm), scheme_(scheme), last_(last_rings ? connect::everything : connect::faces)
     {
         std::vector<std::byte> setting;
         in_agreement(comm, [&] {
@@ -76,7 +77,7 @@ public:
             const auto counts = in.get<whole_counts>();
             tiles_ = in.get<std::uint64_t>();
             auto rim = unpack<Point, Index>(in.get_array<std::vector<std::byte>>(), scheme);
-            whole_.emplace(counts, std::move(rim.part), std::move(rim.scheme), levels);
+            whole_.emplace(counts, std::move(rim.part), std::move(rim.scheme), levels, last_rings.value_or(0));
         });
     }
 
@@ -84,7 +85,8 @@ public:
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return *whole_; }
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
 
-    /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level.
+    /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
+    /// `use` may move away.
     /// Errors: phase_error, of the first rank that has one.
     template <class Use>
     work_done refine(sharing how, const Use& use)
@@ -218,16 +220,17 @@ private:
             for (const unsigned char mark : part.face_marks)
                 more.useful_faces += mark & owned_mark;
         };
-        job.part = kith::refine(std::move(job.part), std::move(job.scheme), *whole_, connect::faces, count);
+        job.part = kith::refine(std::move(job.part), std::move(job.scheme), *whole_, last_, count);
         for (const unsigned char mark : job.part.face_marks)
             more.owned_faces += mark & owned_mark;
         more.checksum = checksum(job.part);
-        use(number, std::as_const(job.part));
         done += more;
+        use(number, std::move(job.part));
     }
 
     communicator& comm_;
     Scheme scheme_;
+    connect last_;
     std::optional<tile_cutter<Point, Index, Scheme>> cutter_; // on rank 0
     std::optional<whole_levels<Scheme>> whole_;
     std::uint64_t tiles_ = 0;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpi.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+/// Messages between ranks that know how long they are, and the bytes they carry. Move only.
+class under_way {
+public:
+    /// Local: starts them all. `sizes[r]` bytes come from rank r; what a rank sends to itself is handed over.
+    under_way(communicator& comm, std::vector<std::vector<std::byte>> to, const std::vector<std::uint64_t>& sizes)
+        : sent_(std::move(to)), received_(sizes.size())
+    {
+        const auto self = std::size_t(comm.rank());
+        for (std::size_t r = 0; r < sizes.size(); ++r) {
+            if (r == self)
+                continue;
+            received_[r].resize(sizes[r]);
+            comm.start_receive(received_[r], int(r), requests_);
+        }
+        for (std::size_t r = 0; r < sizes.size(); ++r)
+            if (r != self)
+                comm.start_send(sent_[r], int(r), requests_);
+        received_[self] = std::move(sent_[self]);
+    }
+    under_way(under_way&& other) noexcept
+        : sent_(std::move(other.sent_))
+        , received_(std::move(other.received_))
+        , requests_(std::exchange(other.requests_, {}))
+    {
+    }
+    under_way& operator=(under_way&&) = delete;
+    ~under_way() { MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
+
+    /// Waits, and returns what has come, by rank. Errors: mpi::error.
+    std::vector<std::vector<std::byte>> finish()
+    {
+        auto requests = std::exchange(requests_, {});
+        detail::check(MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
+        sent_.clear();
+        return std::move(received_);
+    }
+
+private:
+    std::vector<std::vector<std::byte>> sent_, received_;
+    std::vector<MPI_Request> requests_;
+};
+
+/// Collective: `to[r]` goes to rank r, and what came from rank r is the r-th of the result.
+/// Cost: a number to each rank, and the messages that are not empty. Errors: mpi::error.
+template <class T>
+    requires std::is_trivially_copyable_v<T>
+std::vector<std::vector<T>> all_to_all(communicator& comm, std::vector<std::vector<T>> to)
+{
+    std::vector<std::vector<std::byte>> bytes(to.size());
+    std::vector<std::uint64_t> sizes(to.size());
+    for (std::size_t r = 0; r < to.size(); ++r) {
+        const auto all = std::as_bytes(std::span(to[r]));
+        bytes[r].assign(all.begin(), all.end());
+        sizes[r] = all.size();
+        std::exchange(to[r], {});
+    }
+    const auto coming = under_way(comm, std::move(bytes), comm.to_each(sizes)).finish();
+    std::vector<std::vector<T>> result(coming.size());
+    for (std::size_t r = 0; r < coming.size(); ++r) {
+        result[r].resize(coming[r].size() / sizeof(T));
+        if (not coming[r].empty())
+            std::memcpy(result[r].data(), coming[r].data(), coming[r].size());
+    }
+    return result;
+}
+
+} // namespace kith::mpi

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "on_ranks.hpp"
+
+#include <kith/all_to_all.hpp>
+
+#include <numeric>
+#include <string>
+
+namespace {
+
+std::vector<std::byte> some_bytes(std::size_t size, int seed)
+{
+    std::vector<std::byte> result(size);
+    for (std::size_t i = 0; i < size; ++i)
+        result[i] = std::byte(i * 7 + std::size_t(seed));
+    return result;
+}
+
+} // namespace
+
+TEST(communicator, sends_long_messages_in_pieces)
+{
+    kith::mpi::communicator comm(MPI_COMM_WORLD, 10);
+    for (const std::size_t size : {0, 1, 9, 10, 11, 95}) {
+        const auto before = comm.sent_and_received();
+        if (comm.is_root()) {
+            for (int to = 1; to < comm.size(); ++to)
+                comm.send(some_bytes(size, to), to);
+        } else {
+            int from = kith::mpi::communicator::any_rank;
+            EXPECT_EQ(comm.receive(from), some_bytes(size, comm.rank())) << size;
+            EXPECT_EQ(from, 0);
+            const auto& after = comm.sent_and_received();
+            EXPECT_EQ(after.messages_received - before.messages_received, 1 + (size + 9) / 10);
+            EXPECT_EQ(after.bytes_received - before.bytes_received, 8 + size);
+        }
+        EXPECT_EQ(comm.broadcast(comm.is_root() ? some_bytes(size, 77) : std::vector<std::byte>()),
+                  some_bytes(size, 77));
+    }
+}
+
+TEST(all_to_all, brings_every_rank_what_is_for_it)
+{
+    kith::mpi::communicator comm(MPI_COMM_WORLD, 10);
+    const auto message = [](int from, int to) { // of many lengths, some of them nothing
+        std::vector<std::uint32_t> result(std::size_t(from * 3 + to * 5) % 7);
+        std::iota(result.begin(), result.end(), std::uint32_t(100 * from + to));
+        return result;
+    };
+    std::vector<std::vector<std::uint32_t>> to;
+    for (int rank = 0; rank < comm.size(); ++rank)
+        to.push_back(message(comm.rank(), rank));
+    const auto came = kith::mpi::all_to_all(comm, to);
+    ASSERT_EQ(came.size(), std::size_t(comm.size()));
+    for (int rank = 0; rank < comm.size(); ++rank)
+        EXPECT_EQ(came[std::size_t(rank)], message(rank, comm.rank())) << "from rank " << rank;
+}
+
+TEST(in_agreement, tells_all_ranks_of_the_lowest_problem)
+{
+    const int last = world().size() - 1;
+    try {
+        kith::mpi::in_agreement(world(), [&] {
+            if (world().rank() == last or world().rank() == last - 1)
+                throw std::runtime_error("trouble on " + std::to_string(world().rank()));
+        });
+        ADD_FAILURE() << "nothing was said";
+    } catch (const kith::mpi::phase_error& error) {
+        EXPECT_EQ(error.rank, std::max(0, last - 1));
+        EXPECT_EQ(std::string(error.what()), "trouble on " + std::to_string(error.rank));
+    }
+}

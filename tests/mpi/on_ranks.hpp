@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../native_shape.hpp"
+#include "../tiles.hpp"
+
+#include <kith/mpi.hpp>
+#include <kith/numbered_tile.hpp>
+#include <kith/refine_on_ranks.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// Of all ranks of the test program. What one of them finds wrong, rank 0 prints.
+kith::mpi::communicator& world();
+
+using tile3d = kith::tile<std::array<double, 3>, std::uint32_t>;
+using tiles3d = std::vector<kith::numbered_tile<tile3d>>;
+
+/// Collective: the tiles of this rank, refined, with shadows. Every rank has the mesh, so that tests can compare.
+template <class Scheme>
+tiles3d refined_tiles(const mesh3d& mesh, const Scheme& scheme, int levels, const kith::partition& parts, int rings,
+                      kith::mpi::sharing how = kith::mpi::sharing::spmd)
+{
+    kith::mpi::rank_refinement refinement(world(), mesh, scheme, levels, parts, rings);
+    tiles3d result;
+    refinement.refine(how, [&](std::uint64_t number, tile3d&& part) { result.push_back({number, std::move(part)}); });
+    return result;
+}
+
+inline kith::partition scattered(const mesh3d& mesh, std::size_t parts, std::uint32_t seed)
+{
+    return {partitions::scattered(mesh.face_count(), parts, seed), parts};
+}
+
+inline kith::partition in_blocks(const mesh3d& mesh, std::size_t parts)
+{
+    return {partitions::blocks(mesh.face_count(), parts), parts};
+}
