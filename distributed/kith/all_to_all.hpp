@@ -57,19 +57,23 @@ private:
 
 /// Collective: `to[r]` goes to rank r, and what came from rank r is the r-th of the result.
 /// Cost: a number to each rank, and the messages that are not empty. Errors: mpi::error.
+inline std::vector<std::vector<std::byte>> all_to_all(communicator& comm, std::vector<std::vector<std::byte>> to)
+{
+    std::vector<std::uint64_t> sizes(to.size());
+    for (std::size_t r = 0; r < to.size(); ++r)
+        sizes[r] = to[r].size();
+    return under_way(comm, std::move(to), comm.to_each(sizes)).finish();
+}
 template <class T>
     requires std::is_trivially_copyable_v<T>
-std::vector<std::vector<T>> all_to_all(communicator& comm, std::vector<std::vector<T>> to)
+std::vector<std::vector<T>> all_to_all(communicator& comm, const std::vector<std::vector<T>>& to)
 {
     std::vector<std::vector<std::byte>> bytes(to.size());
-    std::vector<std::uint64_t> sizes(to.size());
     for (std::size_t r = 0; r < to.size(); ++r) {
         const auto all = std::as_bytes(std::span(to[r]));
         bytes[r].assign(all.begin(), all.end());
-        sizes[r] = all.size();
-        std::exchange(to[r], {});
     }
-    const auto coming = under_way(comm, std::move(bytes), comm.to_each(sizes)).finish();
+    const auto coming = all_to_all(comm, std::move(bytes));
     std::vector<std::vector<T>> result(coming.size());
     for (std::size_t r = 0; r < coming.size(); ++r) {
         result[r].resize(coming[r].size() / sizeof(T));

@@ -52,7 +52,7 @@ public:
                 }
             }
         }
-        const auto owners = find_owners(std::move(offers), std::move(questions));
+        const auto owners = find_owners(offers, questions);
         std::string problem;
         std::vector<std::vector<request>> wanted(ranks);
         receive_.resize(ranks);
@@ -69,7 +69,7 @@ public:
                 receive_[rank].push_back(here);
             }
         comm.agree(problem);
-        send_ = all_to_all(comm, std::move(wanted));
+        send_ = all_to_all(comm, wanted);
         put_sums_in_order();
     }
 
@@ -175,16 +175,16 @@ private:
     }
 
     /// Element i is looked up on rank i modulo ranks, so that nobody has to know of all.
-    std::vector<std::vector<owner>> find_owners(std::vector<std::vector<offer>> offers,
-                                                std::vector<std::vector<global_id>> questions)
+    std::vector<std::vector<owner>> find_owners(const std::vector<std::vector<offer>>& offers,
+                                                const std::vector<std::vector<global_id>>& questions)
     {
         std::vector<std::pair<global_id, owner>> known;
-        const auto offered = all_to_all(comm_, std::move(offers));
+        const auto offered = all_to_all(comm_, offers);
         for (std::size_t rank = 0; rank < offered.size(); ++rank)
             for (const offer& o : offered[rank])
                 known.push_back({o.id, {rank, o.where}});
         std::ranges::sort(known, {}, &std::pair<global_id, owner>::first);
-        const auto asked = all_to_all(comm_, std::move(questions));
+        const auto asked = all_to_all(comm_, questions);
         std::vector<std::vector<owner>> answers(asked.size());
         for (std::size_t rank = 0; rank < asked.size(); ++rank)
             for (const global_id id : asked[rank]) {
@@ -192,7 +192,7 @@ private:
                 answers[rank].push_back(found != known.end() and found->first == id ? found->second
                                                                                     : owner{nobody, {}});
             }
-        return all_to_all(comm_, std::move(answers));
+        return all_to_all(comm_, answers);
     }
 
     template <class T, class To, class From, class Value>

@@ -88,6 +88,15 @@ public:
             count_sent(piece.size());
         });
     }
+    /// Local: starts what send does; `size` is that of the bytes, and both stay where they are until `requests`, to which
+    /// this appends, have been waited for.
+    void start_message(const std::uint64_t& size, std::span<const std::byte> bytes, int to,
+                       std::vector<MPI_Request>& requests)
+    {
+        detail::check(MPI_Isend(&size, 1, MPI_UINT64_T, to, size_tag, comm_, &requests.emplace_back()), "MPI_Isend");
+        count_sent(sizeof size);
+        start_send(bytes, to, bytes_tag, requests);
+    }
     /// From one rank or, for any_rank, from whoever sends first; that rank is stored then.
     std::vector<std::byte> receive(int& from)
     {
@@ -111,12 +120,7 @@ public:
     /// where they are until `requests`, to which this appends, have been waited for.
     void start_send(std::span<const std::byte> bytes, int to, std::vector<MPI_Request>& requests)
     {
-        for_each_piece(bytes, [&](std::span<const std::byte> piece) {
-            detail::check(
-                MPI_Isend(piece.data(), int(piece.size()), MPI_BYTE, to, known_tag, comm_, &requests.emplace_back()),
-                "MPI_Isend");
-            count_sent(piece.size());
-        });
+        start_send(bytes, to, known_tag, requests);
     }
     void start_receive(std::span<std::byte> bytes, int from, std::vector<MPI_Request>& requests)
     {
@@ -156,6 +160,15 @@ public:
                       "MPI_Allreduce");
         return values;
     }
+    /// Collective: the same for as many values as all ranks have.
+    [[nodiscard]] std::vector<std::uint64_t> sum(std::vector<std::uint64_t> values)
+    {
+        for_each_piece(std::span(values), [&](std::span<std::uint64_t> piece) {
+            detail::check(MPI_Allreduce(MPI_IN_PLACE, piece.data(), int(piece.size()), MPI_UINT64_T, MPI_SUM, comm_),
+                          "MPI_Allreduce");
+        });
+        return values;
+    }
     /// Collective: the least and the greatest of each, on all ranks; unlike sums of floats they do not depend on the order.
     template <std::size_t N>
     [[nodiscard]] std::array<double, N> minimum(std::array<double, N> values)
@@ -177,16 +190,25 @@ public:
 private:
     static constexpr int size_tag = 1, bytes_tag = 2, known_tag = 3;
 
-    template <class Byte, class Use>
-    void for_each_piece(std::span<Byte> bytes, const Use& use) const
+    template <class T, class Use>
+    void for_each_piece(std::span<T> values, const Use& use) const
     {
-        while (not bytes.empty()) {
-            const auto piece = bytes.first(std::min(bytes.size(), largest_));
+        const std::size_t most = std::max(std::size_t(1), largest_ / sizeof(T));
+        while (not values.empty()) {
+            const auto piece = values.first(std::min(values.size(), most));
             use(piece);
-            bytes = bytes.subspan(piece.size());
+            values = values.subspan(piece.size());
         }
     }
-
+    void start_send(std::span<const std::byte> bytes, int to, int tag, std::vector<MPI_Request>& requests)
+    {
+        for_each_piece(bytes, [&](std::span<const std::byte> piece) {
+            detail::check(
+                MPI_Isend(piece.data(), int(piece.size()), MPI_BYTE, to, tag, comm_, &requests.emplace_back()),
+                "MPI_Isend");
+            count_sent(piece.size());
+        });
+    }
     void count_sent(std::size_t bytes)
     {
         traffic_.bytes_sent += bytes;

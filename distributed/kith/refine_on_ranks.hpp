@@ -7,6 +7,7 @@
 #include "pack.hpp"
 #include "partition.hpp"
 #include "refine_tile.hpp"
+#include "send_window.hpp"
 
 #include <kith/validate.hpp>
 
@@ -100,11 +101,14 @@ public:
     }
 
 private:
+    static constexpr std::size_t tiles_under_way = 4;
+
     template <class Use>
     void refine_dealt(const Use& use, work_done& done)
     {
         std::vector<std::vector<std::byte>> mine; // packed: control faces are few
         std::string problem;
+        send_window outgoing(comm_, tiles_under_way);
         for (std::uint64_t t = 0; t < tiles_; ++t) {
             const int owner = int(t % std::uint64_t(comm_.size()));
             if (comm_.is_root()) {
@@ -112,12 +116,13 @@ private:
                 if (owner == 0)
                     mine.push_back(std::move(packed));
                 else
-                    comm_.send(packed, owner);
+                    outgoing.send(std::move(packed), owner);
             } else if (owner == comm_.rank()) {
                 int root = 0;
                 mine.push_back(comm_.receive(root));
             }
         }
+        outgoing.finish();
         comm_.agree(problem);
         MPI_Pcontrol(1); // for profilers: from here to the next there is nothing to see
         try {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tile.hpp"
-#include "whole_tuple.hpp"
+#include "boundary_facts.hpp"
 
 #include <kith/columns.hpp>
 #include <kith/error.hpp>
@@ -49,9 +48,6 @@ inline global_id add_ids(global_id a, global_id b)
     return sum;
 }
 
-template <class Where>
-inline constexpr bool is_picky = not std::same_as<Where, everywhere>;
-
 } // namespace detail
 
 /// The ids of all new elements of one kind in the whole mesh, by formula: the base of a column plus the number of the
@@ -65,12 +61,11 @@ public:
     static constexpr std::size_t size = sizeof...(Columns);
 
     whole_column_ids() = default;
-    /// From the counts of the coarse level and a tile of it that owns all faces at the boundary.
-    template <class Tile>
-    whole_column_ids(const whole_counts& whole, const List<Columns...>& columns, const Tile& rim)
+    /// From the counts of the coarse level and the facts of all of its boundary, in any order.
+    whole_column_ids(const whole_counts& whole, const List<Columns...>& columns, std::vector<boundary_fact> facts)
     {
-        const level_of<decltype(rim.mesh)> level(rim.mesh);
-        std::apply([&](const auto&... column) { (append(whole, column, rim, level), ...); }, columns.list);
+        std::sort(facts.begin(), facts.end());
+        std::apply([&](const auto&... column) { (append(whole, column, facts), ...); }, columns.list);
     }
 
     [[nodiscard]] global_id total() const { return base_[size]; }
@@ -82,6 +77,15 @@ public:
     {
         const std::size_t i = position(tuple.kind);
         return base_[i] + rank(i, tuple);
+    }
+    /// The inverse: the tuple that gave birth to an element, without the corners before it.
+    /// Precondition: id < total(). Cost: O(log exceptions).
+    [[nodiscard]] whole_tuple origin(global_id id) const
+    {
+        std::size_t i = 0;
+        while (id >= base_[i + 1])
+            ++i;
+        return {kinds[i], tuple_of_rank(i, id - base_[i])};
     }
     /// The first corner of a new face. Where its degree is that of a face (the number of faces at a vertex) the tuple has
     /// to know the corners before it.
@@ -110,53 +114,60 @@ private:
         const auto n = global_id(before - exceptions_[i].begin());
         return exceptions_are_all_[i] ? n : tuple.id - excluded_before(i, std::size_t(n));
     }
+    [[nodiscard]] global_id tuple_of_rank(std::size_t i, global_id rank) const
+    {
+        const auto& all = exceptions_[i];
+        if (all.empty())
+            return rank;
+        if (exceptions_are_all_[i])
+            return all[rank];
+        // Behind the last exception up to which no more than `rank` tuples give birth, counting itself.
+        std::size_t n = 0;
+        for (std::size_t end = all.size(); n < end;) {
+            const std::size_t middle = (n + end) / 2;
+            (all[middle] + 1 - excluded_[i][middle] <= rank ? n = middle + 1 : end = middle);
+        }
+        return rank + excluded_before(i, n);
+    }
     /// Of the first n exceptions those that the column leaves out.
     [[nodiscard]] global_id excluded_before(std::size_t i, std::size_t n) const
     {
         return n == 0 ? 0 : excluded_[i][n - 1];
     }
 
-    template <tuple_kind Kind, class Where, class Degree, class Tile, class Level>
-    void append(const whole_counts& whole, const column<Kind, Where, Degree>& c, const Tile& rim, const Level& level)
+    template <tuple_kind Kind, class Where, class Degree>
+    void append(const whole_counts& whole, const column<Kind, Where, Degree>& c,
+                const std::vector<boundary_fact>& facts)
     {
-        constexpr bool fixed_degree_known = requires { Degree::value; };
-        constexpr bool has_degree = not std::same_as<Degree, int>;
         static_assert(
             not requires { c.where.keep; } or requires { Where::inner; },
             "columns that pick inner tuples have no ids in closed form");
-        static_assert(not has_degree or fixed_degree_known or Kind == tuple_kind::f or Kind == tuple_kind::v,
+        static_assert(not detail::has_degree<Degree> or detail::has_fixed_degree<Degree> or Kind == tuple_kind::f or
+                          Kind == tuple_kind::v,
                       "new faces of unknown degree need a face or a vertex that tells it");
-        static_assert(not has_degree or fixed_degree_known or not detail::is_picky<Where> or Kind == tuple_kind::v,
+        static_assert(not detail::has_degree<Degree> or detail::has_fixed_degree<Degree> or
+                          not detail::is_picky<Where> or Kind == tuple_kind::v,
                       "only vertices may both leave tuples out and tell the degree of new faces");
         const std::size_t i = appended_++;
         global_id count = detail::tuples_of(whole, Kind);
+        if constexpr (std::same_as<Where, all_or_none>)
+            count = c.where.all ? count : 0;
         if constexpr (detail::is_picky<Where>) {
-            std::vector<std::pair<global_id, std::size_t>> found;
-            for_boundary_tuples<Kind>(rim, level, [&](std::size_t tuple) {
-                found.emplace_back(detail::in_whole(rim, level, Kind, tuple).id, tuple);
-            });
-            std::sort(found.begin(), found.end());
             exceptions_are_all_[i] = not Where::inner;
             global_id excluded = 0, kept = 0;
             std::int64_t more = 0;
-            for (const auto& [id, tuple] : found) {
-                const auto element = tuple_element<Kind>(level, tuple);
-                const bool keep = c.where.keep(element);
-                keep ? ++kept : ++excluded;
-                if constexpr (has_degree and not fixed_degree_known)
-                    more += (keep ? std::int64_t(c.degree(element)) : 0) - std::int64_t(element.face_count());
-                if (not Where::inner and not keep)
-                    continue;
-                exceptions_[i].push_back(id);
+            for (const auto& fact : std::ranges::equal_range(facts, i, {}, &boundary_fact::column)) {
+                fact.is_kept != 0 ? ++kept : ++excluded;
+                exceptions_[i].push_back(fact.tuple);
                 excluded_[i].push_back(excluded);
-                corners_more_[i].push_back(more);
+                corners_more_[i].push_back(more += fact.corners_more);
             }
             count = Where::inner ? count - excluded : kept;
         }
         base_[i + 1] = detail::add_ids(base_[i], count);
-        if constexpr (has_degree) {
+        if constexpr (detail::has_degree<Degree>) {
             global_id corners;
-            if constexpr (fixed_degree_known) {
+            if constexpr (detail::has_fixed_degree<Degree>) {
                 degree_[i] = Degree::value;
                 if (__builtin_mul_overflow(global_id(Degree::value), count, &corners))
                     corners = detail::add_ids(~global_id(0), 1);
@@ -165,38 +176,6 @@ private:
             }
             first_corner_[i + 1] = detail::add_ids(first_corner_[i], corners);
         }
-    }
-
-    /// Calls f with the number, in the tile, of each tuple at the boundary of the whole mesh. At a vertex, an edge or a
-    /// corner that the tile owns its own boundary edges are those of the whole mesh.
-    template <tuple_kind Kind, class Tile, class Level, class F>
-    static void for_boundary_tuples(const Tile& rim, const Level& level, const F& f)
-    {
-        for (std::size_t tuple = 0; tuple < tuple_count(level, Kind); ++tuple) {
-            const auto element = tuple_element<Kind>(level, tuple);
-            if (element.is_boundary() and is_owned(rim, element))
-                f(tuple);
-        }
-    }
-    template <class Tile, class Level>
-    static bool is_owned(const Tile& rim, const vertex<Level>& v)
-    {
-        return rim.owns_vertex(v.index());
-    }
-    template <class Tile, class Level>
-    static bool is_owned(const Tile& rim, const edge<Level>& e)
-    {
-        return rim.owns_edge(e.index());
-    }
-    template <class Tile, class Level>
-    static bool is_owned(const Tile& rim, const face<Level>& f)
-    {
-        return rim.owns_face(f.index());
-    }
-    template <class Tile, class Level>
-    static bool is_owned(const Tile& rim, const corner<Level>& c)
-    {
-        return rim.owns_face(c.f().index());
     }
 
     std::size_t appended_ = 0;
@@ -215,10 +194,25 @@ struct whole_numbering {
     whole_column_ids<decltype(Columns::faces)> faces;
 
     whole_numbering() = default;
+    /// From a tile of the coarse level that owns all faces at the boundary and has a ring of shadows.
     template <class Tile>
     whole_numbering(const whole_counts& whole, const Columns& columns, const Tile& rim)
-        : vertices(whole, columns.vertices, rim), edges(whole, columns.edges, rim), faces(whole, columns.faces, rim)
+        : whole_numbering(whole, columns, facts_at_boundary(columns, rim))
     {
+    }
+    /// From the facts of all of the boundary: of vertices, edges and faces.
+    whole_numbering(const whole_counts& whole, const Columns& columns, std::array<std::vector<boundary_fact>, 3> facts)
+        : vertices(whole, columns.vertices, std::move(facts[0]))
+        , edges(whole, columns.edges, std::move(facts[1]))
+        , faces(whole, columns.faces, std::move(facts[2]))
+    {
+    }
+    template <class Tile>
+    static std::array<std::vector<boundary_fact>, 3> facts_at_boundary(const Columns& columns, const Tile& part)
+    {
+        return {boundary_facts(columns.vertices, part),
+                boundary_facts(columns.edges, part),
+                boundary_facts(columns.faces, part)};
     }
 
     [[nodiscard]] whole_counts counts() const

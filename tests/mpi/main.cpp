@@ -12,16 +12,21 @@ kith::mpi::communicator* all_ranks = nullptr;
 
 class failures_of_ranks : public testing::EmptyTestEventListener {
 public:
+    void OnTestStart(const testing::TestInfo& test) override // NOLINT(readability-identifier-naming)
+    {
+        test_ = test.name();
+    }
     void OnTestPartResult(const testing::TestPartResult& result) override // NOLINT(readability-identifier-naming)
     {
         if (result.failed())
-            text_ << testing::UnitTest::GetInstance()->current_test_info()->name() << " on rank " << world().rank()
-                  << ", " << result.file_name() << ':' << result.line_number() << '\n'
+            text_ << test_ << " on rank " << world().rank() << ", " << result.file_name() << ':' << result.line_number()
+                  << '\n'
                   << result.message() << '\n';
     }
     [[nodiscard]] std::string text() const { return text_.str(); }
 
 private:
+    std::string test_;
     std::ostringstream text_;
 };
 

@@ -2,6 +2,7 @@
 #include "on_ranks.hpp"
 
 #include <kith/all_to_all.hpp>
+#include <kith/send_window.hpp>
 
 #include <numeric>
 #include <string>
@@ -36,6 +37,27 @@ TEST(communicator, sends_long_messages_in_pieces)
         }
         EXPECT_EQ(comm.broadcast(comm.is_root() ? some_bytes(size, 77) : std::vector<std::byte>()),
                   some_bytes(size, 77));
+    }
+}
+
+TEST(send_window, holds_a_few_messages_at_a_time)
+{
+    kith::mpi::communicator comm(MPI_COMM_WORLD, 100'000); // so that no message goes in one piece
+    constexpr std::size_t size = 250'001, messages = 9;
+    if (comm.is_root()) {
+        for (const std::size_t width : {1, 3}) {
+            kith::mpi::send_window window(comm, width);
+            for (std::size_t i = 0; i < messages; ++i)
+                for (int to = 1; to < comm.size(); ++to)
+                    window.send(some_bytes(size + i, int(i)), to);
+            window.finish();
+            EXPECT_LE(window.most_bytes(), width * (size + messages));
+        }
+    } else {
+        for (std::size_t i = 0; i < 2 * messages; ++i) {
+            int from = 0;
+            EXPECT_TRUE(comm.receive(from) == some_bytes(size + i % messages, int(i % messages))) << i;
+        }
     }
 }
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpi.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+/// Sends messages to ranks that call communicator::receive, a few at a time: as many as the window is wide are under way,
+/// and the next one waits for the oldest. So what is made to be sent is never in memory as a whole.
+class send_window {
+public:
+    /// Local. Precondition: width > 0. The communicator must outlive this object.
+    send_window(communicator& comm, std::size_t width) : comm_(comm), width_(width) {}
+    send_window(const send_window&) = delete;
+    ~send_window()
+    {
+        for (const auto& message : under_way_)
+            MPI_Waitall(int(message->requests.size()), message->requests.data(), MPI_STATUSES_IGNORE);
+    }
+
+    /// Local; returns at once while the window has room. Errors: mpi::error.
+    void send(std::vector<std::byte> bytes, int to)
+    {
+        if (under_way_.size() == width_)
+            wait_for_oldest();
+        bytes_ += bytes.size();
+        most_bytes_ = std::max(most_bytes_, bytes_);
+        auto& message = under_way_.emplace_back(std::make_unique<outgoing>(bytes.size(), std::move(bytes)));
+        comm_.start_message(message->size, message->bytes, to, message->requests);
+    }
+
+    /// Waits until all have gone. Errors: mpi::error.
+    void finish()
+    {
+        while (not under_way_.empty())
+            wait_for_oldest();
+    }
+
+    /// Local: the most bytes that were held at once.
+    [[nodiscard]] std::size_t most_bytes() const { return most_bytes_; }
+
+private:
+    struct outgoing {
+        std::uint64_t size;
+        std::vector<std::byte> bytes;
+        std::vector<MPI_Request> requests;
+
+        outgoing(std::uint64_t size, std::vector<std::byte> bytes) : size(size), bytes(std::move(bytes)) {}
+    };
+
+    void wait_for_oldest()
+    {
+        auto& requests = under_way_.front()->requests;
+        detail::check(MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
+        bytes_ -= under_way_.front()->bytes.size();
+        under_way_.pop_front();
+    }
+
+    communicator& comm_;
+    std::size_t width_;
+    std::deque<std::unique_ptr<outgoing>> under_way_; // addresses stay
+    std::size_t bytes_ = 0, most_bytes_ = 0;
+};
+
+} // namespace kith::mpi

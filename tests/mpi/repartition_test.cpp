@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../same_mesh.hpp"
+#include "on_ranks.hpp"
+
+#include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/gather.hpp>
+#include <kith/hierarchy.hpp>
+#include <kith/repartition.hpp>
+
+namespace {
+
+/// What the whole mesh says of each element of its last level: the tuple it came from; of faces also the face of level 0.
+struct parents {
+    std::vector<std::pair<kith::tuple_kind, std::size_t>> of_vertex, of_edge, of_face;
+    std::vector<std::size_t> root_of_face;
+};
+
+parents parents_of(const mesh3d& control, const kith::catmull_clark& scheme)
+{
+    parents result;
+    mesh3d mesh = control;
+    for (std::size_t f = 0; f < control.face_count(); ++f)
+        result.root_of_face.push_back(f);
+    for (int level = 0; level < 2; ++level) {
+        const kith::level_of<mesh3d> elements(mesh);
+        const kith::numbering_of<kith::catmull_clark, std::uint32_t> ids(elements, kith::catmull_clark::columns());
+        const auto origins = [](const auto& of) {
+            std::vector<std::pair<kith::tuple_kind, std::size_t>> list;
+            for (std::size_t id = 0; id < of.total(); ++id)
+                list.push_back(of.origin(id));
+            return list;
+        };
+        const auto roots = result.root_of_face;
+        result = {origins(ids.vertices), origins(ids.edges), origins(ids.faces), {}};
+        for (const auto& [kind, corner] : result.of_face)
+            result.root_of_face.push_back(roots[elements.corners()[corner].f().index()]);
+        mesh = kith::refine(mesh, scheme, 1);
+    }
+    return result;
+}
+
+bool same(const kith::whole_tuple& a, const std::pair<kith::tuple_kind, std::size_t>& b)
+{
+    return a.kind == b.first and a.id == b.second;
+}
+
+} // namespace
+
+TEST(repartition, keeps_tiles_and_their_parents)
+{
+    const auto control = native(shapes::shaken(shapes::open_house()));
+    const kith::catmull_clark scheme;
+    const auto whole_mesh = kith::refine(control, scheme, 2);
+    const auto expected = parents_of(control, scheme);
+    const auto parts = scattered(control, 7, 1);
+    kith::mpi::rank_refinement refinement(world(), control, scheme, 2, parts, 1);
+    tiles3d tiles;
+    refinement.refine(kith::mpi::sharing::manager,
+                      [&](std::uint64_t number, tile3d&& part) { tiles.push_back({number, std::move(part)}); });
+    std::vector<int> rank_of(parts.parts);
+    for (std::size_t t = 0; t < rank_of.size(); ++t)
+        rank_of[t] = int((3 * t + 1) % std::size_t(world().size()));
+    tiles = kith::mpi::repartition(world(), std::move(tiles), rank_of);
+
+    std::vector<int> vertices(whole_mesh.vertex_count()), edges(whole_mesh.edge_count()),
+        faces(whole_mesh.face_count());
+    const auto& numbers = refinement.whole().numbering(1);
+    std::uint64_t last = 0;
+    for (const auto& [number, part] : tiles) {
+        EXPECT_EQ(rank_of[number], world().rank());
+        EXPECT_GE(number, last);
+        last = number;
+        EXPECT_EQ(difference(part, whole_mesh, vertices, edges, faces), "");
+        for (const auto id : part.vertex_ids)
+            EXPECT_TRUE(same(numbers.vertices.origin(id), expected.of_vertex[id])) << id;
+        for (const auto id : part.edge_ids)
+            EXPECT_TRUE(same(numbers.edges.origin(id), expected.of_edge[id])) << id;
+        for (std::size_t f = 0; f < part.face_ids.size(); ++f) {
+            EXPECT_TRUE(same(numbers.faces.origin(part.face_ids[f]), expected.of_face[part.face_ids[f]]));
+            EXPECT_EQ(part.root(f), expected.root_of_face[part.face_ids[f]]);
+        }
+    }
+    const auto owners = world().sum(std::vector<std::uint64_t>(faces.begin(), faces.end()));
+    EXPECT_TRUE(std::ranges::all_of(owners, [](std::uint64_t n) { return n == 1; }));
+}
+
+TEST(repartition, gives_ranks_about_as_many_faces_each)
+{
+    EXPECT_EQ(kith::mpi::balanced_ranks(std::vector<std::uint64_t>{5, 9, 5, 1, 0, 9}, 3),
+              (std::vector<int>{2, 0, 2, 0, 1, 1}));
+    const auto torus = native(shapes::shaken(shapes::torus(5, 7)));
+    kith::partition parts{std::vector<std::uint32_t>(torus.face_count()), 8};
+    for (std::size_t f = 0; f < torus.face_count(); ++f)
+        parts.part_of[f] = f < 15 ? 0 : std::uint32_t(f % 8); // one is far too large
+    auto tiles = refined_tiles(torus, kith::catmull_clark{}, 1, parts, 1);
+    const auto faces = kith::mpi::owned_faces(world(), std::span<const kith::numbered_tile<tile3d>>(tiles), 8);
+    std::vector<std::uint64_t> expected(8);
+    for (const auto part : parts.part_of)
+        expected[part] += 4;
+    EXPECT_EQ(faces, expected);
+    tiles = kith::mpi::repartition(world(), std::move(tiles), kith::mpi::balanced_ranks(faces, world().size()));
+    std::vector<std::uint64_t> load(std::size_t(world().size()));
+    for (const auto& [number, part] : tiles)
+        load[std::size_t(world().rank())] += faces[number];
+    load = world().sum(load);
+    EXPECT_EQ(std::reduce(load.begin(), load.end()), 4 * torus.face_count());
+    const std::uint64_t fair = 4 * torus.face_count() / std::uint64_t(world().size());
+    EXPECT_LE(std::ranges::max(load), std::max(expected[0], fair + fair / 3));
+}
+
+TEST(repartition, refuses_ranks_that_do_not_exist)
+{
+    const auto torus = native(shapes::torus(5, 7));
+    for (const std::vector<int>& rank_of : {std::vector<int>{0, 0}, std::vector<int>{0, 0, world().size()}})
+        try {
+            kith::mpi::repartition(
+                world(), refined_tiles(torus, kith::catmull_clark{}, 1, in_blocks(torus, 3), 1), rank_of);
+            ADD_FAILURE() << "nothing was said";
+        } catch (const kith::mpi::phase_error& error) {
+            EXPECT_NE(std::string(error.what()).find("tile 2"), std::string::npos) << error.what();
+        }
+}
+
+TEST(gather, gives_one_rank_the_mesh_that_refine_makes)
+{
+    const auto expect = [](const auto& scheme, const mesh3d& control, int levels, std::size_t tiles) {
+        kith::mpi::rank_refinement refinement(world(), control, scheme, levels, scattered(control, tiles, 3));
+        tiles3d parts;
+        refinement.refine(kith::mpi::sharing::spmd,
+                          [&](std::uint64_t number, tile3d&& part) { parts.push_back({number, std::move(part)}); });
+        const auto gathered = kith::mpi::gather(
+            world(), std::span<const kith::numbered_tile<tile3d>>(parts), refinement.whole().counts(levels), 1 << 20);
+        if (world().is_root())
+            EXPECT_TRUE(same_bits(gathered, kith::refine(control, scheme, levels, {kith::connect::faces})));
+        else
+            EXPECT_EQ(gathered.vertex_count(), 0U);
+    };
+    const auto house = native(shapes::shaken(shapes::open_house()));
+    expect(kith::catmull_clark{}, house, 2, 9);
+    expect(kith::doo_sabin{}, house, 2, 3); // of many degrees
+}
+
+TEST(gather, refuses_what_is_too_large_or_not_all)
+{
+    const auto torus = native(shapes::torus(5, 7));
+    auto tiles = refined_tiles(torus, kith::catmull_clark{}, 1, in_blocks(torus, 3), 1);
+    const kith::whole_counts counts{140, 280, 140, 560};
+    const auto text = [&](std::uint64_t limit) {
+        try {
+            kith::mpi::gather(world(), std::span<const kith::numbered_tile<tile3d>>(tiles), counts, limit);
+        } catch (const kith::mpi::phase_error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(text(140 * 24 + 560 * 4), "");
+    EXPECT_EQ(
+        text(140 * 24 + 560 * 4 - 1),
+        "the level has 140 vertices and 140 faces, 5600 bytes on one rank, and the limit is 5599; gather a coarser "
+        "level, or write the tiles into one file");
+    std::erase_if(tiles, [](const auto& tile) { return tile.number == 1; });
+    EXPECT_NE(text(1 << 20).find("give all tiles of the level"), std::string::npos);
+}
