@@ -53,7 +53,7 @@ TEST(refine_tile, takes_parts_of_one_face)
 TEST(refine_tile, needs_no_more_rings_for_more_levels)
 {
     for_each_reaching_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
-        const int levels = scheme.name == "sqrt3" or scheme.name == "mid-edge" ? 6 : 4;
+        const int levels = scheme.name == "sqrt3" or scheme.name == "mid-edge" or scheme.name == "4-8" ? 6 : 4;
         if (mesh.face_count() <= 20 and scheme.name != "nasri-hasbini") {
             EXPECT_EQ(tiles_differ(mesh, scheme, levels, partitions::scattered(mesh.face_count(), 3, 4), 3), "");
         }

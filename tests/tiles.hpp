@@ -79,8 +79,24 @@ std::string difference(const Tile& tile, const Mesh& whole, std::vector<int>& ve
         }
     }
     for (std::size_t e = 0; e < tile.edge_ids.size(); ++e)
-        edge_owners[tile.edge_ids[e]] += tile.owns_edge(e);
+        if (tile.edge_ids[e] >= whole.edge_count())
+            return "edge " + number(e) + " has id " + number(tile.edge_ids[e]);
+        else
+            edge_owners[tile.edge_ids[e]] += tile.owns_edge(e);
     return {};
+}
+
+/// Of a scheme that marks edges, else none.
+template <class Scheme, class Mesh>
+std::size_t marked_edges(const Mesh& mesh)
+{
+    std::size_t result = 0;
+    if constexpr (kith::marks_edges<Scheme>) {
+        const kith::level_of<Mesh> level(mesh);
+        for (const auto e : level.edges())
+            result += Scheme::is_marked(e);
+    }
+    return result;
 }
 
 /// Refines every part of a mesh as a tile and compares with the refined mesh.
@@ -94,9 +110,11 @@ std::string tiles_differ(const Mesh& control, const Scheme& scheme, int levels, 
     auto rim = cutter.cut_rim(kith::ring_schedule(scheme, levels, 1)[0]);
     const kith::whole_levels<Scheme> whole(
         cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels, last_rings);
-    if (whole.counts(levels) !=
-        kith::whole_counts{
-            whole_mesh.vertex_count(), whole_mesh.edge_count(), whole_mesh.face_count(), whole_mesh.corner_count()})
+    if (whole.counts(levels) != kith::whole_counts{whole_mesh.vertex_count(),
+                                                   whole_mesh.edge_count(),
+                                                   whole_mesh.face_count(),
+                                                   whole_mesh.corner_count(),
+                                                   marked_edges<Scheme>(whole_mesh)})
         return "the counts differ";
     std::vector<int> vertices(whole_mesh.vertex_count()), edges(whole_mesh.edge_count()),
         faces(whole_mesh.face_count());

@@ -14,7 +14,7 @@ template <class Test>
 void for_each_numbering(const Test& test)
 {
     for_each_of_all_schemes_and_shape([&]<class Scheme>(const Scheme& scheme, const mesh3d& control) {
-        if constexpr (kith::reaching_scheme<Scheme>)
+        if constexpr (kith::reaching_scheme<Scheme> and not kith::marks_edges<Scheme>) // which has no formula back
             for (const int level : {0, 1}) {
                 const auto mesh = kith::refine(control, scheme, level);
                 const auto columns = columns_of(scheme, mesh.generation());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "column_facts.hpp"
 #include "tile.hpp"
 #include "whole_tuple.hpp"
 
@@ -27,9 +28,6 @@ struct boundary_fact {
 };
 
 namespace detail {
-
-template <class Where>
-inline constexpr bool is_picky = not std::same_as<Where, everywhere> and not std::same_as<Where, all_or_none>;
 
 template <class Degree>
 inline constexpr bool has_degree = not std::same_as<Degree, int>;
@@ -73,7 +71,7 @@ template <tuple_kind Kind, class Where, class Degree, class Tile, class Level>
 void add_boundary_facts(const column<Kind, Where, Degree>& c, std::uint64_t i, const Tile& part, const Level& level,
                         std::vector<boundary_fact>& facts)
 {
-    if constexpr (is_picky<Where>)
+    if constexpr (picks_at_boundary<Where>)
         for_boundary_tuples<Kind>(part, level, [&](std::size_t tuple) {
             const auto element = tuple_element<Kind>(level, tuple);
             const bool keep = c.where.keep(element);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "tile.hpp"
-#include "whole_numbering.hpp"
 
 #include <kith/lift.hpp>
 
@@ -13,22 +12,6 @@
 #include <vector>
 
 namespace kith {
-
-namespace detail {
-
-template <class List>
-inline constexpr bool counts_faces_at_vertices = false;
-template <class... C>
-inline constexpr bool counts_faces_at_vertices<new_faces<C...>> = ((C::kind == tuple_kind::v and not requires {
-                                                                       decltype(C::degree)::value;
-                                                                   }) or ...);
-
-} // namespace detail
-
-/// A scheme whose tiles need `tile::corners_before`: Doo-Sabin, mid-edge.
-template <class Scheme>
-inline constexpr bool numbers_corners_at_vertices =
-    detail::counts_faces_at_vertices<decltype(columns_type<Scheme>::faces)>;
 
 /// For schemes with faces that have as many corners as a vertex has faces: how many corners the vertices before a vertex
 /// have. Inside, all vertices that such a scheme makes have four faces; those at the boundary are listed.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "corners_at_vertices.hpp"
+#include "column_facts.hpp"
 #include "reach.hpp"
 #include "submesh.hpp"
 #include "tile_job.hpp"
-#include "whole_numbering.hpp"
+#include "whole_counts.hpp"
 
 #include <kith/error.hpp>
+#include <kith/lift.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,6 +52,8 @@ public:
         is_ours_.assign(part_of.size(), 0);
         if constexpr (numbers_corners_at_vertices<Scheme>)
             count_corners();
+        if constexpr (marks_edges<Scheme>)
+            count_marks();
     }
 
     [[nodiscard]] std::size_t parts() const { return first_.size() - 1; }
@@ -60,15 +63,21 @@ public:
     }
     [[nodiscard]] whole_counts counts() const
     {
-        return {mesh_.vertex_count(), mesh_.edge_count(), mesh_.face_count(), mesh_.corner_count()};
+        return {mesh_.vertex_count(),
+                mesh_.edge_count(),
+                mesh_.face_count(),
+                mesh_.corner_count(),
+                marked_before_.empty() ? 0 : marked_before_.back()};
     }
 
     /// Part `part` with `rings` rings of shadows. Cost: O(its elements log of them).
     [[nodiscard]] job_type cut(std::size_t part, int rings) { return cut_around(faces(part), rings); }
 
-    /// The tile of all faces that touch the boundary: see whole_levels.
+    /// The tile of all faces that touch the boundary, empty if the scheme has no use for it: see whole_levels.
     [[nodiscard]] job_type cut_rim(int rings)
     {
+        if constexpr (not numbers_boundary<Scheme>)
+            return cut_around({}, rings);
         const auto& t = mesh_.topology();
         std::vector<unsigned char> at_boundary(mesh_.vertex_count(), 0);
         for (std::size_t e = 0; e < t.edges(); ++e)
@@ -91,6 +100,14 @@ private:
             ++corners_before_[v + 1];
         for (std::size_t v = 0; v < mesh_.vertex_count(); ++v)
             corners_before_[v + 1] += corners_before_[v];
+    }
+
+    void count_marks()
+    {
+        const level_of<basic_mesh<Point, Index>> level(mesh_);
+        marked_before_.assign(mesh_.edge_count() + 1, 0);
+        for (const auto e : level.edges())
+            marked_before_[e.index() + 1] = marked_before_[e.index()] + (Scheme::is_marked(e) ? 1 : 0);
     }
 
     job_type cut_around(std::span<const Index> seeds, int rings)
@@ -134,9 +151,13 @@ private:
         const std::size_t size = part.edge_from.size();
         result.edge_ids = storage<global_id>(size);
         result.edge_marks = storage<unsigned char>(size);
+        if constexpr (marks_edges<Scheme>)
+            result.marked_before = storage<global_id>(size);
         for (std::size_t e = 0; e < size; ++e) {
             const std::size_t old = part.edge_from[e];
             result.edge_ids[e] = old;
+            if constexpr (marks_edges<Scheme>)
+                result.marked_before[e] = marked_before_[old];
             const Index other = t.halfedge_corner[2 * old + 1];
             Index smallest = detail::face_of_corner(t, t.halfedge_corner[2 * old]);
             if (other != t.none)
@@ -172,7 +193,7 @@ private:
     std::vector<std::size_t> first_;
     std::vector<Index> faces_;
     std::vector<unsigned char> is_ours_;
-    std::vector<global_id> corners_before_;
+    std::vector<global_id> corners_before_, marked_before_; // per vertex, per edge, and of all
 };
 
 } // namespace kith

@@ -99,7 +99,7 @@ namespace detail {
 template <class Point, class Index>
 constexpr std::uint64_t kind_of_message()
 {
-    constexpr std::uint64_t version = 1;
+    constexpr std::uint64_t version = 2;
     return 0x6b697468'00000000U | version << 16 | sizeof(Point) << 8 | sizeof(Index); // turned round elsewhere
 }
 
@@ -151,7 +151,7 @@ void for_each_array(Topology& t, Tile& part, const F& f)
     f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner), f(t.vertex_corner);
     f(t.face_corner), f(t.corner_face), f(part.root_of);
     f(part.vertex_ids), f(part.edge_ids), f(part.face_ids);
-    f(part.first_corner_ids), f(part.corners_before), f(part.roots);
+    f(part.first_corner_ids), f(part.corners_before), f(part.marked_before), f(part.roots);
     f(part.vertex_marks), f(part.edge_marks), f(part.face_marks);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "column_facts.hpp"
 #include "corners_at_vertices.hpp"
 #include "reach.hpp"
 #include "tile_step.hpp"
@@ -21,7 +22,8 @@ public:
     using columns_type = kith::columns_type<Scheme>;
 
     /// `rim` is the tile that owns all faces of level 0 that touch the boundary, with at least
-    /// ring_schedule(scheme, levels)[0] rings, and `scheme` is that of this tile.
+    /// ring_schedule(scheme, levels, 1)[0] rings, and `scheme` is that of this tile. It may be empty if the mesh is closed
+    /// or the numbers do not depend on the boundary (numbers_boundary).
     /// Errors: mesh_error when there are more elements than global_id can number.
     /// Cost: that of refining the boundary.
     template <class Tile>

@@ -2,57 +2,26 @@
 #pragma once
 
 #include "boundary_facts.hpp"
+#include "column_facts.hpp"
+#include "whole_counts.hpp"
+#include "whole_tuple.hpp"
 
 #include <kith/columns.hpp>
-#include <kith/error.hpp>
-#include <kith/lift.hpp>
-#include <kith/numbering.hpp>
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace kith {
 
-/// How many elements a level has in the whole mesh.
-struct whole_counts {
-    global_id vertices = 0, edges = 0, faces = 0, corners = 0;
-
-    friend bool operator==(const whole_counts&, const whole_counts&) = default;
-};
-
-namespace detail {
-
-inline global_id tuples_of(const whole_counts& whole, tuple_kind kind)
-{
-    switch (kind) {
-    case tuple_kind::v: return whole.vertices;
-    case tuple_kind::e: return whole.edges;
-    case tuple_kind::f: return whole.faces;
-    case tuple_kind::ve: return 2 * whole.edges;
-    case tuple_kind::vfe: return 2 * whole.corners;
-    default: return whole.corners;
-    }
-}
-
-inline global_id add_ids(global_id a, global_id b)
-{
-    global_id sum;
-    if (__builtin_add_overflow(a, b, &sum))
-        throw mesh_error("the whole mesh has more elements than 64 bits can number; refine fewer times");
-    return sum;
-}
-
-} // namespace detail
-
 /// The ids of all new elements of one kind in the whole mesh, by formula: the base of a column plus the number of the
 /// tuple. Where the boundary leaves tuples out (`inside`, `on_boundary`), the exceptions are kept: they are few, since
-/// they lie along curves. It is `column_ids`, for a mesh that nobody holds.
+/// they lie along curves. Where marks of edges decide, the tuple knows how many there are before it. It is `column_ids`,
+/// for a mesh that nobody holds.
 template <class List>
 class whole_column_ids;
 template <template <class...> class List, class... Columns>
@@ -69,6 +38,7 @@ public:
     }
 
     [[nodiscard]] global_id total() const { return base_[size]; }
+    [[nodiscard]] global_id count(std::size_t column) const { return base_[column + 1] - base_[column]; }
     /// The corners of all new faces.
     [[nodiscard]] global_id total_corners() const { return first_corner_[size]; }
 
@@ -79,8 +49,10 @@ public:
         return base_[i] + rank(i, tuple);
     }
     /// The inverse: the tuple that gave birth to an element, without the corners before it.
+    /// Where marks decide there is none, since those of level 0 are in no formula.
     /// Precondition: id < total(). Cost: O(log exceptions).
     [[nodiscard]] whole_tuple origin(global_id id) const
+        requires(not(detail::picks_by_marks<decltype(Columns::where)> or ...))
     {
         std::size_t i = 0;
         while (id >= base_[i + 1])
@@ -108,6 +80,8 @@ private:
     }
     [[nodiscard]] global_id rank(std::size_t i, const whole_tuple& tuple) const
     {
+        if (picked_before_[i] != nullptr)
+            return picked_before_[i](tuple.id, std::min(tuple.marked_before, marked_edges_));
         if (exceptions_[i].empty())
             return tuple.id;
         const auto before = std::lower_bound(exceptions_[i].begin(), exceptions_[i].end(), tuple.id);
@@ -139,20 +113,26 @@ private:
     void append(const whole_counts& whole, const column<Kind, Where, Degree>& c,
                 const std::vector<boundary_fact>& facts)
     {
+        constexpr bool at_boundary = detail::picks_at_boundary<Where>;
         static_assert(
-            not requires { c.where.keep; } or requires { Where::inner; },
-            "columns that pick inner tuples have no ids in closed form");
+            not requires { c.where.keep; } or at_boundary or detail::picks_by_marks<Where>,
+            "columns that pick tuples anywhere have no ids in closed form unless they say how many");
         static_assert(not detail::has_degree<Degree> or detail::has_fixed_degree<Degree> or Kind == tuple_kind::f or
                           Kind == tuple_kind::v,
                       "new faces of unknown degree need a face or a vertex that tells it");
-        static_assert(not detail::has_degree<Degree> or detail::has_fixed_degree<Degree> or
-                          not detail::is_picky<Where> or Kind == tuple_kind::v,
+        static_assert(not detail::has_degree<Degree> or detail::has_fixed_degree<Degree> or not at_boundary or
+                          Kind == tuple_kind::v,
                       "only vertices may both leave tuples out and tell the degree of new faces");
         const std::size_t i = appended_++;
         global_id count = detail::tuples_of(whole, Kind);
         if constexpr (std::same_as<Where, all_or_none>)
             count = c.where.all ? count : 0;
-        if constexpr (detail::is_picky<Where>) {
+        if constexpr (detail::picks_by_marks<Where>) {
+            picked_before_[i] = [](global_id n, global_id marked) { return decltype(Where::keep)::before(n, marked); };
+            marked_edges_ = whole.marked_edges;
+            count = picked_before_[i](count, marked_edges_);
+        }
+        if constexpr (at_boundary) {
             exceptions_are_all_[i] = not Where::inner;
             global_id excluded = 0, kept = 0;
             std::int64_t more = 0;
@@ -182,8 +162,10 @@ private:
     std::array<global_id, size + 1> base_{}, first_corner_{};
     std::array<std::size_t, size> degree_{}; // of the new faces; 0: of many degrees
     std::array<bool, size> exceptions_are_all_{};
-    std::array<std::vector<global_id>, size> exceptions_, excluded_; // tuples at the boundary, increasing; sums
-    std::array<std::vector<std::int64_t>, size> corners_more_;       // sums of the corners they have beyond their faces
+    global_id marked_edges_ = 0;
+    std::array<global_id (*)(global_id, global_id), size> picked_before_{}; // where marks decide
+    std::array<std::vector<global_id>, size> exceptions_, excluded_;        // tuples at the boundary, increasing; sums
+    std::array<std::vector<std::int64_t>, size> corners_more_; // sums of the corners they have beyond their faces
 };
 
 /// The ids of all new elements of one step in the whole mesh.
@@ -217,12 +199,9 @@ struct whole_numbering {
 
     [[nodiscard]] whole_counts counts() const
     {
-        return {vertices.total(), edges.total(), faces.total(), faces.total_corners()};
+        constexpr bool marks = detail::column_facts<decltype(Columns::vertices)>::any_by_marks;
+        return {vertices.total(), edges.total(), faces.total(), faces.total_corners(), marks ? edges.count(0) : 0};
     }
 };
-
-/// The columns of a scheme.
-template <class Scheme>
-using columns_type = decltype(columns_of(std::declval<const Scheme&>(), 0));
 
 } // namespace kith

@@ -3,6 +3,7 @@
 
 #include <kith/refinement.hpp>
 
+#include <cstdint>
 #include <string>
 
 namespace kith {
@@ -27,14 +28,41 @@ struct bisection_split {
         return c.next() == c.f().first_corner() ? c.next().across().next() : c.next();
     }
 
+    /// What the columns pick. `before(n, m)` of the first n tuples, where m edges before the last one's edge are marked:
+    /// by this tiles number what is picked in a mesh that nobody holds.
+    struct marked_edge {
+        template <class Edge>
+        constexpr bool operator()(const Edge& e) const
+        {
+            return is_marked(e);
+        }
+        static constexpr std::uint64_t before(std::uint64_t, std::uint64_t m) { return m; }
+    };
+    struct unmarked_edge {
+        template <class Edge>
+        constexpr bool operator()(const Edge& e) const
+        {
+            return not is_marked(e);
+        }
+        static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return n - m; }
+    };
+    struct end_of_marked_edge : marked_edge {
+        static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return 2 * m + n % 2; }
+    };
+    struct corner_at_marked_edge {
+        template <class Corner>
+        constexpr bool operator()(const Corner& c) const
+        {
+            return not(c.next() == c.f().first_corner());
+        }
+        static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t) { return n / 3 * 2 + n % 3; }
+    };
+
     static constexpr auto columns()
     {
-        const auto marked = [](const auto& e) { return is_marked(e); };
-        const auto unmarked = [](const auto& e) { return not is_marked(e); };
-        const auto on_marked_edge = [](const auto& c) { return not(c.next() == c.f().first_corner()); };
-        return kith::columns(new_vertices(per_vertex, per_edge.only(marked)),
-                             new_edges(per_edge.only(unmarked), per_end.only(marked), per_face),
-                             new_faces(triangles(per_corner).only(on_marked_edge)));
+        return kith::columns(new_vertices(per_vertex, per_edge.only(marked_edge{})),
+                             new_edges(per_edge.only(unmarked_edge{}), per_end.only(end_of_marked_edge{}), per_face),
+                             new_faces(triangles(per_corner).only(corner_at_marked_edge{})));
     }
 
     /// Boundary edges are marked in odd generations, as `tri_quad` makes and numbers them.

@@ -20,8 +20,21 @@ struct four_eight {
     static constexpr std::string_view name = "4-8";
     static constexpr bool triangles_only = true;
     static constexpr bool trusted = true;
+    /// Along unmarked edges a step makes no ring thinner: docs/distributed.md.
+    static constexpr int reach(int rings) { return rings + 1; }
     static constexpr auto columns() { return bisection_split::columns(); }
     static constexpr counts next(const counts& c, int generation) { return bisection_split::next(c, generation); }
+
+    template <class Edge>
+    static bool is_marked(const Edge& e)
+    {
+        return bisection_split::is_marked(e);
+    }
+    template <class Level>
+    static void require(const Level& level, int)
+    {
+        bisection_split::require_marks(level);
+    }
 
     static four_eight like(library other)
     {
@@ -94,9 +107,6 @@ struct four_eight {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        if (generation <= 1)
-            bisection_split::require_marks(coarse);
-
         for_each(coarse.edges(), [&](auto e) {
             if (not bisection_split::is_marked(e))
                 return;

@@ -50,6 +50,7 @@ compare butterfly triangles.off butterfly 3
 compare kobbelt quads.off kobbelt 3
 compare nasri-hasbini quads.off nasri-hasbini 2
 compare mid-edge mixed.off mid-edge 4
+compare 4-8 mixed.off 4-8 4
 compare creases quads.off catmull-clark 3 --crease-angle 20
 compare closed cube.off catmull-clark 4
 

@@ -31,6 +31,11 @@ run refine cube.off -s doo-sabin -n 3 -o whole.ply --binary
 run compare tiles.ply whole.ply --tolerance 0
 exits 0
 prints 'largest distance 0, equal'
+run refine cube.off -s 4-8 -n 5 -o tiles.ply --tiles 4 # of marked edges
+run refine cube.off -s 4-8 -n 5 -o whole.ply --binary
+run compare tiles.ply whole.ply --tolerance 0
+exits 0
+prints 'largest distance 0, equal'
 run refine cube.off -s catmull-clark -n 2 -o tiles.ply --tiles 2 --json
 exits 0
 prints '"tiles":2.*"faces":96'
@@ -46,9 +51,9 @@ says '0 were asked for'
 run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 2 --mesh cgal
 exits 2
 says '--mesh and tiles do not go together'
-run refine cube.off -s 4-8 -n 1 -o out.ply --tiles 2
+run refine cube.off -s unified -n 1 -o out.ply --tiles 2
 exits 2
-says '4-8 has no reach'
+says 'unified has no reach'
 run refine cube.off -s catmull-clark -n 1 -o nowhere/out.ply --tiles 2
 exits 1
 says 'nowhere/out.ply'
