@@ -259,6 +259,13 @@ struct spoke_step {
     }
 };
 
+/// The number of corners that all faces of a level have when it is known while compiling, else 0.
+template <class Level>
+inline constexpr std::size_t degree_of_all_faces = 0;
+template <class Level>
+    requires requires { Level::face_degree; }
+inline constexpr std::size_t degree_of_all_faces<Level> = Level::face_degree;
+
 template <class Level>
 struct face_step {
     typename Level::corner_handle first;
@@ -271,6 +278,21 @@ struct face_step {
             here = Level::no_corner;
     }
     [[nodiscard]] bool done() const { return here == Level::no_corner; }
+    [[nodiscard]] corner<Level> get(const Level& level) const { return {level, here}; }
+};
+/// Counts, so that the loop over a face is unrolled.
+template <class Level>
+    requires(degree_of_all_faces<Level> != 0)
+struct face_step<Level> {
+    typename Level::corner_handle here;
+    std::size_t left = degree_of_all_faces<Level>;
+
+    void advance(const Level& level)
+    {
+        here = level.next(here);
+        --left;
+    }
+    [[nodiscard]] bool done() const { return left == 0; }
     [[nodiscard]] corner<Level> get(const Level& level) const { return {level, here}; }
 };
 

@@ -23,6 +23,7 @@ public:
     using face_handle = typename traits::face;
     using corner_handle = element_id<struct corner_kind, Index>;
 
+    static constexpr std::size_t face_degree = Degree;
     static constexpr corner_handle no_corner{connectivity<Index>::none};
     /// Arithmetic on these points may run on several threads.
     static constexpr bool parallel = std::is_trivially_copyable_v<point_type>;

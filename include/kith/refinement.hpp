@@ -32,6 +32,31 @@ inline constexpr bool is_trusted = requires { requires Scheme::trusted; };
 
 namespace detail {
 
+/// Calls f(id, degree) for each new face in the order of their numbers as long as f says so.
+template <class Level, class Numbering, class Columns, class F>
+void for_new_faces(const Level& coarse, const Numbering& ids, const Columns& columns, const F& f)
+{
+    bool more = true;
+    const auto in_column = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c, std::size_t i) {
+        for (std::size_t id = ids.faces.base(i); more and id < ids.faces.base(i + 1); ++id)
+            more = f(id, c.degree(tuple_element<K>(coarse, ids.faces.origin(id).second)));
+    };
+    std::apply([&, i = std::size_t(0)](const auto&... c) mutable { (in_column(c, i++), ...); }, columns.faces.list);
+}
+
+/// 3 or 4 if all new faces have so many corners, else 0.
+template <class Level, class Numbering, class Columns>
+int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& columns)
+{
+    std::size_t common = 0;
+    for_new_faces(coarse, ids, columns, [&](std::size_t id, std::size_t degree) {
+        const bool same = (id == 0 or degree == common) and (degree == 3 or degree == 4);
+        common = same ? degree : 0;
+        return same;
+    });
+    return int(common);
+}
+
 /// Allocates the connectivity of the next level as far as its numbering tells it.
 template <connect Connect, bool Checked, class Level, class Numbering, class Columns>
 auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& columns)
@@ -44,22 +69,15 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
         fine.degree = int(Numbering::common_degree);
         std::size_t corners = fine.faces * Numbering::common_degree;
         if constexpr (Numbering::common_degree == 0) {
-            fine.face_corner = storage<index>(fine.faces + 1);
-            fine.face_corner[0] = 0;
-            bool uniform = true;
-            const auto append = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c, std::size_t i) {
-                for (std::size_t id = ids.faces.base(i); id < ids.faces.base(i + 1); ++id) {
-                    const std::size_t degree = c.degree(tuple_element<K>(coarse, ids.faces.origin(id).second));
-                    uniform = uniform and degree == (id == 0 ? degree : std::size_t(fine.face_corner[1]));
+            fine.degree = degree_of_all(coarse, ids, columns);
+            corners = fine.faces * std::size_t(fine.degree);
+            if (fine.degree == 0) {
+                fine.face_corner = storage<index>(fine.faces + 1);
+                fine.face_corner[0] = 0;
+                for_new_faces(coarse, ids, columns, [&](std::size_t id, std::size_t degree) {
                     fine.face_corner[id + 1] = index(corners += degree);
-                }
-            };
-            std::apply([&, i = std::size_t(0)](const auto&... c) mutable { (append(c, i++), ...); },
-                       columns.faces.list);
-            if (uniform and fine.faces != 0 and (fine.face_corner[1] == 3 or fine.face_corner[1] == 4)) {
-                fine.degree = int(fine.face_corner[1]);
-                fine.face_corner = {};
-            } else {
+                    return true;
+                });
                 fine.corner_face = storage<index>(corners);
             }
         }

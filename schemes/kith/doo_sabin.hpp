@@ -108,15 +108,16 @@ struct doo_sabin {
         if (generation == 0)
             require_three_faces(coarse, name);
 
+        const bool open = not coarse.is_closed();
         for_each(coarse.corners(), [&](auto c) {
             const auto v = c.v();
-            const bool after = c.is_boundary(); // the edge to the next corner
-            const bool before = c.prev().is_boundary();
+            const bool after = open and c.is_boundary(); // the edge to the next corner
+            const bool before = open and c.prev().is_boundary();
             if (boundary == doo_sabin_boundary::thesis and after != before)
                 assoc(c, V) = 3. / 4 * v + 1. / 4 * (after ? c.next().v() : c.prev().v());
             else if (boundary == doo_sabin_boundary::thesis and after and before)
                 assoc(c, V) = v;
-            else if (boundary == doo_sabin_boundary::clamped and c.f().is_boundary() and c.f().degree() == 4)
+            else if (boundary == doo_sabin_boundary::clamped and open and c.f().is_boundary() and c.f().degree() == 4)
                 assoc(c, V) = sum(c.vertices_from_here(), clamped_mask<real>(c).data());
             else
                 assoc(c, V) = sum(c.vertices_from_here(), masks[c.f().degree()].data());
