@@ -83,4 +83,23 @@ std::vector<std::vector<T>> all_to_all(communicator& comm, const std::vector<std
     return result;
 }
 
+/// Collective: what all ranks have, one rank after the other, on all ranks. Errors: mpi::error.
+template <class T>
+    requires std::is_trivially_copyable_v<T>
+std::vector<T> all_of_ranks(communicator& comm, const std::vector<T>& mine)
+{
+    std::vector<std::vector<T>> to(std::size_t(comm.size()));
+    to[0] = mine;
+    std::vector<std::byte> all;
+    for (const auto& part : all_to_all(comm, to)) {
+        const auto bytes = std::as_bytes(std::span(part));
+        all.insert(all.end(), bytes.begin(), bytes.end());
+    }
+    all = comm.broadcast(std::move(all));
+    std::vector<T> result(all.size() / sizeof(T));
+    if (not all.empty())
+        std::memcpy(result.data(), all.data(), all.size());
+    return result;
+}
+
 } // namespace kith::mpi

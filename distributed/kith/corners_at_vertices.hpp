@@ -18,20 +18,36 @@ namespace kith {
 class corners_at_vertices {
 public:
     corners_at_vertices() = default;
+    /// A vertex at the boundary of the whole mesh, and how many faces it has.
+    struct boundary_vertex {
+        global_id id, faces;
+    };
+
+    /// From a tile that owns all vertices at the boundary.
     template <class Tile>
-    explicit corners_at_vertices(const Tile& rim)
+    explicit corners_at_vertices(const Tile& rim) : corners_at_vertices(owned_at_boundary(rim))
     {
-        const level_of<decltype(rim.mesh)> level(rim.mesh);
-        std::vector<std::pair<global_id, global_id>> found;
-        for (const auto v : level.vertices())
-            if (v.is_boundary() and rim.owns_vertex(v.index()))
-                found.emplace_back(rim.vertex_ids[v.index()], v.face_count());
-        std::sort(found.begin(), found.end());
+    }
+    /// From all vertices at the boundary, in any order.
+    explicit corners_at_vertices(std::vector<boundary_vertex> all)
+    {
+        std::ranges::sort(all, {}, &boundary_vertex::id);
         std::int64_t fewer = 0;
-        for (const auto& [id, faces] : found) {
+        for (const auto& [id, faces] : all) {
             vertices_.push_back(id);
             fewer_.push_back(fewer += 4 - std::int64_t(faces));
         }
+    }
+    /// Those that a tile owns.
+    template <class Tile>
+    static std::vector<boundary_vertex> owned_at_boundary(const Tile& part)
+    {
+        const level_of<decltype(part.mesh)> level(part.mesh);
+        std::vector<boundary_vertex> result;
+        for (const auto v : level.vertices())
+            if (v.is_boundary() and part.owns_vertex(v.index()))
+                result.push_back({part.vertex_ids[v.index()], v.face_count()});
+        return result;
     }
 
     [[nodiscard]] global_id before(global_id vertex) const

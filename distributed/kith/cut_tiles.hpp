@@ -21,7 +21,7 @@ namespace kith {
 
 /// Cuts tiles out of a control mesh that is here as a whole. Meshes of other libraries are lifted first (`lift`): then the
 /// global ids are their numbers, removed elements left out.
-template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 class tile_cutter {
 public:
     using tile_type = tile<Point, Index>;

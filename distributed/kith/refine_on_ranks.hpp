@@ -3,11 +3,11 @@
 
 #include "checksum.hpp"
 #include "cut_tiles.hpp"
+#include "deal_tiles.hpp"
 #include "mpi.hpp"
 #include "pack.hpp"
 #include "partition.hpp"
 #include "refine_tile.hpp"
-#include "send_window.hpp"
 
 #include <kith/validate.hpp>
 
@@ -101,29 +101,11 @@ public:
     }
 
 private:
-    static constexpr std::size_t tiles_under_way = 4;
-
     template <class Use>
     void refine_dealt(const Use& use, work_done& done)
     {
-        std::vector<std::vector<std::byte>> mine; // packed: control faces are few
+        auto mine = deal_tiles(comm_, tiles_, [&](std::uint64_t t) { return pack(cutter_->cut(t, whole_->rings(0))); });
         std::string problem;
-        send_window outgoing(comm_, tiles_under_way);
-        for (std::uint64_t t = 0; t < tiles_; ++t) {
-            const int owner = int(t % std::uint64_t(comm_.size()));
-            if (comm_.is_root()) {
-                auto packed = problem.empty() ? cut(t, problem) : std::vector<std::byte>();
-                if (owner == 0)
-                    mine.push_back(std::move(packed));
-                else
-                    outgoing.send(std::move(packed), owner);
-            } else if (owner == comm_.rank()) {
-                int root = 0;
-                mine.push_back(comm_.receive(root));
-            }
-        }
-        outgoing.finish();
-        comm_.agree(problem);
         MPI_Pcontrol(1); // for profilers: from here to the next there is nothing to see
         try {
             for (std::size_t i = 0; i < mine.size(); ++i) {

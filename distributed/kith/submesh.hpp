@@ -27,6 +27,51 @@ struct submesh {
     }
 };
 
+namespace detail {
+
+/// Starts the fans that have a rim, and gives every fan a vertex of its own; `vertex_from` tells what each comes from and
+/// grows with them. Fans without a rim stay to be started.
+template <class Index, class From>
+void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
+{
+    constexpr Index none = connectivity<Index>::none;
+    std::vector<Index> fans(vertex_from.size(), 0);
+    std::vector<Index> starts;
+    for (std::size_t c = 0; c < fine.corners(); ++c)
+        if (fine.halfedge_corner[fine.corner_halfedge[c] ^ 1] == none) {
+            ++fans[fine.corner_vertex[c]];
+            starts.push_back(Index(c));
+        }
+    std::vector<Index> first(vertex_from.size() + 1,
+                             0); // the first vertex that stands for each, in the new numbers
+    for (std::size_t v = 0; v < fans.size(); ++v)
+        first[v + 1] = first[v] + std::max(Index(1), fans[v]);
+    if (first.back() != vertex_from.size()) {
+        std::vector<From> from(first.back());
+        for (std::size_t v = 0; v < fans.size(); ++v)
+            std::fill(from.begin() + first[v], from.begin() + first[v + 1], vertex_from[v]);
+        vertex_from = std::move(from);
+        for (std::size_t c = 0; c < fine.corners(); ++c)
+            fine.corner_vertex[c] = first[fine.corner_vertex[c]];
+    }
+    fine.vertices = vertex_from.size();
+    fine.vertex_corner = storage<Index>(fine.vertices, none);
+    const auto before = [&](Index c) {
+        const Index f = detail::face_of_corner(fine, c);
+        return c == fine.first_corner(f) ? Index(fine.first_corner(std::size_t(f) + 1) - 1) : Index(c - 1);
+    };
+    for (const Index start : starts) {
+        Index v = fine.corner_vertex[start];
+        while (fine.vertex_corner[v] != none)
+            ++v;
+        fine.vertex_corner[v] = start;
+        for (Index c = start; c != none; c = fine.halfedge_corner[fine.corner_halfedge[before(c)] ^ 1])
+            fine.corner_vertex[c] = v;
+    }
+}
+
+} // namespace detail
+
 /// Takes submeshes out of one mesh, each at a cost of O(its elements log of them).
 template <class Point, std::unsigned_integral Index>
 class submesh_cutter {
@@ -126,7 +171,7 @@ public:
         if (fine.degree == 0)
             fine.face_corner[faces.size()] = corner;
 
-        split_fans(fine, result.vertex_from);
+        detail::split_fans(fine, result.vertex_from);
         const auto first_of = [&](Index old) { // the corner here that is this corner there
             const Index f = detail::face_of_corner(t, old);
             return Index(fine.first_corner(face_[f]) + (old - t.first_corner(f)));
@@ -194,44 +239,6 @@ private:
             vertex_[result.vertex_from[i]] = Index(i);
         for (std::size_t i = 0; i < result.edge_from.size(); ++i)
             edge_[result.edge_from[i]] = Index(i);
-    }
-
-    /// Starts the fans that have a rim, and gives every fan a vertex of its own. Fans without a rim stay to be started.
-    static void split_fans(connectivity<Index>& fine, std::vector<Index>& vertex_from)
-    {
-        std::vector<Index> fans(vertex_from.size(), 0);
-        std::vector<Index> starts;
-        for (std::size_t c = 0; c < fine.corners(); ++c)
-            if (fine.halfedge_corner[fine.corner_halfedge[c] ^ 1] == none) {
-                ++fans[fine.corner_vertex[c]];
-                starts.push_back(Index(c));
-            }
-        std::vector<Index> first(vertex_from.size() + 1,
-                                 0); // the first vertex that stands for each, in the new numbers
-        for (std::size_t v = 0; v < fans.size(); ++v)
-            first[v + 1] = first[v] + std::max(Index(1), fans[v]);
-        if (first.back() != vertex_from.size()) {
-            std::vector<Index> from(first.back());
-            for (std::size_t v = 0; v < fans.size(); ++v)
-                std::fill(from.begin() + first[v], from.begin() + first[v + 1], vertex_from[v]);
-            vertex_from = std::move(from);
-            for (std::size_t c = 0; c < fine.corners(); ++c)
-                fine.corner_vertex[c] = first[fine.corner_vertex[c]];
-        }
-        fine.vertices = vertex_from.size();
-        fine.vertex_corner = storage<Index>(fine.vertices, none);
-        const auto before = [&](Index c) {
-            const Index f = detail::face_of_corner(fine, c);
-            return c == fine.first_corner(f) ? Index(fine.first_corner(std::size_t(f) + 1) - 1) : Index(c - 1);
-        };
-        for (const Index start : starts) {
-            Index v = fine.corner_vertex[start];
-            while (fine.vertex_corner[v] != none)
-                ++v;
-            fine.vertex_corner[v] = start;
-            for (Index c = start; c != none; c = fine.halfedge_corner[fine.corner_halfedge[before(c)] ^ 1])
-                fine.corner_vertex[c] = v;
-        }
     }
 
     const basic_mesh<Point, Index>& mesh_;

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "all_to_all.hpp"
+#include "numbered_tile.hpp"
+#include "pack.hpp"
+#include "tile_patch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+namespace detail {
+
+/// Of a tile that has grown, what it owned before.
+template <class Tile>
+void keep_owned(const Tile& before, Tile& grown)
+{
+    const auto keep = [](const auto& old_ids, const auto& old_marks, const auto& ids, auto& marks) {
+        for (std::size_t x = 0; x < ids.size(); ++x) {
+            const auto old = std::lower_bound(old_ids.begin(), old_ids.end(), ids[x]) - old_ids.begin();
+            const bool is_copy = x != 0 and ids[x - 1] == ids[x];
+            if (std::size_t(old) < old_ids.size() and old_ids[std::size_t(old)] == ids[x] and not is_copy)
+                marks[x] = static_cast<unsigned char>(marks[x] | (old_marks[std::size_t(old)] & owned_mark));
+        }
+    };
+    keep(before.vertex_ids, before.vertex_marks, grown.vertex_ids, grown.vertex_marks);
+    keep(before.edge_ids, before.edge_marks, grown.edge_ids, grown.edge_marks);
+    keep(before.face_ids, before.face_marks, grown.face_ids, grown.face_marks);
+}
+
+/// Which faces lie at a vertex, and who owns them: asked of rank `vertex modulo ranks`.
+class faces_at_vertices {
+public:
+    struct place {
+        global_id face;
+        std::uint64_t rank, tile; // the tile by where it is on that rank
+    };
+    struct answer {
+        std::uint64_t question;
+        place where;
+    };
+
+    /// Collective. Tells of the faces that tiles may ask for which are to have so many rings of shadows.
+    template <class Tile>
+    faces_at_vertices(communicator& comm, std::span<const numbered_tile<Tile>> tiles, int rings) : comm_(comm)
+    {
+        using index = typename Tile::index_type;
+        std::vector<std::vector<offer>> offers(std::size_t(comm.size()));
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            const Tile& part = tiles[t].part;
+            const auto incomplete = incomplete_vertices(part);
+            std::vector<index> near;
+            for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+                if (not part.owns_face(f) or
+                    std::ranges::any_of(part.mesh.face(f), [&](index v) { return incomplete[v] != 0; }))
+                    near.push_back(index(f));
+            for (const index f : submesh_cutter(part.mesh).faces_around(near, rings))
+                if (part.owns_face(f))
+                    for (const index v : part.mesh.face(f)) {
+                        const global_id id = part.vertex_ids[v];
+                        offers[id % offers.size()].push_back({id, part.face_ids[f], t});
+                    }
+        }
+        const auto came = all_to_all(comm, offers);
+        for (std::size_t rank = 0; rank < came.size(); ++rank)
+            for (const auto& [vertex, face, tile] : came[rank])
+                known_.push_back({vertex, {face, rank, tile}});
+        std::ranges::sort(known_, {}, &entry::vertex);
+    }
+
+    /// Collective. `questions[r]` are vertices for rank r; the answers tell by their place there which one they are for.
+    std::vector<std::vector<answer>> ask(const std::vector<std::vector<global_id>>& questions)
+    {
+        const auto asked = all_to_all(comm_, questions);
+        std::vector<std::vector<answer>> answers(asked.size());
+        for (std::size_t rank = 0; rank < asked.size(); ++rank)
+            for (std::size_t q = 0; q < asked[rank].size(); ++q)
+                for (const auto& [vertex, found] : std::ranges::equal_range(known_, asked[rank][q], {}, &entry::vertex))
+                    answers[rank].push_back({q, found});
+        return all_to_all(comm_, answers);
+    }
+
+private:
+    struct offer {
+        global_id vertex, face;
+        std::uint64_t tile;
+    };
+    struct entry {
+        global_id vertex;
+        place found;
+    };
+
+    communicator& comm_;
+    std::vector<entry> known_; // by vertex
+};
+
+/// Collective: asks owners for faces. `wanted[r]` lie on rank r; the result has them in that order.
+template <class Tile>
+std::vector<tile_patch<typename Tile::point_type>>
+fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
+            const std::vector<std::vector<faces_at_vertices::place>>& wanted)
+{
+    using patch = tile_patch<typename Tile::point_type>;
+    using index = typename Tile::index_type;
+    const auto asked = all_to_all(comm, wanted);
+    std::vector<std::vector<std::byte>> replies(asked.size());
+    for (std::size_t rank = 0; rank < asked.size(); ++rank) {
+        patch reply;
+        for (const auto& where : asked[rank]) {
+            const auto& part = tiles[where.tile].part;
+            const auto face = std::ranges::lower_bound(part.face_ids, where.face) - part.face_ids.begin();
+            reply.append(patch_of(part, std::span<const index>(std::array{index(face)})));
+        }
+        replies[rank] = packer().add_array(reply.faces).add_array(reply.corners).add_array(reply.vertices).take();
+    }
+    std::vector<patch> result;
+    for (const auto& bytes : all_to_all(comm, std::move(replies))) {
+        unpacker in(bytes);
+        auto& came = result.emplace_back();
+        came.faces = in.get_array<decltype(came.faces)>();
+        came.corners = in.get_array<decltype(came.corners)>();
+        came.vertices = in.get_array<decltype(came.vertices)>();
+    }
+    return result;
+}
+
+} // namespace detail
+
+/// Collective: lets the shadows of all tiles of a level grow from one ring to `rings`, by asking ring after ring who holds
+/// the faces at the outermost vertices. `tiles` are those of this rank; what they own stays.
+/// Preconditions: each has its edges and a ring of shadows. Creases are not carried, nor marks of edges on level 0.
+/// Errors: mpi::error. Cost: four messages at most to each rank per ring, and building each tile anew.
+template <class Point, class Index>
+void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, int rings)
+{
+    if (rings <= 1)
+        return;
+    using tile_type = tile<Point, Index>;
+    const std::span<const numbered_tile<tile_type>> all_tiles(tiles);
+    detail::faces_at_vertices directory(comm, all_tiles, rings + 1);
+    const auto ranks = std::size_t(comm.size());
+    for (int ring = 2; ring <= rings; ++ring) {
+        std::vector<std::vector<global_id>> questions(ranks);
+        std::vector<std::vector<std::size_t>> asking(ranks);
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            const auto& part = tiles[t].part;
+            const auto incomplete = incomplete_vertices(part);
+            for (std::size_t v = 0; v < incomplete.size(); ++v)
+                if (incomplete[v] != 0) {
+                    questions[part.vertex_ids[v] % ranks].push_back(part.vertex_ids[v]);
+                    asking[part.vertex_ids[v] % ranks].push_back(t);
+                }
+        }
+        std::vector<std::vector<detail::faces_at_vertices::answer>> missing(tiles.size());
+        const auto answers = directory.ask(questions);
+        for (std::size_t rank = 0; rank < ranks; ++rank)
+            for (const auto& found : answers[rank]) {
+                const std::size_t t = asking[rank][found.question];
+                if (not std::ranges::binary_search(tiles[t].part.face_ids, found.where.face))
+                    missing[t].push_back(found);
+            }
+        std::vector<std::vector<detail::faces_at_vertices::place>> wanted(ranks);
+        std::vector<std::vector<std::size_t>> wanting(ranks);
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            const auto face = [](const auto& found) { return found.where.face; };
+            std::ranges::sort(missing[t], {}, face);
+            const auto twice = std::ranges::unique(missing[t], {}, face);
+            missing[t].erase(twice.begin(), twice.end());
+            for (const auto& found : missing[t]) {
+                wanted[found.where.rank].push_back(found.where);
+                wanting[found.where.rank].push_back(t);
+            }
+        }
+        const auto came = detail::fetch_faces(comm, all_tiles, wanted);
+        std::vector<tile_patch<Point>> more(tiles.size());
+        for (std::size_t rank = 0; rank < ranks; ++rank)
+            for (std::size_t f = 0, corner = 0; f < came[rank].faces.size(); ++f) {
+                auto& patch = more[wanting[rank][f]];
+                const auto degree = std::ptrdiff_t(came[rank].faces[f].degree), first = std::ptrdiff_t(corner);
+                const auto& [faces, corners, vertices] = came[rank];
+                patch.faces.push_back(faces[f]);
+                patch.corners.insert(patch.corners.end(), corners.begin() + first, corners.begin() + first + degree);
+                patch.vertices.insert(
+                    patch.vertices.end(), vertices.begin() + first, vertices.begin() + first + degree);
+                corner += std::size_t(degree);
+            }
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            auto& part = tiles[t].part;
+            std::vector<Index> all(part.mesh.face_count());
+            std::iota(all.begin(), all.end(), Index(0));
+            auto patch = patch_of(part, std::span<const Index>(all));
+            patch.append(more[t]);
+            auto grown = tile_of_patch<Index>(
+                std::move(patch), part.mesh.topology().degree, part.mesh.generation(), not part.corners_before.empty());
+            detail::keep_owned(part, grown);
+            part = std::move(grown);
+        }
+    }
+}
+
+} // namespace kith::mpi

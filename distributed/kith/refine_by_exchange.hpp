@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cut_tiles.hpp"
+#include "deal_tiles.hpp"
+#include "field_exchange.hpp"
+#include "grow_shadows.hpp"
+#include "pack.hpp"
+#include "partition.hpp"
+#include "tile_step.hpp"
+
+#include <kith/refine.hpp>
+#include <kith/validate.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+/// A control mesh that lies on rank 0, refined on all ranks level by level, for schemes whose reach over many levels is not
+/// known: after each step the tiles fetch the shadows that the next one needs. What has to be known of the scheme is one
+/// number, the rings of faces around a tile that a step needs so that one ring around its children is right, too. Bits and
+/// numbers are those of `refine`. All tiles of this rank are in memory.
+///
+/// The scheme declares its edges, takes meshes with a boundary, and carries no creases.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+class exchanging_refinement {
+    static_assert(numbering_of<Scheme, Index>::has_edges,
+                  "the edges of a tile need numbers in the whole mesh; let the scheme's columns declare new_edges");
+    static_assert(not needs_closed<Scheme>, "a tile has a rim, so a scheme for closed meshes cannot refine it");
+    static_assert(
+        not requires(const Scheme& s, std::span<const Index> from) { s.of_part(from, from); },
+        "a scheme with creases has a reach; use rank_refinement");
+
+public:
+    using tile_type = tile<Point, Index>;
+    using numbering_type = whole_numbering<columns_type<Scheme>>;
+
+    /// Collective. `mesh` and `parts` are read on rank 0 only; `rings_per_step` > 0 is the same on all ranks. Errors:
+    /// phase_error for everything that `refine` refuses and for a partition of another mesh.
+    exchanging_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                          const partition& parts, int rings_per_step)
+        : comm_(comm), scheme_(scheme), rings_(rings_per_step)
+    {
+        std::optional<tile_cutter<Point, Index, Scheme>> cutter;
+        std::vector<std::byte> setting;
+        in_agreement(comm, [&] {
+            if (rings_ < 1)
+                throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(rings_) +
+                                 " rings per step; a step needs 1 or more");
+            if (not comm.is_root())
+                return;
+            validate(mesh).require_ok();
+            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh), mesh.generation());
+            cutter.emplace(mesh, scheme_, parts.part_of, parts.parts);
+            setting = packer().add(cutter->counts()).add(std::uint64_t(parts.parts)).add(mesh.generation()).take();
+        });
+        setting = comm.broadcast(std::move(setting));
+        unpacker in(setting);
+        counts_ = in.get<whole_counts>();
+        const auto all = in.get<std::uint64_t>();
+        generation_ = in.get<int>();
+        const auto packed = deal_tiles(comm, all, [&](std::uint64_t t) { return pack(cutter->cut(t, rings_)); });
+        in_agreement(comm, [&] {
+            for (std::size_t i = 0; i < packed.size(); ++i)
+                tiles_.push_back({std::uint64_t(comm.rank()) + i * std::uint64_t(comm.size()),
+                                  unpack<Point, Index>(packed[i], scheme_).part});
+        });
+    }
+
+    /// Local.
+    [[nodiscard]] int level() const { return level_; }
+    /// Local. Of the whole mesh on this level.
+    [[nodiscard]] const whole_counts& counts() const { return counts_; }
+    /// Local. How this level is numbered; its `origin` leads to the level before. Precondition: level() > 0.
+    [[nodiscard]] const numbering_type& numbering() const { return numbering_; }
+    /// Local. The tiles of this rank on this level, with their edges and one ring of shadows (on level 0 more).
+    [[nodiscard]] std::span<const numbered_tile<tile_type>> tiles() const { return tiles_; }
+
+    /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which is
+    /// so when `rings_per_step` is too small; then the levels are of no use any more. Not every mistake of that kind shows.
+    /// Cost: that of the step, of rings_per_step - 1 rounds of messages, and of two more that compare.
+    void refine()
+    {
+        if (level_ > 0)
+            grow_shadows(comm_, std::span(tiles_), rings_);
+        const auto columns = columns_of(scheme_, generation_);
+        in_agreement(comm_, [&] { number(columns); });
+        in_agreement(comm_, [&] {
+            for (auto& [number, part] : tiles_) {
+                Scheme scheme = scheme_;
+                kith::detail::tile_step step(part, scheme, numbering_);
+                auto next = step.trim(1, scheme);
+                part = std::move(next);
+            }
+        });
+        ++level_;
+        ++generation_;
+        counts_ = numbering_.counts();
+        if constexpr (numbers_corners_at_vertices<Scheme>) {
+            std::vector<corners_at_vertices::boundary_vertex> boundary;
+            for (const auto& [number, part] : tiles_) {
+                const auto more = corners_at_vertices::owned_at_boundary(part);
+                boundary.insert(boundary.end(), more.begin(), more.end());
+            }
+            const corners_at_vertices corners(all_of_ranks(comm_, boundary));
+            for (auto& [number, part] : tiles_)
+                corners.number(part);
+        }
+        require_agreement();
+    }
+
+private:
+    template <class Columns>
+    void number(const Columns& columns)
+    {
+        std::array<std::vector<boundary_fact>, 3> facts;
+        for (const auto& [number, part] : tiles_) {
+            const auto more = numbering_type::facts_at_boundary(columns, part);
+            for (std::size_t i = 0; i < facts.size(); ++i)
+                facts[i].insert(facts[i].end(), more[i].begin(), more[i].end());
+        }
+        for (auto& list : facts)
+            list = all_of_ranks(comm_, list);
+        numbering_ = numbering_type(counts_, columns, std::move(facts));
+    }
+
+    void require_agreement()
+    {
+        const std::string remedy = "; " + std::to_string(rings_) + " rings per step are too few for " +
+                                   std::string(scheme_name<Scheme>()) + ", ask for more";
+        std::array<std::uint64_t, 3> owned{};
+        for (const auto& [number, part] : tiles_)
+            for (const auto kind : {element_kind::vertex, element_kind::edge, element_kind::face})
+                for (const unsigned char mark : marks_of(part, kind))
+                    owned[std::size_t(kind)] += mark & owned_mark;
+        owned = comm_.sum(owned);
+        if (owned != std::array{counts_.vertices, counts_.edges, counts_.faces})
+            throw phase_error(0,
+                              "level " + std::to_string(level_) + ": the tiles do not own each element once" + remedy);
+        field_exchange exchange(comm_, tiles(), element_kind::vertex);
+        std::vector<std::vector<Point>> points;
+        for (const auto& [number, part] : tiles_)
+            points.emplace_back(part.mesh.points().begin(), part.mesh.points().end());
+        exchange.exchange(points);
+        std::string problem;
+        for (std::size_t t = 0; t < tiles_.size() and problem.empty(); ++t)
+            for (std::size_t v = 0; v < points[t].size() and problem.empty(); ++v)
+                if (std::memcmp(&points[t][v], &tiles_[t].part.mesh.point(v), sizeof(Point)) != 0)
+                    problem = "level " + std::to_string(level_) + ": tile " + std::to_string(tiles_[t].number) +
+                              " has vertex " + std::to_string(tiles_[t].part.vertex_ids[v]) +
+                              " elsewhere than its owner" + remedy;
+        comm_.agree(problem);
+    }
+
+    communicator& comm_;
+    Scheme scheme_;
+    int rings_;
+    int level_ = 0, generation_ = 0;
+    whole_counts counts_;
+    numbering_type numbering_;
+    std::vector<numbered_tile<tile_type>> tiles_;
+};
+
+} // namespace kith::mpi

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../all_shapes.hpp"
+#include "../same_mesh.hpp"
+#include "on_ranks.hpp"
+
+#include <kith/butterfly.hpp>
+#include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/mid_edge.hpp>
+#include <kith/refine_by_exchange.hpp>
+#include <kith/sqrt3.hpp>
+
+namespace {
+
+/// A scheme of which nobody knows how far it reaches.
+template <class Scheme>
+struct unknown_reach {
+    static constexpr std::string_view name = "unknown";
+    Scheme known;
+
+    auto columns(int generation = 0) const { return columns_of(known, generation); }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        known(r);
+    }
+};
+static_assert(not kith::reaching_scheme<unknown_reach<kith::catmull_clark>>);
+
+/// Refines level by level and compares every element of every tile with the mesh that was refined as one.
+template <class Scheme>
+void expect_same(const mesh3d& control, const Scheme& scheme, int levels, const kith::partition& parts)
+{
+    kith::mpi::exchanging_refinement refinement(
+        world(), control, unknown_reach<Scheme>{scheme}, parts, scheme.reach(1));
+    auto whole = control;
+    for (int level = 0; level <= levels; ++level) {
+        if (level > 0) {
+            refinement.refine();
+            whole = kith::refine(whole, scheme, 1);
+        }
+        std::vector<int> vertices(whole.vertex_count()), edges(whole.edge_count()), faces(whole.face_count());
+        for (const auto& [number, part] : refinement.tiles()) {
+            EXPECT_EQ(difference(part, whole, vertices, edges, faces), "") << "tile " << number << ", level " << level;
+            const auto incomplete = kith::incomplete_vertices(part);
+            for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+                for (const auto v : part.mesh.face(f))
+                    EXPECT_FALSE(part.owns_face(f) and incomplete[v] != 0) << "a ring is not complete";
+        }
+        for (const auto* owners : {&vertices, &edges, &faces})
+            for (const auto n : world().sum(std::vector<std::uint64_t>(owners->begin(), owners->end())))
+                EXPECT_EQ(n, 1U) << level;
+    }
+}
+
+/// Shadows that grew from one ring are those that a tile keeps which was refined with more rings from the beginning.
+template <class Scheme>
+void expect_same_shadows(const mesh3d& control, const Scheme& scheme, const kith::partition& parts)
+{
+    for (const int rings : {2, 3}) {
+        auto grown = refined_tiles(control, scheme, 2, parts, 1);
+        const auto expected = refined_tiles(control, scheme, 2, parts, rings);
+        kith::mpi::grow_shadows(world(), std::span(grown), rings);
+        for (std::size_t t = 0; t < grown.size(); ++t) {
+            const auto &a = grown[t].part, &b = expected[t].part;
+            EXPECT_TRUE(same_bits(a.mesh, b.mesh));
+            for (const auto kind : {kith::element_kind::vertex, kith::element_kind::edge, kith::element_kind::face}) {
+                EXPECT_TRUE(std::ranges::equal(ids_of(a, kind), ids_of(b, kind)));
+                EXPECT_TRUE(std::ranges::equal(marks_of(a, kind), marks_of(b, kind)));
+            }
+            EXPECT_TRUE(std::ranges::equal(a.first_corner_ids, b.first_corner_ids));
+            EXPECT_TRUE(std::ranges::equal(a.corners_before, b.corners_before));
+            for (std::size_t f = 0; f < a.mesh.face_count(); ++f)
+                EXPECT_EQ(a.root(f), b.root(f));
+        }
+    }
+}
+
+} // namespace
+
+TEST(grow_shadows, fetches_the_rings_that_are_missing)
+{
+    const auto house = native(shapes::shaken(shapes::open_house()));
+    expect_same_shadows(house, kith::doo_sabin{}, scattered(house, 4, 1));
+    const auto torus = native(shapes::with_flips(shapes::shaken(shapes::triangulated(shapes::torus(8, 9))), 1));
+    expect_same_shadows(torus, kith::butterfly{}, in_blocks(torus, 6));
+    expect_same_shadows(torus, kith::butterfly{}, scattered(torus, 9, 2));
+}
+
+TEST(exchanging_refinement, equals_the_whole_mesh_bit_for_bit)
+{
+    const auto house = native(shapes::shaken(shapes::open_house()));
+    const auto grid = native(shapes::shaken(shapes::triangulated(shapes::grid(5, 6))));
+    const auto torus = native(shapes::with_flips(shapes::shaken(shapes::triangulated(shapes::torus(6, 8))), 1));
+    const auto joined = native(shapes::with_joins(shapes::shaken(shapes::torus(6, 6)), 3, 100));
+    for (const std::uint32_t seed : {1, 2}) {
+        expect_same(house, kith::catmull_clark{}, 3, scattered(house, 4, seed));
+        expect_same(joined, kith::catmull_clark{}, 2, scattered(joined, 7, seed));
+        expect_same(house, kith::doo_sabin{}, 3, scattered(house, 4, seed));
+        expect_same(
+            house, kith::doo_sabin{.boundary = kith::doo_sabin_boundary::clamped}, 3, scattered(house, 5, seed));
+        expect_same(joined, kith::mid_edge{}, 3, scattered(joined, 3, seed));
+        for (const auto& triangles : {grid, torus}) {
+            expect_same(triangles, kith::butterfly{}, 2, scattered(triangles, 4, seed));
+            expect_same(triangles, kith::sqrt3{}, 3, scattered(triangles, 5, seed));
+        }
+    }
+    expect_same(torus, kith::butterfly{}, 2, in_blocks(torus, 3));
+    expect_same(grid, kith::sqrt3{}, 4, in_blocks(grid, 2));
+}
+
+TEST(exchanging_refinement, says_when_a_step_needs_more_rings)
+{
+    const auto torus = native(shapes::shaken(shapes::triangulated(shapes::torus(9, 10))));
+    const auto text = [&](int rings) {
+        try {
+            kith::mpi::exchanging_refinement refinement(
+                world(), torus, unknown_reach<kith::butterfly>{}, in_blocks(torus, 4), rings);
+            refinement.refine();
+            return std::string();
+        } catch (const kith::mpi::phase_error& error) {
+            return std::string(error.what());
+        }
+    };
+    EXPECT_EQ(text(2), "");
+    EXPECT_NE(text(1).find("1 rings per step are too few for unknown, ask for more"), std::string::npos) << text(1);
+    EXPECT_EQ(text(0), "unknown: 0 rings per step; a step needs 1 or more");
+}
