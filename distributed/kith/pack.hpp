@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "check_tile.hpp"
 #include "tile_job.hpp"
 
 #include <kith/error.hpp>
@@ -178,7 +179,8 @@ std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
 }
 
 /// The inverse; `scheme` is the scheme with the options of the job, which messages do not carry.
-/// Errors: pack_error for bytes that are damaged or not such a message.
+/// Errors: pack_error for bytes that are damaged or not such a message, and for a tile whose elements are not in the order
+/// of their numbers in the whole mesh.
 template <class Point, class Index, class Scheme>
 tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Scheme scheme)
 {
@@ -203,6 +205,8 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
     detail::unpack_scheme(in, scheme);
     if (not in.is_at_end())
         throw pack_error("a message is longer than what it holds");
+    if (const char* fault = detail::fault_of_tile(t, points.size(), part))
+        throw pack_error(std::string("a message holds a tile that ") + fault + "; its sender is at fault");
     part.mesh = {std::move(points), std::move(t), generation};
     return {std::move(part), std::move(scheme)};
 }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+
+namespace kith::detail {
+
+/// What is wrong with the arrays of a tile that comes from elsewhere, or nothing: they have the sizes of the elements they
+/// are about, they point at elements that are there, and elements are in the order of their numbers in the whole mesh.
+/// In another order masks would be evaluated in another order, too. What is not seen is a face that starts at another of
+/// its corners, which is as good a tile of another mesh. Cost: O(elements).
+template <class Topology, class Tile>
+const char* fault_of_tile(const Topology& t, std::size_t points, const Tile& part)
+{
+    const std::size_t vertices = part.vertex_ids.size(), edges = part.edge_ids.size(), faces = part.face_ids.size();
+    const std::size_t corners = t.corner_vertex.size();
+    const bool faces_only = t.corner_halfedge.empty();
+    const auto each = [](const auto& array, std::size_t size) { return array.size() == size; };
+    const auto each_or_none = [](const auto& array, std::size_t size) { return array.empty() or array.size() == size; };
+    const bool mixed = t.degree == 0;
+    if (not(points == vertices and t.vertices == vertices and t.faces == faces and each(part.vertex_marks, vertices) and
+            each(part.edge_marks, edges) and each(part.face_marks, faces) and each(part.root_of, faces) and
+            each_or_none(part.first_corner_ids, faces) and each_or_none(part.corners_before, vertices) and
+            each_or_none(part.marked_before, edges) and each(t.corner_halfedge, faces_only ? 0 : corners) and
+            each(t.vertex_corner, faces_only ? 0 : vertices) and each(t.halfedge_corner, 2 * edges) and
+            each(t.face_corner, mixed and faces != 0 ? faces + 1 : t.face_corner.size()) and
+            each(t.corner_face, mixed ? corners : 0) and (mixed or corners == faces * std::size_t(t.degree))))
+        return "has arrays of the wrong sizes";
+
+    const auto below = [](const auto& array, std::size_t end, bool or_none = false) {
+        using value = typename std::remove_cvref_t<decltype(array)>::value_type;
+        return std::ranges::all_of(array, [=](value x) { return x < end or (or_none and x == value(~value(0))); });
+    };
+    if (not(below(t.corner_vertex, vertices) and below(t.corner_halfedge, 2 * edges) and
+            below(t.halfedge_corner, corners, true) and below(t.vertex_corner, corners) and
+            below(t.corner_face, faces) and below(t.face_corner, corners + 1) and
+            below(part.root_of, part.roots.size())))
+        return "points at elements that it does not have";
+
+    if (not std::ranges::is_sorted(part.vertex_ids)) // the fans of a vertex have its number each
+        return "has vertices that are not in the order of their numbers";
+    const auto increases = [](const auto& ids) {
+        return std::ranges::adjacent_find(ids, std::greater_equal<>()) == ids.end();
+    };
+    if (not increases(part.edge_ids))
+        return "has edges that are not in the order of their numbers";
+    if (not increases(part.face_ids) or not increases(part.first_corner_ids))
+        return "has faces that are not in the order of their numbers";
+    return nullptr;
+}
+
+} // namespace kith::detail
