@@ -56,38 +56,52 @@ concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level
     level.for_edges_of(0, 0, g);
 };
 
-/// Calls f on the elements that belong to the faces [begin, end), or on those with these numbers. All that f calls is
-/// inlined: a mask is a tree of small functions, and one that stays a call in the innermost loop costs more than the
-/// arithmetic.
+/// Calls f on the elements with these numbers. All that f calls is inlined: a mask is a tree of small functions, and one
+/// that stays a call in the innermost loop costs more than the arithmetic.
 template <class Level, class Element, class F>
-[[gnu::flatten]] void for_part(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
-                               const F& f)
+[[gnu::flatten]] void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
+                                  const F& f)
+{
+    for (std::size_t i = begin; i < end; ++i)
+        f(range[i]);
+}
+
+/// Calls f on the elements that belong to the faces [begin, end), inlined as well.
+template <class Level, class Element, class F>
+[[gnu::flatten]] void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
+                                const F& f)
 {
     const Level& level = range.level();
-    if constexpr (ordered_by_faces<Level> and std::same_as<Element, vertex<Level>>) {
+    if constexpr (std::same_as<Element, vertex<Level>>)
         level.for_vertices_of(begin, end, [&](auto v) { f(vertex<Level>(level, v)); });
-    } else if constexpr (ordered_by_faces<Level> and std::same_as<Element, edge<Level>>) {
+    else
         level.for_edges_of(begin, end, [&](auto e) { f(edge<Level>(level, e)); });
-    } else {
-        if constexpr (ordered_by_faces<Level> and std::same_as<Element, corner<Level>>) {
-            begin = level.corners_before(begin);
-            end = level.corners_before(end);
-        }
-        for (std::size_t i = begin; i < end; ++i)
-            f(range[i]);
-    }
 }
 
 } // namespace detail
+
+/// The same as for_each, in the order of the numbers on each thread: for bodies that look at their own element only and
+/// write what lies in that order, too.
+template <class Level, class Element, class F>
+void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
+{
+    detail::for_parts(range.size(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+        detail::for_numbers(range, begin, end, f);
+    });
+}
 
 /// Calls f on every element of a range such as `coarse.faces()`. The order is not promised: bodies must write only what
 /// belongs to their own element, as associations do.
 template <class Level, class Element, class F>
 void for_each(const all_elements<Level, Element>& range, const F& f)
 {
-    const std::size_t size = detail::ordered_by_faces<Level> ? range.level().face_count() : range.size();
-    detail::for_parts(
-        size, Level::parallel, [&](std::size_t begin, std::size_t end) { detail::for_part(range, begin, end, f); });
+    constexpr bool by_faces = std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>;
+    if constexpr (by_faces and detail::ordered_by_faces<Level>)
+        detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+            detail::for_faces(range, begin, end, f);
+        });
+    else
+        for_each_by_number(range, f);
 }
 
 } // namespace kith

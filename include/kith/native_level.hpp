@@ -86,6 +86,8 @@ public:
     {
         if constexpr (Degree == 4)
             return {Index((c.value & ~Index(3)) | ((c.value + 1) & 3))};
+        else if constexpr (Degree != 0)
+            return {Index(c.value % Degree == Degree - 1 ? c.value - (Degree - 1) : c.value + 1)};
         else {
             const face_handle f = face_of(c);
             const Index begin = first(f).value;
@@ -96,6 +98,8 @@ public:
     {
         if constexpr (Degree == 4)
             return {Index((c.value & ~Index(3)) | ((c.value + 3) & 3))};
+        else if constexpr (Degree != 0)
+            return {Index(c.value % Degree == 0 ? c.value + (Degree - 1) : c.value - 1)};
         else {
             const face_handle f = face_of(c);
             const Index begin = first(f).value;
@@ -119,8 +123,6 @@ public:
     }
     [[nodiscard]] const Point& point(vertex_handle v) const { return points_[v.value]; }
 
-    /// How many corners the faces before this one have. Precondition: face <= face_count().
-    [[nodiscard]] std::size_t corners_before(std::size_t face) const { return first(face_handle{Index(face)}).value; }
     /// Calls f on each vertex whose fan starts in one of the faces [begin, end).
     template <class F>
     void for_vertices_of(std::size_t begin, std::size_t end, const F& f) const

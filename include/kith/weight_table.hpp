@@ -19,9 +19,16 @@ public:
     }
 
     /// Precondition: n > 0.
-    [[nodiscard]] Scalar operator[](std::size_t n) const { return n < table_.size() ? table_[n] : Scalar(weight_(n)); }
+    [[nodiscard]] Scalar operator[](std::size_t n) const
+    {
+        if (n < table_.size()) [[likely]]
+            return table_[n];
+        return rare(n);
+    }
 
 private:
+    [[nodiscard, gnu::cold, gnu::noinline]] Scalar rare(std::size_t n) const { return Scalar(weight_(n)); }
+
     std::function<double(std::size_t)> weight_;
     std::array<Scalar, 65> table_{};
 };

@@ -107,7 +107,7 @@ struct loop {
         const weight_table<real> betas([this](std::size_t n) { return beta(n); });
 
         for_each(coarse.edges(), [&](auto e) {
-            const auto smooth = [&] {
+            const auto smooth = [e] {
                 return 3. / 8 * (e.org() + e.dst()) + 1. / 8 * (e.lcorner().prev().v() + e.rcorner().prev().v());
             };
             if (sharp.is_smooth(e))
@@ -117,10 +117,11 @@ struct loop {
         });
 
         for_each(coarse.vertices(), [&](auto v) {
-            const auto smooth = [&] {
+            const auto smooth = [&betas, v] {
                 const auto ring = v.corners().map([](auto c) { return c.next().v(); });
-                return around(v, ring, [&](std::size_t n) {
-                    return ring_weights<real>{1 - real(double(n)) * betas[n], betas[n]};
+                return around(v, ring, [&betas](std::size_t n) {
+                    const real beta = betas[n];
+                    return ring_weights<real>{1 - real(double(n)) * beta, beta};
                 });
             };
             if (sharp.is_smooth(v))

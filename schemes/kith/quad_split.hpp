@@ -37,9 +37,11 @@ struct quad_split {
                                   assoc(f, V) >> assoc(ep, f, E).right(),
                                   assoc(ep, V) >> assoc(v, ep, E).along(ep));
         });
-        for_each(coarse.vertices(), [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
-        for_each(coarse.edges(), [&](auto e) { assoc(e, V).starts_at(assoc(e.lcorner(), F).corner(1)); });
-        for_each(coarse.faces(), [&](auto f) { assoc(f, V).starts_at(assoc(f.first_corner(), F).corner(2)); });
+        for_each_by_number(coarse.vertices(),
+                           [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
+        for_each_by_number(coarse.edges(), [&](auto e) { assoc(e, V).starts_at(assoc(e.lcorner(), F).corner(1)); });
+        for_each_by_number(coarse.faces(),
+                           [&](auto f) { assoc(f, V).starts_at(assoc(f.first_corner(), F).corner(2)); });
     }
 };
 

@@ -16,7 +16,8 @@ namespace kith {
 template <class Level>
 class sharp_rules {
 public:
-    sharp_rules(const Level& coarse, const creases& sharp, boundary_corner corners) : sharp_(&sharp), corners_(corners)
+    sharp_rules(const Level& coarse, const creases& sharp, boundary_corner corners)
+        : sharp_(&sharp), corners_(corners), all_smooth_(sharp.empty() and coarse.is_closed())
     {
         if (sharp.empty())
             return;
@@ -34,16 +35,18 @@ public:
     /// Neither boundary nor crease: the scheme's own mask is all there is to it.
     [[nodiscard]] bool is_smooth(const edge<Level>& e) const
     {
-        return not e.is_boundary() and (edge_is_sharp_.empty() or not edge_is_sharp_[e.index()]);
+        return all_smooth_ or (not e.is_boundary() and (edge_is_sharp_.empty() or not edge_is_sharp_[e.index()]));
     }
     [[nodiscard]] bool is_smooth(const vertex<Level>& v) const
     {
-        return (near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary();
+        return all_smooth_ or ((near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary());
     }
+
+    // What is rare stays out of the loops, and is passed by value, so that these keep their elements in registers.
 
     /// Assigns the point of an edge that is not smooth: its midpoint, or between that and the smooth mask.
     template <class Association, class Smooth>
-    [[gnu::noinline]] void make_edge(const edge<Level>& e, const Association& target, const Smooth& smooth) const
+    [[gnu::noinline]] void make_edge(edge<Level> e, Association target, Smooth smooth) const
     {
         const double s = sharp_->sharpness(e);
         const bool stays_sharp = sharp_->method == crease_method::chaikin and
@@ -56,7 +59,7 @@ public:
 
     /// Assigns the point of a vertex that is not smooth.
     template <class Association, class Smooth>
-    [[gnu::noinline]] void make_vertex(const vertex<Level>& v, const Association& target, const Smooth& smooth) const
+    [[gnu::noinline]] void make_vertex(vertex<Level> v, Association target, Smooth smooth) const
     {
         if (near_sharp_.empty() or not near_sharp_[v.index()]) { // on the boundary, far from all creases
             if (is_kept_corner(v))
@@ -165,6 +168,7 @@ private:
 
     const creases* sharp_;
     boundary_corner corners_;
+    bool all_smooth_;                              // nothing to look at
     std::vector<bool> edge_is_sharp_, near_sharp_; // empty: no creases
 };
 

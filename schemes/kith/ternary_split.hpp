@@ -49,7 +49,8 @@ struct ternary_split {
                                   assoc(v, ep, V) >> assoc(v, ep, E).along(ep));
             assoc(c, V).starts_at(assoc(c, F).corner(2));
         });
-        for_each(coarse.vertices(), [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
+        for_each_by_number(coarse.vertices(),
+                           [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
         for_each(coarse.edges(), [&](auto e) {
             const auto c = e.lcorner();
             assoc(e.org(), e, V).starts_at(assoc(c, F).corner(1));

@@ -28,21 +28,22 @@ struct triangle_split {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        for_each(coarse.corners(), [&](auto c) {
-            const auto v = c.v();
-            const auto en = c.next_edge();
-            const auto ep = c.prev_edge();
-            assoc(c, F) = polygon(assoc(v, V) >> assoc(v, en, E).along(en),
-                                  assoc(en, V) >> assoc(c, E).left(),
-                                  assoc(ep, V) >> assoc(v, ep, E).along(ep));
-        });
         for_each(coarse.faces(), [&](auto f) {
+            for (const auto c : f.corners()) {
+                const auto v = c.v();
+                const auto en = c.next_edge();
+                const auto ep = c.prev_edge();
+                assoc(c, F) = polygon(assoc(v, V) >> assoc(v, en, E).along(en),
+                                      assoc(en, V) >> assoc(c, E).left(),
+                                      assoc(ep, V) >> assoc(v, ep, E).along(ep));
+            }
             assoc(f, F) = polygon(f.corners(), [&](auto c) { // from the edge before corner c to the edge after it
                 return assoc(c.prev_edge(), V) >> assoc(c, E).right();
             });
         });
-        for_each(coarse.vertices(), [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
-        for_each(coarse.edges(), [&](auto e) { assoc(e, V).starts_at(assoc(e.lcorner(), F).corner(1)); });
+        for_each_by_number(coarse.vertices(),
+                           [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
+        for_each_by_number(coarse.edges(), [&](auto e) { assoc(e, V).starts_at(assoc(e.lcorner(), F).corner(1)); });
     }
 };
 
