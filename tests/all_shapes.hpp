@@ -13,10 +13,9 @@
 
 namespace shapes {
 
-/// Triangles whose edges have been flipped at random: all kinds of valences, the same for the same seed.
-inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
+/// Flips the first edge of a triangle, unless it lies at the boundary or the flipped one is there already.
+inline bool flip(shape& s, std::size_t face)
 {
-    std::minstd_rand random(seed);
     const auto face_of = [&](std::size_t a, std::size_t b) { // the triangle with half-edge a -> b, turned to start so
         for (auto& f : s.faces)
             for (std::size_t i = 0; i < 3; ++i)
@@ -26,19 +25,73 @@ inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
                 }
         return static_cast<std::vector<std::size_t>*>(nullptr);
     };
-    for (int i = 0; i < flips; ++i) {
-        auto* const left = &s.faces[random() % s.faces.size()];
-        const std::size_t a = (*left)[0], b = (*left)[1], p = (*left)[2];
-        auto* const right = face_of(b, a);
-        if (right == nullptr)
-            continue;
-        const std::size_t q = (*right)[2];
-        if (p == q or face_of(p, q) != nullptr or face_of(q, p) != nullptr)
-            continue;
-        *left = {q, p, a}; // of the diamond a q b p
-        *right = {p, q, b};
+    auto* const left = &s.faces[face];
+    const std::size_t a = (*left)[0], b = (*left)[1], p = (*left)[2];
+    auto* const right = face_of(b, a);
+    if (right == nullptr)
+        return false;
+    const std::size_t q = (*right)[2];
+    if (p == q or face_of(p, q) != nullptr or face_of(q, p) != nullptr)
+        return false;
+    *left = {q, p, a}; // of the diamond a q b p
+    *right = {p, q, b};
+    return true;
+}
+
+/// Triangles whose edges have been flipped at random: all kinds of valences, the same for the same seed.
+inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
+{
+    std::minstd_rand random(seed);
+    for (int i = 0; i < flips; ++i)
+        flip(s, random() % s.faces.size());
+    return s;
+}
+
+/// A torus of triangles with vertices of all valences from 3 to 17.
+inline shape torus_of_all_valences()
+{
+    shape s = triangulated(torus(20, 20));
+    const auto faces_at = [&s](std::size_t v, std::size_t place) { // and v is brought to this place in them
+        std::vector<std::size_t> result;
+        for (std::size_t f = 0; f < s.faces.size(); ++f)
+            if (const auto at = std::ranges::find(s.faces[f], v); at != s.faces[f].end()) {
+                std::ranges::rotate(s.faces[f], at);
+                std::ranges::rotate(s.faces[f], s.faces[f].end() - std::ptrdiff_t(place));
+                result.push_back(f);
+            }
+        return result;
+    };
+    for (std::size_t valence = 3; valence <= 17; ++valence) {
+        const std::size_t i = valence - 2, v = 100 * (i / 4) + 5 * (i % 4); // five edges from the next one
+        for (std::size_t now = faces_at(v, 0).size(), turn = 0; now != valence; ++turn) {
+            const auto faces = faces_at(v, now < valence ? 2 : 0); // flips what is opposite or ends there
+            flip(s, faces[5 * turn % faces.size()]);
+            now = faces_at(v, 0).size();
+        }
     }
     return s;
+}
+
+/// The same surface with vertices and faces in any other order.
+inline shape shuffled(const shape& s, std::uint32_t seed)
+{
+    std::mt19937 random(seed);
+    const auto any_order = [&random](auto& list) {
+        for (std::size_t i = list.size(); i > 1; --i)
+            std::swap(list[i - 1], list[random() % i]);
+    };
+    std::vector<std::size_t> new_number(s.points.size());
+    for (std::size_t v = 0; v < new_number.size(); ++v)
+        new_number[v] = v;
+    any_order(new_number);
+    shape result = s;
+    for (std::size_t v = 0; v < s.points.size(); ++v)
+        result.points[new_number[v]] = s.points[v];
+    for (auto& f : result.faces)
+        for (auto& v : f)
+            v = new_number[v];
+    any_order(result.faces);
+    return result;
 }
 
 /// Polygons made by joining neighbours at random, where they have only one edge in common. Its ends keep two edges and

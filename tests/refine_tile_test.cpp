@@ -5,6 +5,12 @@
 #include <kith/creases.hpp>
 #include <kith/hash_value.hpp>
 
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace {
 
 /// Calls test(scheme, mesh) for all schemes that can be refined in tiles.
@@ -20,6 +26,54 @@ void for_each_reaching_scheme_and_shape(const Test& test)
 std::vector<std::uint32_t> one_part_per_face(std::size_t faces)
 {
     return partitions::blocks(faces, faces);
+}
+
+shapes::shape shape_of(const mesh3d& mesh)
+{
+    shapes::shape result{{mesh.points().begin(), mesh.points().end()}, {}};
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        result.faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
+    return result;
+}
+
+mesh3d of_generation(const mesh3d& mesh, int generation)
+{
+    return {kith::storage<shapes::point>(mesh.points()), mesh.topology(), generation};
+}
+
+bool has_double_edges(const mesh3d& mesh)
+{
+    const auto& t = mesh.topology();
+    std::set<std::pair<std::uint32_t, std::uint32_t>> halfedges;
+    for (std::uint32_t c = 0; c < t.corners(); ++c)
+        halfedges.emplace(t.corner_vertex[c], t.corner_vertex[kith::detail::next_corner(t, c)]);
+    return halfedges.size() != t.corners();
+}
+
+/// The same surface with vertices and faces in another order; faces then start at another corner, their smallest vertex.
+template <class Scheme>
+mesh3d shuffled(const mesh3d& mesh, std::uint32_t seed)
+{
+    const auto shape = shapes::shuffled(shape_of(mesh), seed);
+    auto result = native(shape);
+    if constexpr (kith::marks_edges<Scheme>) {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> marked;
+        for (const auto& f : shape.faces)
+            marked.emplace_back(f[0], f[1]);
+        result = kith::mark_edges(result, std::move(marked));
+    }
+    return of_generation(result, mesh.generation());
+}
+
+/// Every fifth edge and two vertices of many kinds of sharpness.
+kith::creases sharpened(const mesh3d& mesh, kith::crease_method method)
+{
+    kith::creases sharp(method);
+    for (std::size_t e = 0; e < mesh.edge_count(); e += 5)
+        sharp.sharpen_edge(e, e % 3 == 0 ? kith::infinitely_sharp : 0.4 * double(e % 7));
+    sharp.sharpen_vertex(3, 1.5);
+    sharp.sharpen_vertex(20, kith::infinitely_sharp);
+    return sharp;
 }
 
 } // namespace
@@ -69,6 +123,45 @@ TEST(refine_tile, leaves_rings_of_shadows_where_asked)
     });
 }
 
+TEST(refine_tile, reaches_no_farther_than_it_must)
+{
+    using namespace shapes;
+    const auto triangles = {shaken(triangulated(torus(11, 13))),
+                            with_flips(shaken(triangulated(torus(11, 13))), 1, 2000),
+                            with_flips(shaken(triangulated(grid(11, 12))), 2, 2000)};
+    const auto polygons = {shaken(torus(11, 13)),
+                           with_joins(with_flips(shaken(triangulated(grid(11, 12))), 4, 2000), 5, 3000)};
+    const auto run = [](const auto& scheme, const mesh3d& mesh, bool is_here = true) {
+        SCOPED_TRACE(scheme.name);
+        for (int rings = 0; rings <= 3; ++rings)
+            EXPECT_EQ(rings_that_suffice(mesh, scheme, rings, 5) == scheme.reach(rings), is_here) << rings;
+    };
+    for (const auto& shape : triangles) {
+        const auto mesh = native(shape);
+        const bool is_open = count(mesh.topology()).boundary_edges != 0;
+        run(kith::loop{}, mesh);
+        run(kith::linear_triangles{}, mesh);
+        run(kith::butterfly{}, mesh);
+        if (is_open) // only there odd steps trisect an edge
+            run(kith::sqrt3{}, of_generation(mesh, 1));
+    }
+    for (const auto& shape : polygons) {
+        const auto mesh = native(shape);
+        run(kith::catmull_clark{}, mesh);
+        run(kith::linear{}, mesh);
+        run(kith::doo_sabin{}, mesh);
+        run(kith::doo_sabin{.boundary = kith::doo_sabin_boundary::clamped}, mesh);
+        run(kith::doo_sabin{.boundary = kith::doo_sabin_boundary::drop}, mesh);
+        run(kith::nasri_hasbini{}, mesh);
+        run(kith::mid_edge{}, mesh);
+        run(kith::four_eight{}, kith::tri_quad(mesh));
+        const bool is_irregular = mesh.topology().degree == 0; // Kobbelt's masks reach farther there
+        run(kith::kobbelt{},
+            is_irregular ? of_generation(kith::refine(mesh, kith::linear{}, 1), 0) : mesh,
+            is_irregular);
+    }
+}
+
 TEST(refine_tile, leaves_edges_and_shadows_out_at_the_end)
 {
     for_each_reaching_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
@@ -82,15 +175,59 @@ TEST(refine_tile, hands_creases_on)
 {
     for (const auto method : {kith::crease_method::uniform, kith::crease_method::chaikin}) {
         const auto mesh = native(shapes::shaken(shapes::torus(6, 8)));
-        kith::creases sharp(method);
-        for (std::size_t e = 0; e < mesh.edge_count(); e += 5)
-            sharp.sharpen_edge(e, e % 3 == 0 ? kith::infinitely_sharp : 0.4 * double(e % 7));
-        sharp.sharpen_vertex(3, 1.5);
-        sharp.sharpen_vertex(20, kith::infinitely_sharp);
-        const kith::catmull_clark scheme{.corners = kith::boundary_corner::kept, .sharpness = sharp};
+        const kith::catmull_clark scheme{.corners = kith::boundary_corner::kept, .sharpness = sharpened(mesh, method)};
         EXPECT_EQ(tiles_differ(mesh, scheme, 3, partitions::scattered(mesh.face_count(), 5, 1), 5), "");
         EXPECT_EQ(tiles_differ(mesh, scheme, 3, partitions::blocks(mesh.face_count(), 3), 3), "");
     }
+}
+
+TEST(refine_tile, takes_any_order_of_vertices_faces_and_corners)
+{
+    for_each_reaching_scheme_and_shape([]<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {
+        if (kith::marks_edges<Scheme> and has_double_edges(mesh)) // faces alone do not tell one from the other
+            return;
+        for (const std::uint32_t seed : {1, 2}) {
+            const auto other = shuffled<Scheme>(mesh, seed);
+            const std::size_t faces = other.face_count();
+            EXPECT_EQ(tiles_differ(other, scheme, 2, partitions::scattered(faces, 5, seed), 7), "") << seed;
+            EXPECT_EQ(tiles_differ(other, scheme, 2, partitions::grown(other, 4, seed), 4), "") << seed;
+            if (faces <= 30) {
+                EXPECT_EQ(tiles_differ(other, scheme, 2, one_part_per_face(faces), faces), "") << seed;
+            }
+        }
+    });
+}
+
+TEST(refine_tile, takes_valences_from_3_to_17_polygons_and_creases)
+{
+    const auto triangles = native(shapes::shaken(shapes::torus_of_all_valences()));
+    const auto polygons = native(shapes::with_joins(shapes::shaken(shapes::torus_of_all_valences()), 22, 10000));
+    for (const auto& mesh : {triangles, polygons}) {
+        std::set<std::size_t> valences;
+        const kith::level_of<mesh3d> level(mesh);
+        for (const auto v : level.vertices())
+            valences.insert(v.valence());
+        for (std::size_t n = 3; n <= 17; ++n)
+            EXPECT_TRUE(valences.contains(n)) << n;
+    }
+    EXPECT_EQ(polygons.topology().degree, 0);
+
+    const auto run = [](const auto& scheme, const mesh3d& mesh) {
+        SCOPED_TRACE(scheme.name);
+        EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::grown(mesh, 5, 1), 5), "");
+        EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::scattered(mesh.face_count(), 3, 1), 3), "");
+    };
+    for (const auto method : {kith::crease_method::uniform, kith::crease_method::chaikin}) {
+        run(kith::catmull_clark{.corners = {}, .sharpness = sharpened(polygons, method)}, polygons);
+        run(kith::loop{.weights = {}, .corners = {}, .sharpness = sharpened(triangles, method)}, triangles);
+    }
+    run(kith::sqrt3{}, triangles);
+    run(kith::butterfly{}, triangles);
+    run(kith::doo_sabin{}, polygons);
+    run(kith::mid_edge{}, polygons);
+    run(kith::nasri_hasbini{}, polygons);
+    run(kith::four_eight{}, kith::tri_quad(polygons));
+    run(kith::kobbelt{}, of_generation(kith::refine(polygons, kith::linear{}, 1), 0));
 }
 
 TEST(refine_tile, does_the_same_operations_in_the_same_order)

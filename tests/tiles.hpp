@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/cut_tiles.hpp>
+#include <kith/pack.hpp>
 #include <kith/refine.hpp>
 #include <kith/refine_tile.hpp>
 
@@ -32,6 +33,33 @@ inline std::vector<std::uint32_t> scattered(std::size_t faces, std::size_t parts
     std::vector<std::uint32_t> part_of(faces);
     for (auto& p : part_of)
         p = std::uint32_t(random() % parts);
+    return part_of;
+}
+
+/// Connected parts, grown around faces chosen by lot, one layer after the other.
+template <class Mesh>
+std::vector<std::uint32_t> grown(const Mesh& mesh, std::size_t parts, std::uint32_t seed)
+{
+    const auto& t = mesh.topology();
+    std::mt19937 random(seed);
+    std::vector<std::uint32_t> part_of(mesh.face_count(), 0);
+    std::vector<unsigned char> is_taken(mesh.face_count(), 0);
+    std::vector<std::size_t> queue;
+    for (std::uint32_t p = 0; p < parts; ++p) {
+        queue.push_back(random() % mesh.face_count());
+        part_of[queue.back()] = p;
+        is_taken[queue.back()] = 1;
+    }
+    for (std::size_t i = 0; i < queue.size(); ++i)
+        for (auto c = t.first_corner(queue[i]); c < t.first_corner(queue[i] + 1); ++c)
+            if (const auto across = t.halfedge_corner[t.corner_halfedge[c] ^ 1]; across != t.none) {
+                const auto f = kith::detail::face_of_corner(t, across);
+                if (is_taken[f] == 0) {
+                    is_taken[f] = 1;
+                    part_of[f] = part_of[queue[i]];
+                    queue.push_back(f);
+                }
+            }
     return part_of;
 }
 
@@ -132,4 +160,32 @@ std::string tiles_differ(const Mesh& control, const Scheme& scheme, int levels, 
     if (last == kith::connect::everything and not std::ranges::all_of(edges, once))
         return "an edge has no owner, or two";
     return {};
+}
+
+/// How many rings of shadows a step needs around a part of one face so that `last` of them are right afterwards: the tile is
+/// that of as many as reach(last). The most that any of the parts needs, of every `stride`-th face one.
+template <class Mesh, class Scheme>
+int rings_that_suffice(const Mesh& mesh, const Scheme& scheme, int last, std::size_t stride)
+{
+    const std::size_t parts = mesh.face_count();
+    const auto part_of = partitions::blocks(parts, parts);
+    kith::tile_cutter cutter(mesh, scheme, part_of, parts);
+    auto rim = cutter.cut_rim(scheme.reach(std::max(1, last)));
+    const kith::whole_levels<Scheme> whole(cutter.counts(), std::move(rim.part), std::move(rim.scheme), 1, last);
+    int result = 0;
+    for (std::size_t p = 0; p < parts; p += stride) {
+        const auto refined = [&](int rings) {
+            auto job = cutter.cut(p, rings);
+            job.part = kith::refine(std::move(job.part), std::move(job.scheme), whole);
+            job.part.roots = {}; // these differ
+            job.part.root_of = {};
+            return kith::pack(job);
+        };
+        int rings = scheme.reach(last);
+        const auto right = refined(rings);
+        while (rings > 0 and refined(rings - 1) == right)
+            --rings;
+        result = std::max(result, rings);
+    }
+    return result;
 }

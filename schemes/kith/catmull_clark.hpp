@@ -25,7 +25,11 @@ struct catmull_clark {
 
     static constexpr std::string_view name = "catmull-clark";
     static constexpr bool trusted = true;
-    static constexpr int reach(int rings) { return rings / 2 + 1; }
+    /// Chaikin's sharpness of an edge, and with it its point, depends on the edges around both of its ends.
+    [[nodiscard]] int reach(int rings) const
+    {
+        return (sharpness.method == crease_method::chaikin ? rings + 1 : rings) / 2 + 1;
+    }
     static constexpr auto columns() { return quad_split::columns(); }
     static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
 
