@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
+#include <vector>
 
 namespace kith {
 
@@ -49,22 +50,15 @@ void add_place(word_hash& hash, const Point& point)
         hash.add(word);
 }
 
-template <class Mesh, class FaceId, class VertexId, class Counts>
-mesh_checksum checksum_of_faces(const Mesh& mesh, const FaceId& face_id, const VertexId& vertex_id,
-                                const Counts& counts)
+template <class Mesh, class VertexId>
+mesh_checksum checksum_of_face(const Mesh& mesh, std::size_t face, global_id face_id, const VertexId& vertex_id)
 {
-    mesh_checksum sum;
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        if (not counts(f))
-            continue;
-        word_hash hash(face_id(f));
-        for (const auto v : mesh.face(f)) {
-            hash.add(vertex_id(v));
-            add_place(hash, mesh.point(v));
-        }
-        sum.bits += hash.bits();
+    word_hash hash(face_id);
+    for (const auto v : mesh.face(face)) {
+        hash.add(vertex_id(v));
+        add_place(hash, mesh.point(v));
     }
-    return sum;
+    return {hash.bits()};
 }
 
 } // namespace detail
@@ -73,19 +67,33 @@ mesh_checksum checksum_of_faces(const Mesh& mesh, const FaceId& face_id, const V
 template <class Point, class Index>
 mesh_checksum checksum(const basic_mesh<Point, Index>& mesh)
 {
-    const auto same = [](std::size_t i) { return std::uint64_t(i); };
-    return detail::checksum_of_faces(mesh, same, same, [](std::size_t) { return true; });
+    mesh_checksum sum;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        sum += detail::checksum_of_face(mesh, f, f, [](Index v) { return global_id(v); });
+    return sum;
+}
+
+/// Of the faces that a tile owns, for each of its `roots` what has become of that. It does not depend on the tile that a
+/// root is in, so one tile is verified by refining some of its roots in another. Local. Cost: O(corners).
+template <class Point, class Index>
+std::vector<mesh_checksum> checksums_of_roots(const tile<Point, Index>& part)
+{
+    std::vector<mesh_checksum> sums(part.roots.size());
+    for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+        if (part.owns_face(f))
+            sums[part.root_of[f]] += detail::checksum_of_face(
+                part.mesh, f, part.face_ids[f], [&](Index v) { return part.vertex_ids[v]; });
+    return sums;
 }
 
 /// Of the faces that a tile owns. Local. Cost: O(corners).
 template <class Point, class Index>
 mesh_checksum checksum(const tile<Point, Index>& part)
 {
-    return detail::checksum_of_faces(
-        part.mesh,
-        [&](std::size_t f) { return part.face_ids[f]; },
-        [&](std::size_t v) { return part.vertex_ids[v]; },
-        [&](std::size_t f) { return part.owns_face(f); });
+    mesh_checksum sum;
+    for (const auto of_root : checksums_of_roots(part))
+        sum += of_root;
+    return sum;
 }
 
 } // namespace kith
