@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../tools/mesh_file.hpp"
+#include "contest_picture.hpp"
 #include "contest_report.hpp"
 #include "contests.hpp"
 
@@ -38,6 +39,7 @@ const std::vector<peer> peers{
 #if defined(KITH_WITH_OPENSUBDIV)
     {"opensubdiv", opensubdiv_version, opensubdiv_contests},
 #endif
+    {"kith", kith_version, kith_contests},
 };
 
 bool is_in(const std::string& list, const std::string& word)
@@ -61,15 +63,22 @@ std::string all_peers()
 std::optional<options::variables_map> parse(int count, char** words)
 {
     options::options_description all("Options");
-    all.add_options()("help", "this text")(
-        "peers", options::value<std::string>()->default_value(all_peers()), "whom to compare with")(
+    all.add_options()("help", "this text")("peers",
+                                           options::value<std::string>()->default_value(all_peers()),
+                                           "whom to compare with; kith: with writing memory, with itself on all "
+                                           "threads and with creases, and all schemes")(
         "schemes",
-        options::value<std::string>()->default_value("catmull-clark,loop,butterfly,doo-sabin,sqrt3"),
-        "what to refine with")("mesh", options::value<std::string>(), "refine this mesh, too: OFF, OBJ, PLY, STL")(
+        options::value<std::string>()->default_value("catmull-clark,loop,butterfly,doo-sabin,sqrt3,kobbelt,"
+                                                     "nasri-hasbini,mid-edge,4-8"),
+        "what to refine with")("meshes",
+                               options::value<std::string>()->default_value("torus"),
+                               "torus (closed), patch (bounded), or both: torus,patch")(
+        "mesh", options::value<std::string>(), "refine this mesh, too: OFF, OBJ, PLY, STL")(
         "faces-target", options::value<double>()->default_value(4718592), "about how many faces to refine to")(
         "repeats", options::value<int>()->default_value(5), "runs of each; medians are printed")(
         "threads", options::value<int>()->default_value(1), "kith's threads; the peers have one")(
-        "json", options::value<std::string>(), "write all runs to this file");
+        "json", options::value<std::string>(), "write all runs to this file")(
+        "svg", options::value<std::string>(), "draw the medians into this file");
     options::variables_map values;
     store(options::parse_command_line(count, words, all), values);
     notify(values);
@@ -87,7 +96,10 @@ std::optional<options::variables_map> parse(int count, char** words)
 
 course_settings settings_from(const options::variables_map& values)
 {
-    course_settings result{values["faces-target"].as<double>(), {}, {}};
+    const auto meshes = values["meshes"].as<std::string>();
+    course_settings result{.faces_target = values["faces-target"].as<double>(),
+                           .torus = is_in(meshes, "torus"),
+                           .patch = is_in(meshes, "patch")};
     if (values.count("mesh")) {
         const auto file = values["mesh"].as<std::string>();
         const auto soup = kith::tool::read_mesh_file(file);
@@ -115,7 +127,7 @@ void run_all(const options::variables_map& values)
     std::erase_if(contests,
                   [&](const contest& one) { return not is_in(values["schemes"].as<std::string>(), one.scheme); });
     if (contests.empty())
-        throw options::error("--peers and --schemes: there is nothing that both name");
+        throw options::error("--peers, --schemes and --meshes: there is nothing that both name");
     print(facts);
     for (auto& contest : contests) {
         run(contest, values["repeats"].as<int>(), values["threads"].as<int>());
@@ -123,6 +135,8 @@ void run_all(const options::variables_map& values)
     }
     if (values.count("json"))
         write_json(values["json"].as<std::string>(), facts, contests);
+    if (values.count("svg"))
+        write_svg(values["svg"].as<std::string>(), facts, contests);
 }
 
 } // namespace

@@ -22,7 +22,7 @@
 
 namespace kith::comparison {
 
-/// CGAL's Subdivision_method_3 on Surface_mesh, with doubles.
+/// CGAL's Subdivision_method_3 with doubles, on Surface_mesh unless told otherwise.
 struct cgal_peer {
     using point = CGAL::Simple_cartesian<double>::Point_3;
     using mesh = CGAL::Surface_mesh<point>;
@@ -31,7 +31,8 @@ struct cgal_peer {
     static std::string version() { return "CGAL " CGAL_VERSION_STR; }
 
     /// The mesh as CGAL makes it, not kith's adapter; nothing where CGAL finds that the faces are no manifold.
-    static std::optional<mesh> make(const basic_mesh<>& native)
+    template <class Mesh = mesh>
+    static std::optional<Mesh> make(const basic_mesh<>& native)
     {
         namespace processing = CGAL::Polygon_mesh_processing;
         std::vector<std::vector<std::size_t>> faces;
@@ -42,7 +43,7 @@ struct cgal_peer {
         std::vector<point> points;
         for (const auto& [x, y, z] : native.points())
             points.emplace_back(x, y, z);
-        mesh result;
+        Mesh result;
         processing::polygon_soup_to_polygon_mesh(points, faces, result);
         return result;
     }
@@ -65,19 +66,23 @@ struct cgal_peer {
         return result;
     }
 
-    static void refine(mesh& m, const catmull_clark&, int levels)
+    template <class Mesh>
+    static void refine(Mesh& m, const catmull_clark&, int levels)
     {
         CGAL::Subdivision_method_3::CatmullClark_subdivision(m, CGAL::parameters::number_of_iterations(levels));
     }
-    static void refine(mesh& m, const loop&, int levels)
+    template <class Mesh>
+    static void refine(Mesh& m, const loop&, int levels)
     {
         CGAL::Subdivision_method_3::Loop_subdivision(m, CGAL::parameters::number_of_iterations(levels));
     }
-    static void refine(mesh& m, const doo_sabin&, int levels)
+    template <class Mesh>
+    static void refine(Mesh& m, const doo_sabin&, int levels)
     {
         CGAL::Subdivision_method_3::DooSabin_subdivision(m, CGAL::parameters::number_of_iterations(levels));
     }
-    static void refine(mesh& m, const sqrt3&, int levels)
+    template <class Mesh>
+    static void refine(Mesh& m, const sqrt3&, int levels)
     {
         CGAL::Subdivision_method_3::Sqrt3_subdivision(m, CGAL::parameters::number_of_iterations(levels));
     }

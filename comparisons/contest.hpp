@@ -23,6 +23,7 @@ struct contestant {
     std::string name;
     std::function<work()> prepare; ///< makes the control mesh, untimed
     std::vector<measurement> runs;
+    int threads = 0; ///< 0: as many as all others
 };
 
 /// The same refinement done by several; the first one is the peer that the others are compared with.

@@ -17,6 +17,8 @@ std::string cgal_version();
 std::vector<contest> cgal_contests(const course_settings& settings);
 std::string openmesh_version();
 std::vector<contest> openmesh_contests(const course_settings& settings);
+std::string kith_version();
+std::vector<contest> kith_contests(const course_settings& settings);
 std::string opensubdiv_version();
 std::vector<contest> opensubdiv_contests(const course_settings& settings);
 

@@ -16,11 +16,12 @@
 
 namespace kith::comparison {
 
-/// What the benchmark refines besides its tori, and how far.
+/// What the benchmark refines, and how far.
 struct course_settings {
     double faces_target;
-    std::string mesh_name;                    ///< of the mesh of a file
-    std::shared_ptr<const basic_mesh<>> mesh; ///< or none
+    bool torus = true, patch = false;              ///< closed and bounded, of quads or triangles
+    std::string mesh_name = {};                    ///< of the mesh of a file
+    std::shared_ptr<const basic_mesh<>> mesh = {}; ///< or none
 };
 
 /// A control mesh, refined until it has about as many faces as the settings say.
@@ -44,19 +45,34 @@ course make_course(std::string name, std::shared_ptr<const basic_mesh<>> control
     }
 }
 
+/// A torus without the faces that close it: a bounded mesh.
+inline figures::shape patch(std::size_t rows, std::size_t columns)
+{
+    figures::shape result = figures::torus(rows, columns);
+    std::erase_if(result.faces,
+                  [columns](const auto& face) { return face[2] < face[0] or face[2] % columns < face[0] % columns; });
+    return result;
+}
+
 /// A torus of 12 times 24 quads, or of their triangles, or of 24 times 24 where triangles are cut in four, so that all
-/// come to the same number of faces; then the mesh of the file, if the scheme takes it.
+/// come to the same number of faces; the same with a boundary; then the mesh of the file, if the scheme takes it.
 template <class Scheme>
 std::vector<course> courses(const Scheme& scheme, const course_settings& settings)
 {
     constexpr bool quadruples_triangles = std::same_as<Scheme, loop> or std::same_as<Scheme, butterfly>;
-    auto torus = figures::torus(quadruples_triangles ? 24 : 12, 24);
-    if (needs_triangles<Scheme>)
-        torus = figures::triangulated(torus);
-    auto control = std::make_shared<const basic_mesh<>>(make_mesh(torus.points, torus.faces));
-    const std::string name = "torus of " + std::to_string(torus.faces.size()) +
-                             (needs_triangles<Scheme> ? " triangles" : " quads");
-    std::vector<course> result{make_course(name, control, scheme, settings.faces_target)};
+    constexpr std::size_t rows = quadruples_triangles ? 24 : 12, columns = 24;
+    std::vector<course> result;
+    const auto add = [&](std::string name, figures::shape shape) {
+        if (needs_triangles<Scheme>)
+            shape = figures::triangulated(shape);
+        auto control = std::make_shared<const basic_mesh<>>(make_mesh(shape.points, shape.faces));
+        name += " of " + std::to_string(shape.faces.size()) + (needs_triangles<Scheme> ? " triangles" : " quads");
+        result.push_back(make_course(name, control, scheme, settings.faces_target));
+    };
+    if (settings.torus)
+        add("torus", figures::torus(rows, columns));
+    if (settings.patch)
+        add("patch", patch(rows, columns));
     if (settings.mesh and (not needs_triangles<Scheme> or settings.mesh->topology().degree == 3))
         result.push_back(make_course(settings.mesh_name, settings.mesh, scheme, settings.faces_target));
     return result;

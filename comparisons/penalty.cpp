@@ -38,7 +38,7 @@ bool same(const by_hand::mesh& a, const by_hand::mesh& b)
 template <class Scheme, class Step>
 void add(std::vector<contest>& list, const Scheme& scheme, double target, const Step& step)
 {
-    const auto course = courses(scheme, {target, {}, {}}).front();
+    const auto course = courses(scheme, {.faces_target = target}).front();
     for (const bool complete : {true, false}) {
         const auto last = complete ? kith::connect::everything : kith::connect::faces;
         if (not same(by_hand::refine(*course.control, 3, complete, step),
