@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <kith/choose.hpp>
 #include <kith/mask.hpp>
 
 #include "rational.hpp"

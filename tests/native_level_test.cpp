@@ -3,7 +3,7 @@
 
 #include "native_shape.hpp"
 
-#include <kith/elements.hpp>
+#include <kith/level_elements.hpp>
 
 #include <gtest/gtest.h>
 

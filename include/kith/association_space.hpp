@@ -3,23 +3,21 @@
 
 #include "association_faults.hpp"
 #include "basic_mesh.hpp"
+#include "connect.hpp"
 #include "for_each.hpp"
 #include "match.hpp"
 #include "numbering.hpp"
+#include "vertex_dictionary.hpp"
 
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace kith {
-
-/// How much of a new level's connectivity is wanted: none (only values are computed), face-vertex lists, or all.
-enum class connect : unsigned char { nothing, faces, everything };
 
 template <class Level, class Numbering, class Values, bool Checked> class pass_space;
 
@@ -268,22 +266,9 @@ private:
     {
         const auto id = index_type(ids_.vertices.total() + values_->listed_count());
         auto value = mask.evaluate(*values_);
-        list_vertex(tuple, id);
+        dictionary_.add(tuple, id);
         values_->append(std::move(value));
     }
-    [[gnu::noinline]] void list_vertex(const tuple_elements& tuple, index_type id) const
-    {
-        if (not dictionary_.emplace(tuple, id).second)
-            faults::refuse(tuple, faults::vertex_set_twice);
-    }
-    [[nodiscard, gnu::noinline]] index_type listed_vertex(const tuple_elements& tuple) const
-    {
-        const auto found = dictionary_.find(tuple);
-        if (found == dictionary_.end())
-            faults::refuse(tuple, faults::vertex_read_early);
-        return found->second;
-    }
-
     template <tuple_kind Kind>
     static constexpr bool has_vertices = decltype(Numbering::vertices)::template has<Kind>;
 
@@ -306,7 +291,7 @@ private:
     Values* values_;
     connectivity<index_type>* fine_;
     mutable std::vector<unsigned char> vertex_is_set_, face_is_set_; // Checked only
-    mutable std::map<tuple_elements, index_type> dictionary_;
+    mutable vertex_dictionary<index_type> dictionary_;
 };
 
 } // namespace kith

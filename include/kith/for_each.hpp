@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "elements.hpp"
+#include "level_elements.hpp"
 
 #include <algorithm>
 #include <atomic>

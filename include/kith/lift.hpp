@@ -2,7 +2,7 @@
 #pragma once
 
 #include "basic_mesh.hpp"
-#include "elements.hpp"
+#include "level_elements.hpp"
 #include "mesh_level.hpp"
 #include "native_level.hpp"
 

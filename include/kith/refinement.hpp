@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "choose.hpp"
 #include "pass_space.hpp"
 #include "polygon.hpp"
 #include "values.hpp"
