@@ -21,7 +21,7 @@
 
 namespace kith::mpi {
 
-/// How tiles come to ranks. Spmd: dealt out at the beginning, tile t to rank t modulo ranks. Manager: rank 0 hands them
+/// How tiles come to ranks. Spmd: dealt out at the beginning, the t-th to rank t modulo ranks. Manager: rank 0 hands them
 /// out, the largest first, to whoever is free; it refines only when it is alone.
 enum class sharing : unsigned char { spmd, manager };
 
@@ -92,25 +92,34 @@ public:
     template <class Use>
     work_done refine(sharing how, const Use& use)
     {
+        std::vector<std::uint64_t> all(tiles_);
+        std::iota(all.begin(), all.end(), 0);
+        return refine(how, all, use);
+    }
+    /// Collective. The same for some of the tiles, by their numbers, which are the same on all ranks.
+    template <class Use>
+    work_done refine(sharing how, const std::vector<std::uint64_t>& numbers, const Use& use)
+    {
         work_done done;
         if (how == sharing::spmd or comm_.size() == 1)
-            refine_dealt(use, done);
+            refine_dealt(numbers, use, done);
         else
-            refine_handed_out(use, done);
+            refine_handed_out(numbers, use, done);
         return done;
     }
 
 private:
     template <class Use>
-    void refine_dealt(const Use& use, work_done& done)
+    void refine_dealt(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
-        auto mine = deal_tiles(comm_, tiles_, [&](std::uint64_t t) { return pack(cutter_->cut(t, whole_->rings(0))); });
+        auto mine = deal_tiles(
+            comm_, numbers.size(), [&](std::uint64_t t) { return pack(cutter_->cut(numbers[t], whole_->rings(0))); });
         std::string problem;
         MPI_Pcontrol(1); // for profilers: from here to the next there is nothing to see
         try {
             for (std::size_t i = 0; i < mine.size(); ++i) {
                 const auto packed = std::exchange(mine[i], {});
-                refine_one(std::uint64_t(comm_.rank()) + i * std::uint64_t(comm_.size()), packed, use, done);
+                refine_one(numbers[std::size_t(comm_.rank()) + i * std::size_t(comm_.size())], packed, use, done);
             }
         } catch (const std::bad_alloc&) {
             problem = "there is not enough memory for a tile; use more tiles or fewer levels";
@@ -136,19 +145,17 @@ private:
     /// A worker asks with one byte, which tells whether its last tile went well; the answer is a number and a tile, or
     /// nothing when there is none left.
     template <class Use>
-    void refine_handed_out(const Use& use, work_done& done)
+    void refine_handed_out(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
         in_agreement(comm_, [&] {
             if (comm_.is_root())
-                hand_out();
+                hand_out(numbers);
             else
                 work(use, done);
         });
     }
-    void hand_out()
+    void hand_out(std::vector<std::uint64_t> order)
     {
-        std::vector<std::uint64_t> order(tiles_);
-        std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(), [&](std::uint64_t a, std::uint64_t b) {
             return cutter_->faces(a).size() > cutter_->faces(b).size();
         });
