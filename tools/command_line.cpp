@@ -25,9 +25,11 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
     po::options_description all;
     all.add(options);
     po::positional_options_description positions;
+    const auto is_optional = [](const std::string& operand) { return operand.starts_with('['); };
     for (const auto& operand : operands) {
-        all.add_options()(operand.c_str(), po::value<std::string>());
-        positions.add(operand.c_str(), 1);
+        const std::string name = is_optional(operand) ? operand.substr(1, operand.size() - 2) : operand;
+        all.add_options()(name.c_str(), po::value<std::string>());
+        positions.add(name.c_str(), 1);
     }
     po::variables_map values;
     try {
@@ -50,7 +52,8 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
         return std::nullopt;
     }
     for (const auto& operand : operands)
-        (void)required(values, operand);
+        if (not is_optional(operand))
+            (void)required(values, operand);
     return values;
 }
 

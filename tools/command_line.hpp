@@ -38,7 +38,7 @@ inline void add_flag(boost::program_options::options_description& options, const
     options.add_options()(name, help);
 }
 
-/// The options of a verb with --help and --version, and its operands: words without a dash, all of them needed.
+/// The options of a verb with --help and --version, and its operands: words without a dash, needed but for "[IN]".
 /// Empty when --help or --version was asked for, which is then answered. Errors: usage_error.
 std::optional<boost::program_options::variables_map> parse(const verb& verb,
                                                            boost::program_options::options_description options,

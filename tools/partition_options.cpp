@@ -16,10 +16,12 @@ constexpr std::string_view from_file = "file:";
 
 } // namespace
 
-void require_partitioner(const std::string& partitioner)
+std::string partitioner_from(const boost::program_options::variables_map& values)
 {
+    const std::string partitioner = values.count("partitioner") != 0 ? required(values, "partitioner") : "metis";
     if (partitioner != "metis" and partitioner != "block" and not partitioner.starts_with(from_file))
         throw usage_error("--partitioner: '" + partitioner + "' is not one of metis, block, file:PATH");
+    return partitioner;
 }
 
 partition make_partition(const std::string& partitioner, const basic_mesh<>& mesh, std::size_t parts)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "command_line.hpp"
+
 #include <kith/basic_mesh.hpp>
 #include <kith/partition.hpp>
 
@@ -9,8 +11,8 @@
 
 namespace kith::tool {
 
-/// Errors: usage_error when --partitioner is none of metis, block, file:PATH.
-void require_partitioner(const std::string& partitioner);
+/// --partitioner: metis, unless told, block or file:PATH. Errors: usage_error.
+std::string partitioner_from(const boost::program_options::variables_map& values);
 
 /// The partition that --partitioner asks for: metis, block or file:PATH. Errors: file_error, mesh_error.
 partition make_partition(const std::string& partitioner, const basic_mesh<>& mesh, std::size_t parts);

@@ -7,14 +7,12 @@
 #include "mesh_file.hpp"
 #include "mesh_format.hpp"
 #include "mesh_input.hpp"
-#include "partition_options.hpp"
-#include "refine_tiles.hpp"
+#include "run_refine_tiles.hpp"
 #include "scheme_options.hpp"
-#include "tile_output.hpp"
+#include "tile_options.hpp"
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <string_view>
 #include <utility>
@@ -67,6 +65,8 @@ po::options_description options_of_refine()
     add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + back_end_names());
     add_option<std::int64_t>(options, "tiles", "N", "refine in N tiles, one in memory at a time; OUT is .vtu or .ply");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
+    add_option<std::string>(options, "journal", "DIR", journal_help);
+    add_option<std::string>(options, "only", "A..B", "of the tiles in the journal refine only these, numbered from 0");
     add_option<std::string>(
         options, "memory-limit", "BYTES", "refuse what needs more, e.g. 500M or 4G; else all memory of the machine");
 #if defined(_OPENMP)
@@ -74,49 +74,6 @@ po::options_description options_of_refine()
 #endif
     add_flag(options, "json", "print the result line as JSON");
     return options;
-}
-
-bool is_tile_format_only(const std::string& output)
-{
-    return std::filesystem::path(output).extension() == ".vtu";
-}
-
-void refuse_beside_tiles(const po::variables_map& values)
-{
-    for (const char* option : {"mesh", "limit", "memory-limit"})
-        if (values.count(option) != 0)
-            throw usage_error("--" + std::string(option) + " and tiles do not go together; leave one of them out");
-    require_stitched_format(values["output"].as<std::string>());
-}
-
-int run_in_tiles(const po::variables_map& values, refine_request& request, const scheme_words& words)
-{
-    const auto tiles = values.count("tiles") != 0 ? values["tiles"].as<std::int64_t>() : 1;
-    if (tiles < 1)
-        throw usage_error("--tiles: " + std::to_string(tiles) + " were asked for; ask for 1 or more");
-    const std::string partitioner = values.count("partitioner") != 0 ? required(values, "partitioner") : "metis";
-    require_partitioner(partitioner);
-    const std::string output = required(values, "output");
-    control_mesh control = read_mesh(required(values, "IN"));
-    give_creases(request.scheme, control, words);
-    require_no_holes(control);
-    control.mesh = prepared(request.scheme, std::move(control.mesh));
-    const auto [counts, checksum] = refine_tiles(control.mesh, request, std::uint64_t(tiles), partitioner, output);
-    if (values.count("json") != 0)
-        std::cout << json_object()
-                         .add("scheme", required(values, "scheme"))
-                         .add("tiles", tiles)
-                         .add("levels", request.levels)
-                         .add("vertices", counts.vertices)
-                         .add("edges", counts.edges)
-                         .add("faces", counts.faces)
-                         .add("output", output)
-                         .text();
-    else
-        std::cout << output << ": " << counts.vertices << " vertices, " << counts.edges << " edges, " << counts.faces
-                  << " faces, checksum " << std::hex << checksum.bits << std::dec;
-    std::cout << '\n';
-    return 0;
 }
 
 void set_threads([[maybe_unused]] const po::variables_map& values)
@@ -135,10 +92,13 @@ void set_threads([[maybe_unused]] const po::variables_map& values)
 
 int run_refine(const verb& verb, const std::vector<std::string>& arguments)
 {
-    const auto values = parse(verb, options_of_refine(), {"IN"}, arguments);
+    const auto values = parse(verb, options_of_refine(), {"[IN]"}, arguments);
     if (not values)
         return 0;
     const auto given = [&](const char* option) { return values->count(option) != 0; };
+    set_threads(*values);
+    if (given("tiles") or given("journal") or given("only") or is_tile_format_only(*values))
+        return run_refine_tiles(*values);
     const std::string input = required(*values, "IN");
     const std::string output = required(*values, "output");
     const std::string scheme = required(*values, "scheme");
@@ -152,11 +112,6 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     if (request.limit)
         require_limit_masks(request.scheme);
     const back_end refine_on = back_end_named(mesh_kind);
-    set_threads(*values);
-    if (given("tiles") or is_tile_format_only(output)) {
-        refuse_beside_tiles(*values);
-        return run_in_tiles(*values, request, words);
-    }
     const mesh_format format = format_of(output);
     const bool binary = given("binary");
     if (binary and (format == mesh_format::off or format == mesh_format::obj))

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "journal.hpp"
+
 #include <kith/stitch.hpp>
+#include <kith/tile_journal.hpp>
 
 #include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace kith::tool {
 
@@ -15,29 +19,37 @@ namespace kith::tool {
 /// Errors: usage_error for other files.
 void require_stitched_format(const std::string& path);
 
-/// The output of a refinement in tiles. One process begins and commits, all write.
+/// The output of a refinement in tiles. One process begins and commits, all write. With a journal, what is finished stays
+/// in its directory until all is.
 class tile_output {
 public:
     using tile_type = tile<std::array<double, 3>, std::uint32_t>;
 
     /// Errors: mesh_error for what the format cannot hold.
-    tile_output(const std::string& path, const whole_counts& counts, int level, bool with_origin);
+    tile_output(const std::string& path, const whole_counts& counts, int level, bool with_origin,
+                const std::optional<journal_place>& journal);
     tile_output(const tile_output&) = delete;
     tile_output& operator=(const tile_output&) = delete;
 
-    /// Makes the file, under another name until it is complete. Errors: file_error.
+    /// Makes the file, under another name until it is complete; with a journal, unless it is there.
+    /// Errors: file_error, write_error.
     void begin();
     void open();
+    /// What is in the journal, of all tiles; nothing without a journal. Errors: write_error.
+    [[nodiscard]] std::vector<std::optional<finished_tile>> finished();
     /// Errors: write_error, mesh_error.
-    void write(const tile_type& part, cell_origin origin) { layout_->write_tile(*file_, part, origin); }
+    void write(const tile_type& part, cell_origin origin);
     void close();
+    /// Gives the file its name; nothing of the journal is left then. Errors: file_error, write_error.
     void commit();
-    /// Leaves nothing behind; nothing happens after commit.
+    /// Leaves nothing behind but what is in a journal; nothing happens after commit.
     void abandon() noexcept;
 
 private:
     std::string path_, incomplete_;
     std::unique_ptr<stitched_file> layout_;
+    std::string journal_directory_;
+    std::optional<tile_journal> journal_;
     std::optional<offset_file> file_;
 };
 

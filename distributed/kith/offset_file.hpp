@@ -3,6 +3,7 @@
 
 #include <kith/error.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +18,7 @@
 
 namespace kith {
 
-/// A file that cannot be written; the text begins with its path.
+/// A file that cannot be written, or read back; the text begins with its path.
 struct write_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -30,11 +31,17 @@ public:
     static offset_file create(const std::string& path, std::uint64_t size)
     {
         offset_file file(path, O_RDWR | O_CREAT | O_TRUNC);
-        if (::ftruncate(file.descriptor_, off_t(size)) != 0)
-            file.refuse("cannot be made " + std::to_string(size) + " bytes large");
+        file.resize(size);
         return file;
     }
     static offset_file open(const std::string& path) { return offset_file(path, O_RDWR); }
+    /// The same for a file that may be there already, which keeps what it holds. Errors: write_error.
+    static offset_file create_or_keep(const std::string& path, std::uint64_t size)
+    {
+        offset_file file(path, O_RDWR | O_CREAT);
+        file.resize(size);
+        return file;
+    }
 
     offset_file(offset_file&& other) noexcept
         : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1))
@@ -52,6 +59,33 @@ public:
     {
         if (::close(std::exchange(descriptor_, -1)) != 0)
             refuse("cannot be written");
+    }
+    void resize(std::uint64_t size)
+    {
+        if (::ftruncate(descriptor_, off_t(size)) != 0)
+            refuse("cannot be made " + std::to_string(size) + " bytes large");
+    }
+    /// Returns when what was written is on the disk. Errors: write_error.
+    void flush()
+    {
+        if (::fdatasync(descriptor_) != 0)
+            refuse("cannot be written");
+    }
+    /// Errors: write_error, also when the file ends before.
+    void read(std::uint64_t offset, void* data, std::size_t size)
+    {
+        char* bytes = static_cast<char*>(data);
+        while (size > 0) {
+            errno = 0;
+            const ssize_t count = ::pread(descriptor_, bytes, std::min(size, largest), off_t(offset));
+            if (count < 0 and errno == EINTR)
+                continue;
+            if (count <= 0)
+                refuse("cannot be read back");
+            bytes += count;
+            offset += std::uint64_t(count);
+            size -= std::size_t(count);
+        }
     }
     void write(std::uint64_t offset, const void* data, std::size_t size)
     {

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# A refinement that is interrupted goes on from its journal, and gives the bytes of one that was not.
+source "$(dirname "$0")/check.bash"
+cube >cube.off
+run refine cube.off -s catmull-clark -n 4 -o whole.vtu --tiles 6
+exits 0
+run refine cube.off -s catmull-clark -n 4 -o whole.ply --tiles 6
+exits 0
+
+# In pieces, in any order, some tiles twice; the last call finishes.
+run refine cube.off -s catmull-clark -n 4 -o out.vtu --tiles 6 --journal kept --only 2..3
+exits 0
+says_nothing
+prints '^kept: 2 of 6 tiles are finished$'
+leaves cube.off kept whole.ply whole.vtu
+run refine --journal kept --only 5
+exits 0
+prints '^kept: 3 of 6 tiles are finished$'
+run refine --journal kept --only 3..5 --json
+exits 0
+prints '"tiles":6,"finished_tiles":4,"levels":4,.*"output":"kept"'
+# Another number of tiles is another way to the same surface: the tiles are those of the journal.
+run refine cube.off -s catmull-clark -n 4 -o out.vtu --tiles 4 --journal kept
+exits 0
+prints '^out.vtu: 1538 vertices, 3072 edges, 1536 faces, checksum [0-9a-f]+$'
+same whole.vtu out.vtu
+leaves cube.off out.vtu whole.ply whole.vtu
+
+# What is finished is not refined again: its bytes are left as they are, here a byte that a test has changed.
+run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
+exits 0
+tail -c +300 kept/surface | head -c 8 >before
+printf '\x55' | dd of=kept/surface bs=1 seek=302 conv=notrunc status=none
+run refine --journal kept
+exits 0
+check "the changed byte is still there" test "$(od -An -tx1 -j302 -N1 out.ply | tr -d ' ')" = 55
+check "one byte differs" test "$(cmp -l whole.ply out.ply | wc -l)" -eq 1
+rm before out.ply out.vtu
+
+# A record that was torn, at whatever byte, is none; the tile is refined once more, and others stay.
+size=$(stat -c %s whole.ply)
+for torn in 0 1 7 8 15 16 23; do
+    run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..3
+    exits 0
+    # The record of tile 2, of 24 bytes, ends at this byte.
+    dd if=/dev/zero of=kept/surface bs=1 seek=$((size + 2 * 24 + torn)) count=$((24 - torn)) conv=notrunc status=none
+    run refine --journal kept --only 1
+    prints '^kept: 3 of 6 tiles are finished$'
+    run refine --journal kept
+    exits 0
+    same whole.ply out.ply
+    rm out.ply
+done
+# A journal that was only begun, or whose surface is gone, is begun again.
+run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..3
+rm kept/surface
+run refine --journal kept
+exits 0
+same whole.ply out.ply
+rm out.ply
+
+# Creases of the file, of an angle, and words of the scheme come back from the recipe.
+run refine cube.off -s linear -n 1 -o cube.obj
+(cat cube.obj; printf 't crease 2/1/0 0 8 2.5\n') >creased.obj
+for words in "-s catmull-clark --crease-angle 30 --crease-sharpness 1.5" "-s loop --weights warren" \
+    "-s doo-sabin --weights averaging" "-s kobbelt --tension 0.7" "-s 4-8" "-s catmull-clark --preset opensubdiv"; do
+    input=cube.obj
+    case $words in
+    *loop*) tetrahedron >tetra.off && input=tetra.off ;;
+    *preset*) input=creased.obj ;;
+    esac
+    # shellcheck disable=SC2086 # words are several
+    run refine $input $words -n 3 -o one.vtu
+    exits 0
+    # shellcheck disable=SC2086
+    run refine $input $words -n 3 -o out.vtu --tiles 4 --journal kept --only 1
+    exits 0
+    run refine --journal kept
+    exits 0
+    same one.vtu out.vtu
+done
+rm -f ./*.vtu ./*.obj tetra.off
+
+# Another refinement is refused, and the journal stays.
+run refine cube.off -s catmull-clark -n 4 -o out.vtu --tiles 6 --journal kept --only 0
+exits 0
+refused() { # refused MESSAGE ARGUMENTS...
+    local message=$1
+    shift
+    run "$@"
+    exits 1
+    says "kept: is the journal of another refinement, $message; finish that one, or name another directory"
+}
+refused "its levels is '4', not '3'" refine cube.off -s catmull-clark -n 3 -o out.vtu --tiles 6 --journal kept
+refused "its scheme is 'catmull-clark', not 'doo-sabin'" refine cube.off -s doo-sabin -n 4 -o out.vtu --journal kept
+refused "its format is '.vtu', not '.ply'" refine cube.off -s catmull-clark -n 4 -o out.ply --journal kept
+refused "its boundary-corners is '', not 'smoothed'" \
+    refine cube.off -s catmull-clark -n 4 -o out.vtu --journal kept --boundary-corners smoothed
+refused 'its control mesh or its creases are others' \
+    refine cube.off -s catmull-clark -n 4 -o out.vtu --journal kept --crease-angle 40
+sed '3s/.*/-1 -1 -1.5/' cube.off >moved.off
+refused 'its control mesh or its creases are others' refine moved.off -s catmull-clark -n 4 -o out.vtu --journal kept
+rm moved.off
+run refine --journal kept
+exits 0
+run refine cube.off -s catmull-clark -n 4 -o again.vtu
+same out.vtu again.vtu
+rm ./*.vtu
+
+# A recipe that is damaged, or not there, is told; what is missing in the call, too.
+run refine cube.off -s catmull-clark -n 2 -o out.vtu --tiles 3 --journal kept --only 0
+cp -r kept cut
+head -c 700 kept/recipe >cut/recipe
+run refine --journal cut
+exits 1
+says 'cut/recipe: .*remove cut and begin again'
+cp kept/recipe cut/recipe
+printf '\x55' | dd of=cut/recipe bs=1 seek=900 conv=notrunc status=none
+run refine --journal cut
+exits 1
+says 'cut/recipe: the recipe is damaged, its checksum is wrong; remove cut and begin again'
+rm -r cut
+run refine --journal nowhere
+exits 1
+says 'nowhere: holds no recipe to go on with; name the mesh, and what to do with it'
+run refine cube.off -s catmull-clark -n 2 -o out.vtu --only 1
+exits 2
+says 'name with --journal where the tiles are kept'
+run refine --journal kept -s loop
+exits 2
+says '--scheme: without IN the journal says what is refined'
+for range in 1..x 2..1 .. -1; do
+    run refine --journal kept --only="$range"
+    exits 2
+    says "'$range' are no tiles such as 100..199 or 7"
+done
+run refine --journal kept --only 2..3
+exits 2
+says 'there is no tile 3, there are 3, numbered from 0'
+run refine cube.off -s catmull-clark -n 40 -o out.vtu --journal other
+exits 1
+check "nothing was begun" test ! -e other
+if mkdir /dev/shm/kith.$$ 2>/dev/null; then
+    run refine cube.off -s catmull-clark -n 1 -o out.vtu --journal /dev/shm/kith.$$/kept
+    exits 1
+    says 'kept: is on another file system than out.vtu; put the journal next to the output'
+    rm -r /dev/shm/kith.$$
+fi
+finish

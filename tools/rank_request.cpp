@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rank_request.hpp"
+
+#include "errors.hpp"
+#include "partition_options.hpp"
+#include "scheme_options.hpp"
+#include "tile_options.hpp"
+
+namespace kith::tool {
+
+namespace {
+
+namespace po = boost::program_options;
+
+std::uint64_t count_of(const po::variables_map& values, const char* option, std::uint64_t otherwise)
+{
+    if (values.count(option) == 0)
+        return otherwise;
+    const auto count = values[option].as<std::int64_t>();
+    if (count < 1)
+        throw usage_error("--" + std::string(option) + ": " + std::to_string(count) +
+                          " were asked for; ask for 1 or more");
+    return std::uint64_t(count);
+}
+
+mpi::sharing sharing_named(const std::string& name)
+{
+    if (name == "spmd")
+        return mpi::sharing::spmd;
+    if (name == "manager")
+        return mpi::sharing::manager;
+    throw usage_error("--mode: '" + name + "' is not one of spmd, manager");
+}
+
+po::options_description options_of_refine()
+{
+    po::options_description options("Options");
+    add_scheme_options(options);
+    add_option<std::string>(options, "output,o", "OUT", "the file to write: .vtu or .ply");
+    add_option<std::string>(options, "mode", "MODE", "spmd: tiles are dealt out; manager: rank 0 hands them out");
+    add_option<std::int64_t>(options, "tiles-per-rank", "K", "cut the mesh into so many tiles per rank");
+    add_option<std::string>(options, "memory-per-rank", "BYTES", "cut it into as many tiles as this needs, e.g. 2G");
+    add_option<std::string>(
+        options, "partitioner", "P", "metis, block or file:PATH (a part per face, as METIS writes)");
+    add_option<std::string>(options, "journal", "DIR", journal_help);
+    add_option<std::int64_t>(options, "threads", "N", "threads of each rank; 1 unless told, as ranks fill the machine");
+    add_flag(options, "cell-origin", "write tile and rank of every cell; the file then depends on the ranks");
+    add_flag(options, "verify", "refine on one rank as well and compare the checksums");
+    add_option<std::string>(options, "stats", "FILE", "write what each rank did, a JSON object a line");
+    return options;
+}
+
+} // namespace
+
+std::optional<rank_request> rank_request_from(const verb& verb, const std::vector<std::string>& arguments)
+{
+    const auto values = parse(verb, options_of_refine(), {"[IN]"}, arguments);
+    if (not values)
+        return std::nullopt;
+    const auto text = [&](const char* option, std::string otherwise) {
+        return values->count(option) != 0 ? required(*values, option) : otherwise;
+    };
+    rank_request request;
+    request.journal = journal_from(*values);
+    if (names_input(*values, {"mode", "threads", "verify", "stats"})) {
+        request.input = required(*values, "IN");
+        request.what = tile_request_from(*values);
+    }
+    request.sharing = sharing_named(text("mode", "spmd"));
+    request.tiles_per_rank = count_of(*values, "tiles-per-rank", 1);
+    request.threads = count_of(*values, "threads", 1);
+    request.memory_per_rank = values->count("memory-per-rank") != 0 ? bytes_from(text("memory-per-rank", "")) : 0;
+    request.partitioner = partitioner_from(*values);
+    request.stats = text("stats", "");
+    request.verify = values->count("verify") != 0;
+    return request;
+}
+
+} // namespace kith::tool

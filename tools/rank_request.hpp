@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "command_line.hpp"
+#include "tile_request.hpp"
+
+#include <kith/refine_on_ranks.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kith::tool {
+
+/// What the command line of kith-mpi asks for; all ranks read it alike.
+struct rank_request {
+    tile_request what; ///< its control mesh is read later, by rank 0; without input all of it
+    std::string input; ///< empty: the journal says what is refined
+    std::string partitioner, journal, stats;
+    std::uint64_t tiles_per_rank = 1;
+    std::uint64_t memory_per_rank = 0; ///< in bytes; 0: whatever it takes
+    std::uint64_t threads = 1;
+    mpi::sharing sharing = mpi::sharing::spmd;
+    bool verify = false;
+};
+
+/// Empty when --help or --version was asked for. Errors: usage_error.
+std::optional<rank_request> rank_request_from(const verb& verb, const std::vector<std::string>& arguments);
+
+} // namespace kith::tool

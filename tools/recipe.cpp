@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recipe.hpp"
+
+#include "errors.hpp"
+#include "json.hpp"
+
+#include <kith/checksum.hpp>
+#include <kith/pack.hpp>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace kith::tool {
+
+namespace {
+
+constexpr std::uint64_t kind_of_recipe = 0x6b697468'72637031; // "kithrcp1", turned round on other machines
+
+std::string text_of(const std::optional<double>& value)
+{
+    return value ? to_json(*value) : "";
+}
+std::string text_of(const std::optional<int>& value)
+{
+    return value ? to_json(*value) : "";
+}
+
+/// The words that choose the form of the scheme; creases are kept with the control mesh.
+std::array<std::pair<const char*, std::string>, 7> words_with_names(const scheme_words& words)
+{
+    return {{{"preset", words.preset},
+             {"boundary-corners", words.boundary_corners},
+             {"weights", words.weights},
+             {"boundary", words.boundary},
+             {"crease-method", words.crease_method},
+             {"tension", text_of(words.tension)},
+             {"degree", text_of(words.degree)}}};
+}
+
+const std::string& setting(const recipe& recipe, const std::string& name)
+{
+    for (const auto& [known, value] : recipe.settings)
+        if (known == name)
+            return value;
+    throw file_error("the recipe has no " + name + "; it is of another version");
+}
+
+/// The connectivity of a mesh as it is kept: its numbers are those of the surface.
+template <class Topology, class F>
+void for_each_array(Topology& t, const F& f)
+{
+    f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner);
+    f(t.vertex_corner), f(t.face_corner), f(t.corner_face);
+}
+
+std::vector<std::byte> pack_control(const basic_mesh<>& mesh, const any_scheme& scheme)
+{
+    const auto& t = mesh.topology();
+    packer out;
+    out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(mesh.generation());
+    out.add_array(mesh.points());
+    for_each_array(t, [&](const auto& array) { out.add_array(array); });
+    std::visit([&](const auto& s) { kith::detail::pack_scheme(out, s); }, scheme);
+    return out.take();
+}
+
+/// The inverse; the scheme gets its creases.
+basic_mesh<> unpack_control(const std::vector<std::byte>& bytes, any_scheme& scheme)
+{
+    unpacker in(bytes);
+    connectivity<std::uint32_t> t;
+    t.vertices = in.get<std::uint64_t>();
+    t.faces = in.get<std::uint64_t>();
+    t.degree = in.get<int>();
+    const int generation = in.get<int>();
+    auto points = in.get_array<storage<std::array<double, 3>>>();
+    for_each_array(t, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
+    std::visit([&](auto& s) { kith::detail::unpack_scheme(in, s); }, scheme);
+    return {std::move(points), std::move(t), generation};
+}
+
+void add_text(packer& out, const std::string& text)
+{
+    out.add_array(text);
+}
+std::string next_text(unpacker& in)
+{
+    const auto letters = in.get_array<std::vector<char>>();
+    return {letters.begin(), letters.end()};
+}
+
+} // namespace
+
+recipe recipe_of(const tile_request& request, partition parts)
+{
+    recipe result;
+    result.settings = {{"version", KITH_VERSION},
+                       {"scheme", request.scheme_name},
+                       {"levels", std::to_string(request.levels)},
+                       {"format", std::filesystem::path(request.output).extension().string()},
+                       {"cell-origin", request.with_origin ? "yes" : "no"}};
+    for (const auto& [name, word] : words_with_names(request.words))
+        result.settings.emplace_back(name, word);
+    result.control = pack_control(request.control, request.scheme);
+    result.parts = std::move(parts);
+    result.output = request.output;
+    return result;
+}
+
+tile_request request_from(const recipe& recipe)
+{
+    const auto word = [&](const char* name) { return setting(recipe, name); };
+    tile_request result;
+    result.scheme_name = word("scheme");
+    result.words.preset = word("preset");
+    result.words.boundary_corners = word("boundary-corners");
+    result.words.weights = word("weights");
+    result.words.boundary = word("boundary");
+    result.words.crease_method = word("crease-method");
+    if (const std::string tension = word("tension"); not tension.empty())
+        result.words.tension = std::stod(tension);
+    if (const std::string degree = word("degree"); not degree.empty())
+        result.words.degree = std::stoi(degree);
+    result.scheme = make_scheme(result.scheme_name, result.words);
+    result.levels = std::stoi(word("levels"));
+    result.output = recipe.output;
+    result.with_origin = word("cell-origin") == "yes";
+    return result;
+}
+
+tile_request request_with_control(const recipe& recipe)
+{
+    tile_request result = request_from(recipe);
+    result.control = unpack_control(recipe.control, result.scheme);
+    return result;
+}
+
+std::vector<std::byte> pack_recipe(const recipe& recipe)
+{
+    packer out;
+    out.add(kind_of_recipe).add(std::uint64_t(recipe.settings.size()));
+    for (const auto& [name, value] : recipe.settings) {
+        add_text(out, name);
+        add_text(out, value);
+    }
+    add_text(out, recipe.output);
+    out.add_array(recipe.control).add_array(recipe.parts.part_of).add(std::uint64_t(recipe.parts.parts));
+    out.add(checksum_of(recipe));
+    return out.take();
+}
+
+recipe unpack_recipe(const std::vector<std::byte>& bytes)
+{
+    unpacker in(bytes);
+    if (in.get<std::uint64_t>() != kind_of_recipe)
+        throw pack_error("this is no recipe, or of another version or kind of machine");
+    recipe result;
+    for (auto left = in.get<std::uint64_t>(); left > 0; --left) {
+        auto name = next_text(in);
+        result.settings.emplace_back(std::move(name), next_text(in));
+    }
+    result.output = next_text(in);
+    result.control = in.get_array<std::vector<std::byte>>();
+    result.parts.part_of = in.get_array<std::vector<std::uint32_t>>();
+    result.parts.parts = in.get<std::uint64_t>();
+    if (in.get<std::uint64_t>() != checksum_of(result) or not in.is_at_end())
+        throw pack_error("the recipe is damaged, its checksum is wrong");
+    return result;
+}
+
+std::uint64_t checksum_of(const recipe& recipe)
+{
+    packer all;
+    for (const auto& [name, value] : recipe.settings) {
+        add_text(all, name);
+        add_text(all, value);
+    }
+    all.add_array(recipe.control).add_array(recipe.parts.part_of).add(std::uint64_t(recipe.parts.parts));
+    return kith::detail::checksum_of_bytes(all.take());
+}
+
+std::string difference(const recipe& kept, const recipe& asked)
+{
+    for (const auto& [name, value] : asked.settings)
+        if (setting(kept, name) != value)
+            return "its " + name + " is '" + setting(kept, name) + "', not '" + value + "'";
+    return kept.control == asked.control ? "" : "its control mesh or its creases are others";
+}
+
+} // namespace kith::tool

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile_request.hpp"
+
+#include <kith/partition.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::tool {
+
+/// All that a surface in tiles is made of, small next to the surface: with the journal of finished tiles a checkpoint that
+/// any number of ranks, or jobs without MPI, can go on from.
+struct recipe {
+    std::vector<std::pair<std::string, std::string>> settings{}; ///< by name: version, scheme, its words, levels, ...
+    std::vector<std::byte> control{};                            ///< the mesh as it was read, and its creases
+    partition parts{};                                           ///< the journal depends on it, the surface does not
+    std::string output{};
+};
+
+recipe recipe_of(const tile_request& request, partition parts);
+
+/// Settings only: a request without its control mesh, as ranks other than 0 have it. Errors: usage_error.
+tile_request request_from(const recipe& recipe);
+/// The inverse of recipe_of. Errors: file_error for bytes that are none.
+tile_request request_with_control(const recipe& recipe);
+
+/// As bytes, with their checksum. Cost: that of the control mesh.
+std::vector<std::byte> pack_recipe(const recipe& recipe);
+/// Errors: pack_error.
+recipe unpack_recipe(const std::vector<std::byte>& bytes);
+
+/// Stands for the recipe, the partition included.
+std::uint64_t checksum_of(const recipe& recipe);
+
+/// Of the setting in which two recipes differ first, or empty: "its levels are '3', here they are '4'".
+std::string difference(const recipe& kept, const recipe& asked);
+
+} // namespace kith::tool

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refine_ranks.hpp"
+
+#include "errors.hpp"
+#include "journal.hpp"
+#include "partition_options.hpp"
+#include "rank_stats.hpp"
+#include "tile_output.hpp"
+
+#include <kith/refine.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace kith::tool {
+
+namespace {
+
+/// How many tiles there must be so that refining one stays within the memory of a rank: the last level twice, once with
+/// what shadows add to it and once with its ids.
+template <class Scheme>
+std::uint64_t tiles_for(const rank_request& request, const Scheme& scheme, const basic_mesh<>& control)
+{
+    const auto levels = plan(count(control.topology()), scheme, request.what.levels, control.generation());
+    const double bytes_of_tile = 2.5 * double(levels.back().least_bytes);
+    return std::uint64_t(
+        std::clamp(bytes_of_tile / double(request.memory_per_rank) + 1, 1., double(control.face_count())));
+}
+
+template <class Scheme>
+partition partition_for(const rank_request& request, const Scheme& scheme, int ranks)
+{
+    auto tiles = request.tiles_per_rank * std::uint64_t(ranks);
+    if (request.memory_per_rank != 0)
+        tiles = std::max(tiles, tiles_for(request, scheme, request.what.control));
+    return make_partition(request.partitioner, request.what.control, tiles);
+}
+
+/// Reads what is refined on rank 0; without IN the others hear of it from there.
+void read_request(mpi::communicator& comm, rank_request& request)
+{
+    std::vector<std::byte> settings;
+    mpi::in_agreement(comm, [&] {
+        if (not comm.is_root())
+            return;
+        if (not request.input.empty()) {
+            read_control(request.what, request.input);
+            return;
+        }
+        recipe kept = kept_recipe(request.journal);
+        request.what = request_with_control(kept);
+        settings = pack_recipe({.settings = kept.settings, .output = kept.output});
+    });
+    if (not request.input.empty())
+        return;
+    settings = comm.broadcast(std::move(settings));
+    mpi::in_agreement(comm, [&] {
+        if (not comm.is_root())
+            request.what = request_from(unpack_recipe(settings));
+    });
+}
+
+/// Begins the output on rank 0, tells all ranks which tiles are missing there, and gives what is finished.
+mpi::work_done begin(mpi::communicator& comm, tile_output& output, std::uint64_t tiles,
+                     std::vector<std::uint64_t>& missing)
+{
+    mpi::work_done finished;
+    mpi::in_agreement(comm, [&] {
+        if (not comm.is_root())
+            return;
+        output.begin();
+        const auto known = output.finished();
+        for (std::uint64_t t = 0; t < tiles; ++t)
+            if (known.empty() or not known[t])
+                missing.push_back(t);
+            else
+                finished += {.owned_faces = known[t]->faces, .checksum = known[t]->checksum};
+    });
+    const auto message = comm.broadcast(packer().add_array(missing).take());
+    missing = unpacker(message).get_array<std::vector<std::uint64_t>>();
+    mpi::in_agreement(comm, [&] { output.open(); });
+    return finished;
+}
+
+/// Where the journal is, on all ranks; rank 0 has the recipe.
+std::optional<journal_place> shared_place(mpi::communicator& comm, const std::string& journal, const recipe& kept,
+                                          std::uint64_t tiles)
+{
+    if (journal.empty())
+        return std::nullopt;
+    const auto message = comm.broadcast(packer().add(comm.is_root() ? checksum_of(kept) : 0).take());
+    return journal_place{journal, tiles, unpacker(message).get<std::uint64_t>()};
+}
+
+template <class Scheme>
+void refine_by(mpi::communicator& comm, const rank_request& request, const Scheme& scheme)
+{
+    const tile_request& what = request.what;
+    recipe kept; // on rank 0
+    mpi::in_agreement(comm, [&] {
+        if (not comm.is_root())
+            return;
+        const auto make = [&] { return partition_for(request, scheme, comm.size()); };
+        kept = request.journal.empty() ? recipe{.parts = make()} : recipe_for(request.journal, what, make);
+    });
+    mpi::rank_refinement refinement(comm, what.control, scheme, what.levels, kept.parts);
+    const whole_counts counts = refinement.whole().counts(what.levels);
+
+    tile_output output(what.output,
+                       counts,
+                       what.levels,
+                       what.with_origin,
+                       shared_place(comm, request.journal, kept, refinement.tiles()));
+    mpi::work_done done, all;
+    try {
+        mpi::in_agreement(comm, [&] { comm.is_root() ? begin_journal(request.journal, kept, what.output) : void(); });
+        std::vector<std::uint64_t> missing;
+        const mpi::work_done finished = begin(comm, output, refinement.tiles(), missing);
+        done = refinement.refine(request.sharing, missing, [&](std::uint64_t number, const auto& part) {
+            output.write(part, {std::uint32_t(number), std::uint32_t(comm.rank())});
+        });
+        mpi::in_agreement(comm, [&] { output.close(); });
+        const auto sums = comm.sum(std::array{done.owned_faces, done.checksum.bits});
+        all = {.owned_faces = sums[0], .checksum = {sums[1]}};
+        all += finished;
+        mpi::in_agreement(comm, [&] {
+            if (not comm.is_root())
+                return;
+            if (all.owned_faces != counts.faces)
+                throw std::logic_error("the tiles have " + std::to_string(all.owned_faces) + " faces, not " +
+                                       std::to_string(counts.faces) + "; this is an error in kith");
+            if (request.verify and
+                checksum(refine(what.control, scheme, what.levels, {connect::faces})) != all.checksum)
+                throw std::logic_error("the checksum differs from that of one rank; this is an error in kith");
+            output.commit();
+        });
+    } catch (...) {
+        if (comm.is_root())
+            output.abandon();
+        throw;
+    }
+    if (not request.stats.empty())
+        write_stats(comm, request.stats, done);
+    if (comm.is_root())
+        std::cout << what.output << ": " << counts.vertices << " vertices, " << counts.edges << " edges, "
+                  << counts.faces << " faces, checksum " << std::hex << all.checksum.bits << std::dec
+                  << (request.verify ? ", verified" : "") << '\n';
+}
+
+} // namespace
+
+void refine_ranks(mpi::communicator& comm, rank_request& request)
+{
+    read_request(comm, request);
+    std::visit(
+        [&]<class Scheme>(const Scheme& scheme) {
+            if constexpr (reaching_scheme<Scheme>)
+                refine_by(comm, request, scheme);
+            else
+                mpi::in_agreement(comm, [] {
+                    throw usage_error(std::string(kith::scheme_name<Scheme>()) +
+                                      " has no reach, so no tiles; use kith refine");
+                });
+        },
+        request.what.scheme);
+}
+
+} // namespace kith::tool

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "rank_request.hpp"
+
+namespace kith::tool {
+
+/// Refines in tiles on all ranks, into one file, and prints what it holds. With a journal, tiles that are finished are left
+/// out. Collective. Errors: phase_error, after which there is no file but the journal.
+void refine_ranks(mpi::communicator& comm, rank_request& request);
+
+} // namespace kith::tool

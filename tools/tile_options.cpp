@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tile_options.hpp"
+
+#include "errors.hpp"
+#include "scheme_options.hpp"
+#include "tile_output.hpp"
+
+#include <algorithm>
+
+namespace kith::tool {
+
+namespace po = boost::program_options;
+
+std::string journal_from(const po::variables_map& values)
+{
+    if (values.count("journal") == 0)
+        return {};
+    const std::string directory = required(values, "journal");
+    if (directory.empty())
+        throw usage_error("--journal: name a directory");
+    return directory;
+}
+
+bool names_input(const po::variables_map& values, std::initializer_list<std::string_view> beside_journal)
+{
+    if (values.count("IN") != 0 or values.count("journal") == 0) {
+        (void)required(values, "IN");
+        return true;
+    }
+    for (const auto& [name, value] : values)
+        if (name != "journal" and std::ranges::find(beside_journal, name) == beside_journal.end())
+            throw usage_error("--" + name + ": without IN the journal says what is refined; name IN as well");
+    return false;
+}
+
+tile_request tile_request_from(const po::variables_map& values)
+{
+    tile_request request;
+    request.output = required(values, "output");
+    require_stitched_format(request.output);
+    request.scheme_name = required(values, "scheme");
+    request.words = scheme_words_of(values);
+    request.scheme = make_scheme(request.scheme_name, request.words);
+    request.levels = levels_of(values);
+    request.with_origin = values.count("cell-origin") != 0;
+    return request;
+}
+
+} // namespace kith::tool

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tile_request.hpp"
+
+#include "holes.hpp"
+#include "mesh_input.hpp"
+
+#include <utility>
+#include <variant>
+
+namespace kith::tool {
+
+void read_control(tile_request& request, const std::string& path)
+{
+    control_mesh control = read_mesh(path);
+    give_creases(request.scheme, control, request.words);
+    require_no_holes(control);
+    request.control = prepared(request.scheme, std::move(control.mesh));
+    std::visit([&]<class Scheme>(const Scheme&) { require_input<Scheme>(level_of<basic_mesh<>>(request.control)); },
+               request.scheme);
+}
+
+} // namespace kith::tool

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "schemes.hpp"
+
+#include <kith/basic_mesh.hpp>
+
+#include <string>
+
+namespace kith::tool {
+
+/// What is refined in tiles, by one process or by many; the bytes of the output depend on this and on nothing else.
+struct tile_request {
+    std::string scheme_name;
+    scheme_words words;
+    any_scheme scheme; ///< with the creases of the control mesh
+    int levels = 0;
+    std::string output;
+    bool with_origin = false; ///< rank and tile of each cell, so that the bytes depend on the job as well
+    basic_mesh<> control;
+};
+
+/// Reads the control mesh of a request, and what the file says of its creases. Errors: file_error, mesh_error.
+void read_control(tile_request& request, const std::string& path);
+
+} // namespace kith::tool
