@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # errors_test.bash KITH KITH_MPI SHIM: what goes wrong on ranks ends the job, soon, with one message and no file.
 source "$(dirname "$0")/on_ranks.bash"
-one_message() { check "should say one thing" test "$(grep -c '^kith-mpi: ' "$results/err")" -eq 1; }
 
 cube >cube.off
 tetrahedron >tetra.off

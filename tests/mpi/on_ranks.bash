@@ -15,3 +15,4 @@ on() {
     timeout 120 mpirun -n "$ranks" "$kith_mpi" "$@" >"$results/out" 2>"$results/err" </dev/null
     code=$?
 }
+one_message() { check "should say one thing" test "$(grep -c '^kith-mpi: ' "$results/err")" -eq 1; }
