@@ -22,8 +22,10 @@ constexpr int wrong_use = 2;
 constexpr std::array verbs{
     verb{"refine", "Refines a mesh and writes the result.", run_refine},
     verb{"info", "Tells what a file holds and what is wrong with it; exit code 1 if something is.", run_info},
-    verb{"compare", "Compares two meshes whatever their numbering; exit code 1 if they differ.", run_compare},
-    verb{"plan", "Tells how large each level would be; nothing is refined.", run_plan},
+    verb{"compare",
+         "Compares two meshes, whatever their numbering or bit by bit; exit code 1 if they differ.",
+         run_compare},
+    verb{"plan", "Tells how large each level would be, and what ranks would do; nothing is refined.", run_plan},
     verb{"schemes", "Lists the subdivision schemes.", run_schemes},
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bitwise_compare.hpp"
 #include "command_line.hpp"
 #include "errors.hpp"
 #include "json.hpp"
@@ -17,7 +18,7 @@ namespace po = boost::program_options;
 double tolerance_of(const po::variables_map& values)
 {
     if (values.count("tolerance") == 0)
-        throw usage_error("--tolerance is missing");
+        throw usage_error("--tolerance is missing, or --bitwise");
     const double tolerance = values["tolerance"].as<double>();
     if (not(tolerance >= 0) or std::isinf(tolerance))
         throw usage_error("--tolerance: " + to_json(tolerance) + " is not a number of 0 or more");
@@ -35,19 +36,37 @@ std::string verdict(const comparison& result)
     return "different, vertices that coincide are joined to other faces";
 }
 
+int compare_bitwise(const polygon_soup& a, const polygon_soup& b, bool as_json)
+{
+    const std::string difference = first_difference(a, b);
+    if (as_json)
+        std::cout << json_object().add("equal", difference.empty()).add("difference", difference).text();
+    else
+        std::cout << (difference.empty() ? "equal, bit for bit" : "different, " + difference);
+    std::cout << '\n';
+    return difference.empty() ? 0 : 1;
+}
+
 } // namespace
 
 int run_compare(const verb& verb, const std::vector<std::string>& arguments)
 {
     po::options_description options("Options");
     add_option<double>(options, "tolerance,t", "T", "vertices farther apart than this are different");
+    add_flag(
+        options, "bitwise", "the numbers of vertices and faces and all bits of the coordinates have to be the same");
     add_flag(options, "json", "print JSON");
     const auto values = parse(verb, options, {"A", "B"}, arguments);
     if (not values)
         return 0;
-    const double tolerance = tolerance_of(*values);
+    const bool bitwise = values->count("bitwise") != 0;
+    if (bitwise and values->count("tolerance") != 0)
+        throw usage_error("--bitwise and --tolerance do not go together; leave one of them out");
+    const double tolerance = bitwise ? 0 : tolerance_of(*values);
     const polygon_soup a = read_mesh_file(required(*values, "A"));
     const polygon_soup b = read_mesh_file(required(*values, "B"));
+    if (bitwise)
+        return compare_bitwise(a, b, values->count("json") != 0);
     const comparison result = compare_meshes(a.points, a.faces, b.points, b.faces, tolerance);
     if (values->count("json") != 0)
         std::cout << json_object()

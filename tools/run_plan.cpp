@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
+#include "errors.hpp"
 #include "json.hpp"
 #include "mesh_input.hpp"
+#include "partition_options.hpp"
+#include "plan_ranks.hpp"
 #include "scheme_options.hpp"
 
 #include <kith/lift.hpp>
 #include <kith/plan.hpp>
 
+#include <cstdint>
 #include <iomanip>
 #include <iostream>
 #include <variant>
@@ -46,19 +50,78 @@ void print_json(const std::vector<planned_level>& levels)
               << '\n';
 }
 
+std::uint64_t count_of(const po::variables_map& values, const char* option)
+{
+    const auto count = values.count(option) != 0 ? values[option].as<std::int64_t>() : 1;
+    constexpr std::int64_t most = UINT32_MAX;
+    if (count < 1 or count > most)
+        throw usage_error("--" + std::string(option) + ": " + std::to_string(count) +
+                          " were asked for; ask for 1 or more, up to " + std::to_string(most));
+    return std::uint64_t(count);
+}
+
+void print_table(const planned_ranks& plan)
+{
+    std::cout << "rings of shadows on level 0: " << plan.rings
+              << "\n rank  tiles     faces   shadows  message bytes      last faces     tile bytes    output bytes\n";
+    for (std::size_t rank = 0; rank < plan.ranks.size(); ++rank) {
+        const planned_rank& r = plan.ranks[rank];
+        std::cout << std::setw(5) << rank << std::setw(7) << r.tiles << std::setw(10) << r.faces << std::setw(10)
+                  << r.shadows << std::setw(15) << r.message_bytes << std::setw(16) << r.last_faces << std::setw(15)
+                  << r.tile_bytes << std::setw(16) << r.output_bytes << '\n';
+    }
+}
+
+void print_json(const planned_ranks& plan)
+{
+    std::vector<json_object> objects;
+    for (const planned_rank& r : plan.ranks)
+        objects.push_back(json_object()
+                              .add("tiles", r.tiles)
+                              .add("faces", r.faces)
+                              .add("shadows", r.shadows)
+                              .add("message_bytes", r.message_bytes)
+                              .add("last_faces", r.last_faces)
+                              .add("tile_bytes", r.tile_bytes)
+                              .add("output_bytes", r.output_bytes));
+    std::cout << json_object().add("rings", plan.rings).add("ranks", objects).text() << '\n';
+}
+
+void print_ranks(const po::variables_map& values, const any_scheme& scheme, const basic_mesh<>& control, int levels)
+{
+    const std::uint64_t ranks = count_of(values, "ranks");
+    const std::uint64_t tiles = ranks * count_of(values, "tiles-per-rank");
+    const partition parts = make_partition(partitioner_from(values), control, tiles);
+    const planned_ranks plan = plan_ranks(scheme, control, levels, parts, ranks);
+    if (values.count("json") != 0)
+        print_json(plan);
+    else
+        print_table(plan);
+}
+
 } // namespace
 
 int run_plan(const verb& verb, const std::vector<std::string>& arguments)
 {
     po::options_description options("Options");
     add_scheme_options(options);
+    add_option<std::int64_t>(options, "ranks", "N", "tell what each of N ranks of kith-mpi would do instead");
+    add_option<std::int64_t>(options, "tiles-per-rank", "K", "with so many tiles for each");
+    add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
     add_flag(options, "json", "print JSON");
     const auto values = parse(verb, options, {"IN"}, arguments);
     if (not values)
         return 0;
     const int levels = levels_of(*values);
     const any_scheme scheme = make_scheme(required(*values, "scheme"), scheme_words_of(*values));
+    for (const char* option : {"tiles-per-rank", "partitioner"})
+        if (values->count(option) != 0 and values->count("ranks") == 0)
+            throw usage_error("--" + std::string(option) + ": say with --ranks how many there are");
     const basic_mesh<> control = prepared(scheme, read_mesh(required(*values, "IN")).mesh);
+    if (values->count("ranks") != 0) {
+        print_ranks(*values, scheme, control, levels);
+        return 0;
+    }
 
     const auto planned = std::visit(
         [&]<class Scheme>(const Scheme& s) {

@@ -105,4 +105,39 @@ run compare fine_a.ply fine_b.obj --tolerance 1e-14
 exits 0
 run compare fine_a.ply a.off --tolerance 1e-14
 exits 1
+
+# Bit by bit: numbers of vertices and faces, first corners, signs of zeros, last bits.
+differs() { # differs MESSAGE SED_SCRIPT: a.off and what the script makes of it
+    sed "$2" a.off >b.off
+    run compare a.off b.off --bitwise
+    exits 1
+    prints "^different, $1\$"
+    says_nothing
+}
+tetrahedron >a.off
+run compare a.off a.off --bitwise
+exits 0
+prints '^equal, bit for bit$'
+differs 'vertex 0, y: 0 and -0' '3s/.*/0 -0 0/'
+differs 'vertex 2, y: 1 and 1.0000000000000002' '5s/.*/0 1.0000000000000002 0/'
+differs 'vertex 1, x: 1 and 0' '4{h;d};5{G}'
+differs 'vertices: 4 and 5' '2s/.*/5 4 6/;6s/.*/&\n0 0 2/'
+differs 'faces: 4 and 3' '2s/.*/4 3 6/;$d'
+differs 'face 1: 0 1 3 and 1 3 0' '8s/.*/3 1 3 0/'
+differs 'face 0: 0 2 1 and 0 1 3' '7{h;d};8{G}'
+differs 'face 3: 2 0 3 and 2 0 1 3' '10s/.*/4 2 0 1 3/'
+run compare a.off b.off --bitwise --json
+exits 1
+prints '^\{"equal":false,"difference":"face 3: 2 0 3 and 2 0 1 3"\}$'
+run compare a.off a.off --bitwise --json
+exits 0
+prints '^\{"equal":true,"difference":""\}$'
+run compare a.off b.off --bitwise --tolerance 0
+exits 2
+says '--bitwise and --tolerance do not go together; leave one of them out'
+# Text with 17 digits and binary hold the same bits; tiles give those of the whole.
+run refine a.off -s loop -n 4 -o text.obj
+run refine a.off -s loop -n 4 -o tiles.ply --tiles 3
+run compare text.obj tiles.ply --bitwise
+exits 0
 finish

@@ -66,4 +66,40 @@ run refine cube.off -s catmull-clark -n 13 -o out2.off --memory-limit 1G
 exits 1
 says 'bytes at once'
 check "no output file" test ! -e out2.off
+
+# What ranks would do. A torus of 8 x 6 quads in blocks: every tile is a ring of the torus, with a ring on either side.
+awk 'BEGIN {
+    m = 8; n = 6; pi = atan2(0, -1); print "OFF\n" m * n, m * n, 0
+    for (i = 0; i < m; ++i) for (j = 0; j < n; ++j) {
+        r = 3 + cos(2 * pi * j / n); print r * cos(2 * pi * i / m), r * sin(2 * pi * i / m), sin(2 * pi * j / n)
+    }
+    for (i = 0; i < m; ++i) for (j = 0; j < n; ++j) {
+        a = (i + 1) % m; b = (j + 1) % n; print 4, i * n + j, a * n + j, a * n + b, i * n + b
+    }
+}' >torus.off
+run plan torus.off -s catmull-clark -n 3 --ranks 2 --tiles-per-rank 2 --partitioner block
+exits 0
+says_nothing
+prints '^rings of shadows on level 0: 1$'
+# 24 faces, of which 12 are in a tile, which has 12 shadows; a quad becomes 64, of 24+8+1, 8+4+1 and 16 bytes in memory.
+for rank in 0 1; do prints "^ +$rank +2 +24 +24 +[0-9]+ +1536 +$((768 * 62)) +$((1536 * 74))\$"; done
+run plan torus.off -s butterfly -n 1 --ranks 2
+exits 1
+says 'triangulate'
+run plan torus.off -s doo-sabin -n 2 --ranks 3 --partitioner block --json
+exits 0
+prints '^\{"rings":2,"ranks":\[(\{"tiles":1,"faces":16,"shadows":[0-9]+,"message_bytes":[0-9]+,"last_faces":256,.*){3}\]\}$'
+# The messages are as long as kith-mpi counts them, the faces as many: see tests/mpi.
+run plan cube.off -s catmull-clark -n 13 --ranks 8
+exits 0
+prints '^ +7 +1 +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+$'
+run plan cube.off -s unified -n 2 --ranks 2
+exits 2
+says '--ranks: unified has no reach, so no tiles; plan without ranks'
+run plan cube.off -s catmull-clark -n 2 --ranks 0
+exits 2
+says '0 were asked for; ask for 1 or more'
+run plan cube.off -s catmull-clark -n 2 --tiles-per-rank 2
+exits 2
+says '--tiles-per-rank: say with --ranks how many there are'
 finish

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_ranks.hpp"
+
+#include "errors.hpp"
+
+#include <kith/cut_tiles.hpp>
+#include <kith/pack.hpp>
+#include <kith/plan.hpp>
+#include <kith/reach.hpp>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+namespace kith::tool {
+
+namespace {
+
+/// As the last step of a tile makes it: points, face lists, and the numbers of vertices and faces in the whole mesh.
+double bytes_of_tile(double vertices, double faces, double corners)
+{
+    constexpr double vertex = 24 + 8 + 1, face = 8 + 4 + 1, corner = 4;
+    return vertex * vertices + face * faces + corner * corners;
+}
+
+/// Coordinates, faces and their cell data: see vtu_file.
+double bytes_of_output(double vertices, double faces, double corners)
+{
+    constexpr double vertex = 24, face = 8 + 1 + 8 + 1, corner = 8;
+    return vertex * vertices + face * faces + corner * corners;
+}
+
+template <class Scheme>
+planned_ranks plan_by(const Scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
+                      std::uint64_t ranks)
+{
+    require_input<Scheme>(level_of<basic_mesh<>>(control));
+    const auto last = plan(count(control.topology()), scheme, levels, control.generation(), 24, 8).back().counts;
+    const int rings = ring_schedule(scheme, levels)[0];
+    planned_ranks result{rings, std::vector<planned_rank>(ranks)};
+    tile_cutter cutter(control, scheme, parts.part_of, parts.parts);
+    for (std::size_t t = 0; t < parts.parts; ++t) {
+        const auto job = cutter.cut(t, rings);
+        double corners = 0;
+        for (const auto f : cutter.faces(t))
+            corners += double(control.face(f).size());
+        const double share = corners / double(control.corner_count());
+        const double vertices_here = share * double(last.vertices), faces_here = share * double(last.faces);
+        const double corners_here = share * double(last.corners());
+        planned_rank& rank = result.ranks[t % ranks];
+        ++rank.tiles;
+        rank.faces += cutter.faces(t).size();
+        rank.shadows += job.part.mesh.face_count() - cutter.faces(t).size();
+        rank.message_bytes += pack(job).size();
+        rank.last_faces += std::uint64_t(faces_here + 0.5);
+        rank.tile_bytes = std::max(rank.tile_bytes,
+                                   std::uint64_t(bytes_of_tile(vertices_here, faces_here, corners_here)));
+        rank.output_bytes += std::uint64_t(bytes_of_output(vertices_here, faces_here, corners_here));
+    }
+    return result;
+}
+
+} // namespace
+
+planned_ranks plan_ranks(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
+                         std::uint64_t ranks)
+{
+    return std::visit(
+        [&]<class Scheme>(const Scheme& s) -> planned_ranks {
+            if constexpr (reaching_scheme<Scheme>)
+                return plan_by(s, control, levels, parts, ranks);
+            else
+                throw usage_error("--ranks: " + std::string(scheme_name<Scheme>()) +
+                                  " has no reach, so no tiles; plan without ranks");
+        },
+        scheme);
+}
+
+} // namespace kith::tool
