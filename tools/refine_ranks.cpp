@@ -117,6 +117,7 @@ void refine_by(mpi::communicator& comm, const rank_request& request, const Schem
 
     tile_output output(what.output,
                        counts,
+                       refinement.tiles(),
                        what.levels,
                        what.with_origin,
                        shared_place(comm, request.journal, kept, refinement.tiles()));

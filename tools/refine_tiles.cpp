@@ -8,6 +8,7 @@
 #include <kith/refine_in_tiles.hpp>
 
 #include <charconv>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -22,27 +23,30 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
 {
     tiled_refinement refinement(request.control, scheme, request.levels, kept.parts);
     tiled_result result{refinement.whole().counts(request.levels), refinement.tiles(), 0, {}};
-    tile_output file(request.output, result.counts, request.levels, request.with_origin, place_of(journal, kept));
+    tile_output file(
+        request.output, result.counts, result.tiles, request.levels, request.with_origin, place_of(journal, kept));
     begin_journal(journal, kept, request.output);
     try {
         file.begin();
         const auto finished = file.finished();
+        std::uint64_t faces = 0;
         for (std::size_t t = 0; t < refinement.tiles(); ++t) {
             const bool is_finished = not finished.empty() and finished[t];
-            if (is_finished)
-                result.checksum += finished[t]->checksum;
-            else if (t >= range.first and t <= range.last) {
-                const auto part = refinement.refine(t);
-                file.write(part, {std::uint32_t(t), 0});
-                result.checksum += checksum(part);
-            } else {
+            if (not is_finished and (t < range.first or t > range.last))
                 continue;
-            }
+            const finished_tile tile = is_finished ? *finished[t]
+                                                   : file.write(refinement.refine(t), {std::uint32_t(t), 0});
+            result.checksum += tile.checksum;
+            faces += tile.faces;
             ++result.finished_tiles;
         }
         file.close();
-        if (result.finished_tiles == result.tiles)
+        if (result.finished_tiles == result.tiles) {
+            if (faces != result.counts.faces)
+                throw std::logic_error("the tiles have " + std::to_string(faces) + " faces, not " +
+                                       std::to_string(result.counts.faces) + "; this is an error in kith");
             file.commit();
+        }
     } catch (...) {
         file.abandon();
         throw;

@@ -63,7 +63,8 @@ po::options_description options_of_refine()
     add_flag(options, "binary", "write PLY or STL as binary instead of text");
     add_flag(options, "limit", "write the vertices at their limits; in OFF, OBJ and PLY with the normals there");
     add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + back_end_names());
-    add_option<std::int64_t>(options, "tiles", "N", "refine in N tiles, one in memory at a time; OUT is .vtu or .ply");
+    add_option<std::int64_t>(
+        options, "tiles", "N", "refine in N tiles, one in memory at a time; OUT is .vtu, .ply or .pvtu");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
     add_option<std::string>(options, "journal", "DIR", journal_help);
     add_option<std::string>(options, "only", "A..B", "of the tiles in the journal refine only these, numbered from 0");

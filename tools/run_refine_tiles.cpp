@@ -56,8 +56,10 @@ void print(const tile_request& request, const std::string& journal, const tiled_
 
 bool is_tile_format_only(const po::variables_map& values)
 {
-    return values.count("output") != 0 and
-           std::filesystem::path(values["output"].as<std::string>()).extension() == ".vtu";
+    if (values.count("output") == 0)
+        return false;
+    const auto extension = std::filesystem::path(values["output"].as<std::string>()).extension();
+    return extension == ".vtu" or extension == ".pvtu";
 }
 
 int run_refine_tiles(const po::variables_map& values)

@@ -37,7 +37,7 @@ tile_request tile_request_from(const po::variables_map& values)
 {
     tile_request request;
     request.output = required(values, "output");
-    require_stitched_format(request.output);
+    require_tile_format(request.output);
     request.scheme_name = required(values, "scheme");
     request.words = scheme_words_of(values);
     request.scheme = make_scheme(request.scheme_name, request.words);

@@ -4,6 +4,7 @@
 #include "errors.hpp"
 
 #include <kith/checksum.hpp>
+#include <kith/vtu_pieces.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -12,14 +13,26 @@
 
 namespace kith::tool {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 std::string extension_of(const std::string& path)
 {
-    std::string extension = std::filesystem::path(path).extension().string();
+    std::string extension = fs::path(path).extension().string();
     std::ranges::transform(
         extension, extension.begin(), [](char c) { return c >= 'A' and c <= 'Z' ? char(c - 'A' + 'a') : c; });
     return extension;
+}
+
+/// What is replaced holds nothing but pieces. Errors: file_error.
+void require_pieces_only(const std::string& directory)
+{
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator(directory, failed))
+        if (entry.path().extension() != ".vtu")
+            throw file_error(directory + ": would be replaced by the pieces, but holds " +
+                             entry.path().filename().string() + "; remove it, or name another output");
 }
 
 std::uint64_t owned_faces(const tile_output::tile_type& part)
@@ -32,43 +45,49 @@ std::uint64_t owned_faces(const tile_output::tile_type& part)
 
 } // namespace
 
-bool is_stitched_format(const std::string& path)
+void require_tile_format(const std::string& path)
 {
-    return extension_of(path) == ".vtu" or extension_of(path) == ".ply";
+    const std::string extension = extension_of(path);
+    if (extension != ".vtu" and extension != ".ply" and extension != ".pvtu")
+        throw usage_error(
+            path + ": tiles are written to .vtu or .ply, where every byte has its place, or to .pvtu, a file each");
 }
 
-void require_stitched_format(const std::string& path)
+tile_output::tile_output(const std::string& path, const whole_counts& counts, std::uint64_t tiles, int level,
+                         bool with_origin, const std::optional<journal_place>& journal)
+    : path_(path), incomplete_(journal ? (fs::path(journal->directory) / "surface").string() : path + ".incomplete")
 {
-    if (not is_stitched_format(path))
-        throw usage_error(path + ": tiles are written to .vtu or .ply, where every byte has its place");
-}
-
-tile_output::tile_output(const std::string& path, const whole_counts& counts, int level, bool with_origin,
-                         const std::optional<journal_place>& journal)
-    : path_(path), incomplete_(path + ".incomplete")
-{
-    require_stitched_format(path);
-    if (extension_of(path) == ".ply")
+    require_tile_format(path);
+    if (extension_of(path) == ".pvtu") {
+        pieces_ = fs::path(path).replace_extension(".pieces").string();
+        const std::string source = fs::path(pieces_).filename().string();
+        layout_ = std::make_unique<vtu_pieces>(incomplete_pieces(), source, tiles, level, with_origin);
+    } else if (extension_of(path) == ".ply") {
         layout_ = std::make_unique<ply_file>(counts);
-    else
+    } else {
         layout_ = std::make_unique<vtu_file>(counts, level, with_origin);
+    }
     if (not journal)
         return;
     journal_directory_ = journal->directory;
-    incomplete_ = (std::filesystem::path(journal->directory) / "surface").string();
-    journal_.emplace(layout_->size(), journal->tiles, journal->recipe);
+    journal_.emplace(layout_->size(), tiles, journal->recipe);
 }
 
 void tile_output::begin()
 {
     std::error_code failed;
-    if (std::filesystem::is_directory(path_, failed))
+    if (fs::is_directory(path_, failed))
         throw file_error(path_ + ": is a directory, not a file");
-    if (journal_) {
-        file_.emplace(offset_file::create_or_keep(incomplete_, journal_->end()));
-    } else {
-        file_.emplace(offset_file::create(incomplete_, layout_->size()));
+    if (not pieces_.empty()) {
+        require_pieces_only(pieces_);
+        if (not journal_)
+            fs::remove_all(incomplete_pieces(), failed);
+        fs::create_directory(incomplete_pieces(), failed);
+        if (failed)
+            throw file_error(incomplete_pieces() + ": cannot be made: " + failed.message());
     }
+    file_.emplace(journal_ ? offset_file::create_or_keep(incomplete_, journal_->end())
+                           : offset_file::create(incomplete_, layout_->size()));
     layout_->write_frame(*file_);
 }
 
@@ -80,14 +99,22 @@ void tile_output::open()
 
 std::vector<std::optional<finished_tile>> tile_output::finished()
 {
-    return journal_ ? journal_->read(*file_) : std::vector<std::optional<finished_tile>>();
+    if (not journal_)
+        return {};
+    auto result = journal_->read(*file_);
+    for (std::uint64_t tile = 0; tile < result.size(); ++tile)
+        if (not layout_->is_there(tile))
+            result[tile].reset();
+    return result;
 }
 
-void tile_output::write(const tile_type& part, cell_origin origin)
+finished_tile tile_output::write(const tile_type& part, cell_origin origin)
 {
     layout_->write_tile(*file_, part, origin);
+    const finished_tile finished{owned_faces(part), checksum(part)};
     if (journal_)
-        journal_->add(*file_, origin.tile, {owned_faces(part), checksum(part)});
+        journal_->add(*file_, origin.tile, finished);
+    return finished;
 }
 
 void tile_output::close()
@@ -104,7 +131,14 @@ void tile_output::commit()
         file.close();
     }
     std::error_code failed;
-    std::filesystem::rename(incomplete_, path_, failed);
+    if (not pieces_.empty()) { // an index that was there before must not find other pieces
+        fs::remove(path_, failed);
+        fs::remove_all(pieces_, failed);
+        fs::rename(incomplete_pieces(), pieces_, failed);
+        if (failed)
+            throw file_error(pieces_ + ": cannot be written: " + failed.message());
+    }
+    fs::rename(incomplete_, path_, failed);
     if (failed)
         throw file_error(path_ + ": cannot be written: " + failed.message());
     if (journal_)
@@ -113,8 +147,12 @@ void tile_output::commit()
 
 void tile_output::abandon() noexcept
 {
-    if (not journal_)
-        std::remove(incomplete_.c_str());
+    if (journal_)
+        return;
+    std::remove(incomplete_.c_str());
+    std::error_code ignored; // the error that led here is told
+    if (not pieces_.empty())
+        fs::remove_all(incomplete_pieces(), ignored);
 }
 
 } // namespace kith::tool

@@ -14,10 +14,10 @@
 
 namespace kith::tool {
 
-/// The files that can be written tile by tile: .vtu and .ply, each one file whose bytes do not depend on the tiles.
-[[nodiscard]] bool is_stitched_format(const std::string& path);
+/// The files that can be written tile by tile: .vtu and .ply, each one file whose bytes do not depend on the tiles, and
+/// .pvtu, with the tiles in files of their own.
 /// Errors: usage_error for other files.
-void require_stitched_format(const std::string& path);
+void require_tile_format(const std::string& path);
 
 /// The output of a refinement in tiles. One process begins and commits, all write. With a journal, what is finished stays
 /// in its directory until all is.
@@ -26,7 +26,7 @@ public:
     using tile_type = tile<std::array<double, 3>, std::uint32_t>;
 
     /// Errors: mesh_error for what the format cannot hold.
-    tile_output(const std::string& path, const whole_counts& counts, int level, bool with_origin,
+    tile_output(const std::string& path, const whole_counts& counts, std::uint64_t tiles, int level, bool with_origin,
                 const std::optional<journal_place>& journal);
     tile_output(const tile_output&) = delete;
     tile_output& operator=(const tile_output&) = delete;
@@ -37,8 +37,8 @@ public:
     void open();
     /// What is in the journal, of all tiles; nothing without a journal. Errors: write_error.
     [[nodiscard]] std::vector<std::optional<finished_tile>> finished();
-    /// Errors: write_error, mesh_error.
-    void write(const tile_type& part, cell_origin origin);
+    /// Gives what the journal then says of the tile. Errors: write_error, mesh_error.
+    finished_tile write(const tile_type& part, cell_origin origin);
     void close();
     /// Gives the file its name; nothing of the journal is left then. Errors: file_error, write_error.
     void commit();
@@ -46,7 +46,10 @@ public:
     void abandon() noexcept;
 
 private:
+    [[nodiscard]] std::string incomplete_pieces() const { return incomplete_ + ".pieces"; }
+
     std::string path_, incomplete_;
+    std::string pieces_; ///< the directory of the tiles that have files of their own, else empty
     std::unique_ptr<stitched_file> layout_;
     std::string journal_directory_;
     std::optional<tile_journal> journal_;

@@ -3,12 +3,12 @@
 
 #include "offset_file.hpp"
 #include "tile.hpp"
+#include "vtu_layout.hpp"
 #include "whole_numbering.hpp"
 
 #include <kith/error.hpp>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -36,6 +36,9 @@ public:
     /// consecutive numbers.
     virtual void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin) const = 0;
 
+    /// What of a tile is not in this file has been written. Local.
+    [[nodiscard]] virtual bool is_there(std::uint64_t) const { return true; }
+
 protected:
     std::uint64_t size_ = 0;
 };
@@ -46,78 +49,48 @@ class vtu_file : public stitched_file {
 public:
     vtu_file(const whole_counts& counts, int level, bool with_origin) : level_(level), with_origin_(with_origin)
     {
-        static_assert(std::endian::native == std::endian::little, "the file says it is little-endian");
-        const std::string cells = std::to_string(counts.faces);
-        std::string arrays;
-        std::uint64_t offset = 0;
-        const auto add = [&](array_place& place, std::uint64_t bytes, const std::string& attributes) {
-            place = {offset + sizeof(std::uint64_t), bytes};
-            arrays += "<DataArray " + attributes + " format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
-            offset += sizeof(std::uint64_t) + bytes;
-        };
-        arrays += "<Points>\n";
-        add(points_, counts.vertices * 24, "type=\"Float64\" NumberOfComponents=\"3\"");
-        arrays += "</Points>\n<Cells>\n";
-        add(connectivity_, counts.corners * 8, "type=\"Int64\" Name=\"connectivity\"");
-        add(offsets_, counts.faces * 8, "type=\"Int64\" Name=\"offsets\"");
-        add(types_, counts.faces, "type=\"UInt8\" Name=\"types\"");
-        arrays += "</Cells>\n<CellData>\n";
-        add(parents_, counts.faces * 8, "type=\"Int64\" Name=\"parent\"");
-        add(levels_, counts.faces, "type=\"UInt8\" Name=\"level\"");
+        layout_.open("Points");
+        points_ = layout_.add(counts.vertices * 24, "type=\"Float64\" NumberOfComponents=\"3\"");
+        layout_.close("Points").open("Cells");
+        connectivity_ = layout_.add(counts.corners * 8, "type=\"Int64\" Name=\"connectivity\"");
+        offsets_ = layout_.add(counts.faces * 8, "type=\"Int64\" Name=\"offsets\"");
+        types_ = layout_.add(counts.faces, "type=\"UInt8\" Name=\"types\"");
+        layout_.close("Cells").open("CellData");
+        parents_ = layout_.add(counts.faces * 8, "type=\"Int64\" Name=\"parent\"");
+        levels_ = layout_.add(counts.faces, "type=\"UInt8\" Name=\"level\"");
         if (with_origin) {
-            add(tiles_, counts.faces * 4, "type=\"UInt32\" Name=\"tile\"");
-            add(ranks_, counts.faces * 4, "type=\"UInt32\" Name=\"rank\"");
+            tiles_ = layout_.add(counts.faces * 4, "type=\"UInt32\" Name=\"tile\"");
+            ranks_ = layout_.add(counts.faces * 4, "type=\"UInt32\" Name=\"rank\"");
         }
-        arrays += "</CellData>\n";
-        head_ =
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-            "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-            std::to_string(counts.vertices) + "\" NumberOfCells=\"" + cells + "\">\n" + arrays +
-            "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-        tail_ = "\n</AppendedData>\n</VTKFile>\n";
-        for (array_place* place : {&points_, &connectivity_, &offsets_, &types_, &parents_, &levels_, &tiles_, &ranks_})
-            place->offset += head_.size();
-        size_ = head_.size() + offset + tail_.size();
+        layout_.close("CellData").finish(counts.vertices, counts.faces);
+        size_ = layout_.size();
     }
 
-    void write_frame(offset_file& file) const override
-    {
-        file.write(0, head_.data(), head_.size());
-        file.write(size_ - tail_.size(), tail_.data(), tail_.size());
-        for (const array_place* place : {&points_, &connectivity_, &offsets_, &types_, &parents_, &levels_})
-            file.write(place->offset - sizeof place->bytes, &place->bytes, sizeof place->bytes);
-        if (with_origin_)
-            for (const array_place* place : {&tiles_, &ranks_})
-                file.write(place->offset - sizeof place->bytes, &place->bytes, sizeof place->bytes);
-    }
+    void write_frame(offset_file& file) const override { layout_.write_frame(file); }
     void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin) const override
     {
-        const auto for_owned_faces = [&](const array_place& place, std::uint64_t bytes, const auto& value) {
+        const auto for_owned_faces = [&](std::size_t array, std::uint64_t bytes, const auto& value) {
             joined_writes out(file);
             for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
                 if (part.owns_face(f))
-                    out.put(place.offset + bytes * part.face_ids[f], value(f));
+                    out.put(layout_.offset(array) + bytes * part.face_ids[f], value(f));
             out.flush();
         };
         joined_writes points(file);
         for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
             if (part.owns_vertex(v))
-                points.put(points_.offset + 24 * part.vertex_ids[v], part.mesh.point(v));
+                points.put(layout_.offset(points_) + 24 * part.vertex_ids[v], part.mesh.point(v));
         points.flush();
         joined_writes corners(file);
         for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
             if (part.owns_face(f))
                 for (std::size_t k = 0; k < part.mesh.face(f).size(); ++k)
-                    corners.put(connectivity_.offset + 8 * part.corner_id(f, k),
+                    corners.put(layout_.offset(connectivity_) + 8 * part.corner_id(f, k),
                                 std::int64_t(part.vertex_ids[part.mesh.face(f)[k]]));
         corners.flush();
         for_owned_faces(
             offsets_, 8, [&](std::size_t f) { return std::int64_t(part.corner_id(f, part.mesh.face(f).size())); });
-        for_owned_faces(types_, 1, [&](std::size_t f) {
-            constexpr std::uint8_t triangle = 5, polygon = 7, quad = 9; // VTK's numbers
-            const std::size_t degree = part.mesh.face(f).size();
-            return degree == 3 ? triangle : degree == 4 ? quad : polygon;
-        });
+        for_owned_faces(types_, 1, [&](std::size_t f) { return vtk_cell_type(part.mesh.face(f).size()); });
         for_owned_faces(parents_, 8, [&](std::size_t f) { return std::int64_t(part.root(f)); });
         for_owned_faces(levels_, 1, [&](std::size_t) { return std::uint8_t(level_); });
         if (with_origin_) {
@@ -127,15 +100,10 @@ public:
     }
 
 private:
-    struct array_place {
-        std::uint64_t offset = 0;
-        std::uint64_t bytes = 0;
-    };
-
     int level_;
     bool with_origin_;
-    std::string head_, tail_;
-    array_place points_, connectivity_, offsets_, types_, parents_, levels_, tiles_, ranks_;
+    vtu_layout layout_;
+    std::size_t points_, connectivity_, offsets_, types_, parents_, levels_, tiles_ = 0, ranks_ = 0; // arrays there
 };
 
 /// Binary PLY. Faces of up to 255 corners, and as many vertices as 32 bits can number.

@@ -19,7 +19,7 @@ failing() {
     check "no output" test ! -e out.vtu
 }
 # Of how many tiles the ranks of the last job wrote.
-refined_tiles() { sed 's/.*"tiles":\([0-9]*\),.*/\1/' stats | paste -sd+ | bc; }
+refined_tiles() { echo $(($(sed 's/.*"tiles":\([0-9]*\),.*/\1/' stats | paste -sd+))); }
 
 # goes_on RANKS ARGUMENTS...: the job goes on, with some of its 8 tiles.
 goes_on() {
@@ -70,6 +70,16 @@ exits 0
 same whole.vtu out.vtu
 check "the journal is gone" test ! -e kept
 rm out.vtu
+
+# Without MPI from the beginning, killed and ended by hand.
+command="kith refine, killed"
+# shellcheck disable=SC2086
+OMPI_COMM_WORLD_RANK=0 KITH_FAULT=0:300:kill LD_PRELOAD=$shim "$kith" refine $job --tiles 8 --journal kept \
+    >"$results/out" 2>"$results/err"
+code=$?
+exits $((128 + 9))
+check "no output" test ! -e out.vtu
+goes_on 2
 
 # A job that is ended from outside while a rank is slow.
 command="mpirun -n 2 kith-mpi, ended from outside"

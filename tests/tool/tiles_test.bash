@@ -41,6 +41,32 @@ exits 0
 prints '"tiles":2.*"faces":96'
 rm ./*.ply ./*.vtu
 
+# A file per tile and an index; tests/vtu_pieces_test.cpp looks at what they hold.
+run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 3
+exits 0
+prints '^out.pvtu: 386 vertices, 768 edges, 384 faces, checksum [0-9a-f]+$'
+has out.pvtu 'Source="out.pieces/2.vtu"'
+check "three pieces" test "$(ls out.pieces)" = "$(printf '%s\n' 0.vtu 1.vtu 2.vtu)"
+check "all faces" test $(($(grep -ahoP 'NumberOfCells="\K[0-9]+' out.pieces/*.vtu | paste -sd+))) -eq 384
+mv out.pieces whole.pieces
+run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 3 --journal kept --only 0..1
+exits 0
+check "no pieces yet" test ! -e out.pieces
+rm kept/surface.pieces/1.vtu # its tile is not finished, then
+run refine --journal kept
+exits 0
+check "the same pieces" diff -r whole.pieces out.pieces
+check "nothing is left of the journal" test ! -e kept
+run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 2
+exits 0
+check "two pieces, the old ones are gone" test "$(ls out.pieces)" = "$(printf '%s\n' 0.vtu 1.vtu)"
+touch out.pieces/mine
+run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 2
+exits 1
+says 'out.pieces: would be replaced by the pieces, but holds mine; remove it, or name another output'
+leaves cube.off out.pieces out.pvtu tetra.off whole.pieces
+rm -r out.pvtu ./*.pieces
+
 # What tiles cannot do is refused, and nothing is left.
 run refine cube.off -s catmull-clark -n 1 -o out.off --tiles 2
 exits 2
