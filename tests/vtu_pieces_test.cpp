@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "native_shape.hpp"
+#include "shapes.hpp"
+#include "tiles.hpp"
+
+#include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/refine_in_tiles.hpp>
+#include <kith/vtu_pieces.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace {
+
+using point = std::array<double, 3>;
+namespace fs = std::filesystem;
+
+/// The arrays of a file as any reader of VTK's format finds them: by the offsets in the head.
+class vtu_reader {
+public:
+    explicit vtu_reader(const fs::path& path)
+    {
+        std::ifstream in(path, std::ios::binary);
+        bytes_.assign(std::istreambuf_iterator<char>(in), {});
+        const std::string mark = "<AppendedData encoding=\"raw\">\n_";
+        begin_ = bytes_.find(mark);
+        if (begin_ == std::string::npos)
+            throw std::runtime_error(path.string() + " has no data");
+        head_ = bytes_.substr(0, begin_);
+        begin_ += mark.size();
+    }
+    [[nodiscard]] std::string head() const { return head_; }
+    /// The array with this attribute.
+    template <class T>
+    [[nodiscard]] std::vector<T> array(const std::string& attribute) const
+    {
+        const std::size_t at = head_.find("offset=\"", head_.find(attribute)) + 8;
+        const std::size_t offset = begin_ + std::stoul(head_.substr(at));
+        std::uint64_t size = 0;
+        std::memcpy(&size, bytes_.data() + offset, sizeof size);
+        std::vector<T> result(size / sizeof(T));
+        std::memcpy(result.data(), bytes_.data() + offset + sizeof size, size);
+        return result;
+    }
+
+private:
+    std::string bytes_, head_;
+    std::size_t begin_ = 0;
+};
+
+/// A directory that is gone after the test.
+struct directory {
+    fs::path path = fs::temp_directory_path() / ("kith_pieces_" + std::to_string(getpid()));
+
+    directory() { fs::create_directory(path); }
+    ~directory() { fs::remove_all(path); }
+};
+
+/// Compares what a file holds, by the numbers in the whole mesh, with the mesh refined as one; marks the faces that are there.
+template <class Mesh>
+void expect_part_of(const vtu_reader& file, const std::vector<std::int64_t>& point_ids,
+                    const std::vector<std::int64_t>& cell_ids, const Mesh& whole, std::vector<int>& found)
+{
+    const auto points = file.array<point>("NumberOfComponents=\"3\"");
+    const auto corners = file.array<std::int64_t>("Name=\"connectivity\"");
+    const auto ends = file.array<std::int64_t>("Name=\"offsets\"");
+    const auto types = file.array<std::uint8_t>("Name=\"types\"");
+    ASSERT_EQ(points.size(), point_ids.size());
+    ASSERT_EQ(ends.size(), cell_ids.size());
+    ASSERT_EQ(types.size(), cell_ids.size());
+    for (std::size_t v = 0; v < points.size(); ++v)
+        EXPECT_EQ(std::memcmp(&points[v], &whole.point(std::size_t(point_ids[v])), sizeof(point)), 0) << point_ids[v];
+    std::size_t corner = 0;
+    for (std::size_t c = 0; c < ends.size(); ++c) {
+        const auto face = whole.face(std::size_t(cell_ids[c]));
+        ASSERT_EQ(std::size_t(ends[c]), corner + face.size());
+        EXPECT_EQ(types[c], face.size() == 3 ? 5 : face.size() == 4 ? 9 : 7);
+        for (const auto v : face)
+            EXPECT_EQ(point_ids[std::size_t(corners[corner++])], std::int64_t(v));
+        ++found[std::size_t(cell_ids[c])];
+    }
+}
+
+template <class Scheme>
+void expect_pieces_of(const shapes::shape& shape, const Scheme& scheme, int levels)
+{
+    const auto control = native(shape);
+    const auto whole = kith::refine(control, scheme, levels);
+    const kith::partition parts{partitions::scattered(control.face_count(), 3, 7), 4}; // the last one is empty
+    kith::tiled_refinement tiles(control, scheme, levels, parts);
+    const directory here;
+    const kith::vtu_pieces pieces(here.path.string(), "beside", 4, levels, true);
+    auto index = kith::offset_file::create((here.path / "index.pvtu").string(), pieces.size());
+    pieces.write_frame(index);
+    std::vector<int> found(whole.face_count());
+    for (std::uint32_t t = 0; t < 4; ++t) {
+        EXPECT_FALSE(pieces.is_there(t));
+        pieces.write_tile(index, tiles.refine(t), {t, 9});
+        EXPECT_TRUE(pieces.is_there(t));
+        const vtu_reader file(here.path / (std::to_string(t) + ".vtu"));
+        const auto cell_ids = file.array<std::int64_t>("Name=\"GlobalCellIds\"");
+        expect_part_of(file, file.array<std::int64_t>("Name=\"GlobalPointIds\""), cell_ids, whole, found);
+        const auto parents = file.array<std::int64_t>("Name=\"parent\"");
+        ASSERT_EQ(parents.size(), cell_ids.size());
+        for (const auto parent : parents)
+            EXPECT_EQ(parts.part_of[std::size_t(parent)], t);
+        EXPECT_EQ(file.array<std::uint8_t>("Name=\"level\""), std::vector<std::uint8_t>(parents.size(), levels));
+        EXPECT_EQ(file.array<std::uint32_t>("Name=\"tile\""), std::vector<std::uint32_t>(parents.size(), t));
+        EXPECT_EQ(file.array<std::uint32_t>("Name=\"rank\""), std::vector<std::uint32_t>(parents.size(), 9));
+    }
+    EXPECT_EQ(found, std::vector<int>(whole.face_count(), 1));
+}
+
+} // namespace
+
+TEST(vtu_pieces, hold_each_face_once_with_the_bits_and_numbers_of_the_whole)
+{
+    for (const int levels : {0, 1, 2}) {
+        expect_pieces_of(shapes::grid(), kith::catmull_clark{}, levels);
+        expect_pieces_of(shapes::l_shape(), kith::doo_sabin{}, levels);
+        expect_pieces_of(shapes::tetrahedron(), kith::doo_sabin{}, levels);
+    }
+}
+
+TEST(vtu_pieces, are_named_in_the_index)
+{
+    const directory here;
+    const kith::vtu_pieces pieces(here.path.string(), "beside", 2, 1, false);
+    auto file = kith::offset_file::create((here.path / "index").string(), pieces.size());
+    pieces.write_frame(file);
+    std::ifstream in(here.path / "index");
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    EXPECT_EQ(text.size(), pieces.size());
+    EXPECT_NE(text.find("<Piece Source=\"beside/0.vtu\"/>\n<Piece Source=\"beside/1.vtu\"/>\n</PUnst"), text.npos);
+    EXPECT_NE(text.find("<PPointData GlobalIds=\"GlobalPointIds\">"), text.npos);
+    EXPECT_EQ(text.find("\"tile\""), text.npos);
+}
+
+TEST(vtu_file, holds_what_any_reader_finds)
+{
+    const auto control = native(shapes::grid());
+    const kith::doo_sabin scheme;
+    const auto whole = kith::refine(control, scheme, 2);
+    const kith::partition parts{partitions::blocks(control.face_count(), 3), 3};
+    kith::tiled_refinement tiles(control, scheme, 2, parts);
+    const kith::vtu_file layout(tiles.whole().counts(2), 2, false);
+    const directory here;
+    auto file = kith::offset_file::create((here.path / "whole.vtu").string(), layout.size());
+    layout.write_frame(file);
+    for (std::uint32_t t = 0; t < 3; ++t)
+        layout.write_tile(file, tiles.refine(t), {t, 0});
+    const vtu_reader reader(here.path / "whole.vtu");
+    std::vector<std::int64_t> point_ids(whole.vertex_count()), cell_ids(whole.face_count());
+    std::iota(point_ids.begin(), point_ids.end(), 0);
+    std::iota(cell_ids.begin(), cell_ids.end(), 0);
+    std::vector<int> found(whole.face_count());
+    expect_part_of(reader, point_ids, cell_ids, whole, found);
+    EXPECT_EQ(found, std::vector<int>(whole.face_count(), 1));
+    EXPECT_NE(reader.head().find("NumberOfPoints=\"" + std::to_string(whole.vertex_count()) + "\""), std::string::npos);
+}
