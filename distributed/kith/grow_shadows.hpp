@@ -36,6 +36,22 @@ void keep_owned(const Tile& before, Tile& grown)
     keep(before.face_ids, before.face_marks, grown.face_ids, grown.face_marks);
 }
 
+template <class Point>
+std::vector<std::byte> pack_patch(const tile_patch<Point>& patch)
+{
+    return packer().add_array(patch.faces).add_array(patch.corners).add_array(patch.vertices).take();
+}
+template <class Point>
+tile_patch<Point> unpack_patch(std::span<const std::byte> bytes)
+{
+    unpacker in(bytes);
+    tile_patch<Point> patch;
+    patch.faces = in.get_array<decltype(patch.faces)>();
+    patch.corners = in.get_array<decltype(patch.corners)>();
+    patch.vertices = in.get_array<decltype(patch.vertices)>();
+    return patch;
+}
+
 /// Which faces lie at a vertex, and who owns them: asked of rank `vertex modulo ranks`.
 class faces_at_vertices {
 public:
@@ -119,16 +135,11 @@ fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
             const auto face = std::ranges::lower_bound(part.face_ids, where.face) - part.face_ids.begin();
             reply.append(patch_of(part, std::span<const index>(std::array{index(face)})));
         }
-        replies[rank] = packer().add_array(reply.faces).add_array(reply.corners).add_array(reply.vertices).take();
+        replies[rank] = pack_patch(reply);
     }
     std::vector<patch> result;
-    for (const auto& bytes : all_to_all(comm, std::move(replies))) {
-        unpacker in(bytes);
-        auto& came = result.emplace_back();
-        came.faces = in.get_array<decltype(came.faces)>();
-        came.corners = in.get_array<decltype(came.corners)>();
-        came.vertices = in.get_array<decltype(came.vertices)>();
-    }
+    for (const auto& bytes : all_to_all(comm, std::move(replies)))
+        result.push_back(unpack_patch<typename Tile::point_type>(bytes));
     return result;
 }
 

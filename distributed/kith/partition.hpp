@@ -4,6 +4,7 @@
 #include <kith/basic_mesh.hpp>
 #include <kith/error.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -26,6 +27,13 @@ inline void require_parts(std::size_t parts)
         throw mesh_error(std::to_string(parts) + " parts were asked for; ask for 1 or more");
 }
 
+/// Of a run of faces: the part of a face of `degree` corners, the first of which is `first` of all `corners`.
+inline std::size_t block_of(std::uint64_t first, std::size_t degree, std::uint64_t corners, std::size_t parts)
+{
+    const double corners_of_part = double(corners) / double(parts);
+    return std::min(parts - 1, std::size_t((double(first) + double(degree) / 2) / corners_of_part));
+}
+
 } // namespace detail
 
 /// Runs of faces in the order of their numbers, of as many corners each as can be: polygons make a child per corner.
@@ -35,11 +43,9 @@ partition block_partition(const basic_mesh<Point, Index>& mesh, std::size_t part
 {
     detail::require_parts(parts);
     partition result{std::vector<std::uint32_t>(mesh.face_count()), parts};
-    const double corners_of_part = double(mesh.corner_count()) / double(parts);
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        const double middle = double(mesh.topology().first_corner(f)) + double(mesh.face(f).size()) / 2;
-        result.part_of[f] = std::uint32_t(std::min(parts - 1, std::size_t(middle / corners_of_part)));
-    }
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        result.part_of[f] = std::uint32_t(
+            detail::block_of(mesh.topology().first_corner(f), mesh.face(f).size(), mesh.corner_count(), parts));
     return result;
 }
 

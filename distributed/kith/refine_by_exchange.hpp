@@ -52,9 +52,7 @@ public:
         std::optional<tile_cutter<Point, Index, Scheme>> cutter;
         std::vector<std::byte> setting;
         in_agreement(comm, [&] {
-            if (rings_ < 1)
-                throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(rings_) +
-                                 " rings per step; a step needs 1 or more");
+            require_rings();
             if (not comm.is_root())
                 return;
             validate(mesh).require_ok();
@@ -72,6 +70,24 @@ public:
             for (std::size_t i = 0; i < packed.size(); ++i)
                 tiles_.push_back({std::uint64_t(comm.rank()) + i * std::uint64_t(comm.size()),
                                   unpack<Point, Index>(packed[i], scheme_).part});
+        });
+    }
+
+    /// Collective. From tiles of level 0 that have `rings_per_step` rings of shadows, wherever they come from: read_tiles
+    /// makes them of a file that is too large for one rank. Errors: phase_error for what the scheme cannot take.
+    exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
+                          const Scheme& scheme, int rings_per_step)
+        : comm_(comm), scheme_(scheme), rings_(rings_per_step), counts_(counts), tiles_(std::move(tiles))
+    {
+        static_assert(not marks_edges<Scheme>, "marks of edges are counted where tiles are cut");
+        in_agreement(comm, [&] {
+            require_rings();
+            if constexpr (needs_triangles<Scheme> or needs_quads<Scheme>) // the rest of require_input would see rims
+                for (const auto& [number, part] : tiles_)
+                    if (part.mesh.topology().degree != (needs_triangles<Scheme> ? 3 : 4))
+                        throw mesh_error(std::string(scheme_name<Scheme>()) + ": the mesh has other faces than " +
+                                         (needs_triangles<Scheme> ? "triangles; triangulate it first"
+                                                                  : "quads; split it into quads first"));
         });
     }
 
@@ -118,6 +134,12 @@ public:
     }
 
 private:
+    void require_rings() const
+    {
+        if (rings_ < 1)
+            throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(rings_) +
+                             " rings per step; a step needs 1 or more");
+    }
     template <class Columns>
     void number(const Columns& columns)
     {

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile.hpp"
+
+#include <kith/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// Some faces of a control mesh and, independently, some of its vertices: what one rank reads of a file.
+template <class Point>
+struct mesh_slice {
+    global_id vertices = 0, faces = 0; ///< of the whole mesh
+    int degree = 0;                    ///< of all faces
+    global_id first_face = 0, first_vertex = 0;
+    std::vector<global_id> corners; ///< the vertices of the faces, `degree` each
+    std::vector<Point> points;
+};
+
+/// A binary little-endian PLY file of triangles only or of quads only, so that its records have places that can be told.
+/// Errors of all members: mesh_error, which names the file. Local.
+class sliced_ply {
+public:
+    /// Reads the header.
+    explicit sliced_ply(std::string path) : path_(std::move(path)), in_(path_, std::ios::binary)
+    {
+        static_assert(std::endian::native == std::endian::little, "the file is read as it lies");
+        read_header();
+        in_.seekg(faces_at_);
+        degree_ = faces_ == 0 ? 3 : in_.get();
+        require(bool(in_) and (degree_ == 3 or degree_ == 4),
+                "has faces of " + std::to_string(degree_) +
+                    " vertices; files of triangles or of quads can be read in slices");
+    }
+
+    [[nodiscard]] global_id vertices() const { return vertices_; }
+    [[nodiscard]] global_id faces() const { return faces_; }
+    [[nodiscard]] int degree() const { return degree_; }
+    /// Of faces and vertices, so far.
+    [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }
+
+    /// Faces [first_face, end_face) and vertices [first_vertex, end_vertex). Cost: reading those bytes.
+    [[nodiscard]] mesh_slice<std::array<double, 3>> read(global_id first_face, global_id end_face,
+                                                         global_id first_vertex, global_id end_vertex)
+    {
+        mesh_slice<std::array<double, 3>> result{vertices_, faces_, degree_, first_face, first_vertex, {}, {}};
+        const std::size_t face_bytes = 1 + 4 * std::size_t(degree_);
+        const auto faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes),
+                                 (end_face - first_face) * face_bytes);
+        for (global_id f = first_face; f < end_face; ++f) {
+            const char* record = faces.data() + (f - first_face) * face_bytes;
+            require(int(static_cast<unsigned char>(record[0])) == degree_,
+                    "has face " + std::to_string(f) + " of another degree than face 0; read it on one rank");
+            for (int k = 0; k < degree_; ++k) {
+                const auto v = value<std::uint32_t>(record + 1 + 4 * k);
+                require(v < vertices_,
+                        "has face " + std::to_string(f) + " at vertex " + std::to_string(v) + " of " +
+                            std::to_string(vertices_));
+                result.corners.push_back(v);
+            }
+        }
+        const auto records = bytes(vertices_at_ + std::streamoff(first_vertex * vertex_bytes_),
+                                   (end_vertex - first_vertex) * vertex_bytes_);
+        for (std::size_t i = 0; i < end_vertex - first_vertex; ++i) {
+            const char* record = records.data() + i * vertex_bytes_;
+            auto& point = result.points.emplace_back();
+            for (std::size_t x = 0; x < 3; ++x)
+                point[x] = places_[x].is_double ? value<double>(record + places_[x].at)
+                                                : double(value<float>(record + places_[x].at));
+        }
+        return result;
+    }
+
+private:
+    struct place {
+        std::size_t at;
+        bool is_double;
+    };
+
+    void require(bool condition, const std::string& problem) const
+    {
+        if (not condition)
+            throw mesh_error(path_ + ": " + problem);
+    }
+    template <class T>
+    static T value(const char* bytes)
+    {
+        T result;
+        std::memcpy(&result, bytes, sizeof(T));
+        return result;
+    }
+    [[nodiscard]] std::vector<char> bytes(std::streamoff at, std::size_t size)
+    {
+        std::vector<char> result(size);
+        in_.seekg(at);
+        in_.read(result.data(), std::streamsize(size));
+        require(bool(in_), "ends too early");
+        bytes_read_ += size;
+        return result;
+    }
+    static std::size_t size_of(std::string_view type)
+    {
+        for (const auto& [name, size] : std::initializer_list<std::pair<std::string_view, std::size_t>>{{"char", 1},
+                                                                                                        {"uchar", 1},
+                                                                                                        {"int8", 1},
+                                                                                                        {"uint8", 1},
+                                                                                                        {"short", 2},
+                                                                                                        {"ushort", 2},
+                                                                                                        {"int16", 2},
+                                                                                                        {"uint16", 2},
+                                                                                                        {"int", 4},
+                                                                                                        {"uint", 4},
+                                                                                                        {"int32", 4},
+                                                                                                        {"uint32", 4},
+                                                                                                        {"float", 4},
+                                                                                                        {"float32", 4},
+                                                                                                        {"double", 8},
+                                                                                                        {"float64", 8}})
+            if (name == type)
+                return size;
+        return 0;
+    }
+    void read_header()
+    {
+        std::array<std::optional<place>, 3> found;
+        std::string line, element, lists;
+        require(bool(std::getline(in_, line)) and line.starts_with("ply"), "is no PLY file that can be read");
+        while (std::getline(in_, line) and not line.starts_with("end_header")) {
+            std::istringstream words(line);
+            std::string word, type, name;
+            words >> word >> type >> name;
+            if (word == "format")
+                require(type == "binary_little_endian",
+                        "is not binary_little_endian; only such files are read in slices");
+            if (word == "element") {
+                element = type;
+                require(element == "vertex" or element == "face" or faces_known_,
+                        "has elements before its faces; only vertices may come there");
+                (element == "vertex" ? vertices_ : element == "face" ? faces_ : others_) = std::stoull(name);
+                faces_known_ |= element == "face";
+            } else if (word == "property" and element == "vertex") {
+                const std::size_t size = size_of(type);
+                require(size != 0, "has a property of vertices of type " + type);
+                for (std::size_t x = 0; x < 3; ++x)
+                    if (name == std::array{"x", "y", "z"}[x]) {
+                        require(type.starts_with("float") or type == "double", "has places of type " + type);
+                        found[x] = {vertex_bytes_, size == 8};
+                    }
+                vertex_bytes_ += size;
+            } else if (word == "property" and element == "face") {
+                std::string index;
+                words >> index;
+                lists += type + " " + name + " " + index + ";";
+            }
+        }
+        const bool one_list = std::ranges::count(lists, ';') == 1 and lists.starts_with("list ") and
+                              size_of(lists.substr(5, lists.find(' ', 5) - 5)) == 1 and lists.find("int") != lists.npos;
+        require(bool(in_) and found[0] and found[1] and found[2] and one_list,
+                "needs vertices with x, y, z and faces with one list of uchar and int, and nothing else");
+        places_ = {*found[0], *found[1], *found[2]};
+        vertices_at_ = in_.tellg();
+        faces_at_ = vertices_at_ + std::streamoff(vertices_ * vertex_bytes_);
+    }
+
+    std::string path_;
+    std::ifstream in_;
+    global_id vertices_ = 0, faces_ = 0, others_ = 0;
+    bool faces_known_ = false;
+    int degree_ = 0;
+    std::uint64_t bytes_read_ = 0;
+    std::size_t vertex_bytes_ = 0;
+    std::array<place, 3> places_{};
+    std::streamoff vertices_at_ = 0, faces_at_ = 0;
+};
+
+} // namespace kith

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../all_shapes.hpp"
+#include "../same_mesh.hpp"
+#include "on_ranks.hpp"
+
+#include <kith/butterfly.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/refine_by_exchange.hpp>
+#include <kith/tiles_of_slices.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <string>
+
+namespace {
+
+template <class T>
+void put(std::ostream& out, T value)
+{
+    out.write(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// A file that is there for all ranks while this object is.
+class shared_file {
+public:
+    explicit shared_file(const std::function<void(std::ostream&)>& write)
+    {
+        if (world().is_root()) {
+            std::ofstream out(path(), std::ios::binary);
+            write(out);
+        }
+        world().agree("");
+    }
+    ~shared_file()
+    {
+        world().agree("");
+        if (world().is_root())
+            std::remove(path().c_str());
+    }
+    static std::string path() { return "read_tiles_" + std::to_string(world().size()) + ".ply"; }
+};
+
+template <class Real>
+void write_ply(std::ostream& out, const shapes::shape& shape)
+{
+    out << "ply\nformat binary_little_endian 1.0\ncomment a test\nelement vertex " << shape.points.size() << '\n';
+    for (const char* name : {"x", "y"})
+        out << "property " << (sizeof(Real) == 4 ? "float " : "double ") << name << '\n';
+    out << "property uchar red\nproperty " << (sizeof(Real) == 4 ? "float" : "double") << " z\nelement face "
+        << shape.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const auto& p : shape.points) {
+        put(out, Real(p[0]));
+        put(out, Real(p[1]));
+        put(out, std::uint8_t(7));
+        put(out, Real(p[2]));
+    }
+    for (const auto& face : shape.faces) {
+        put(out, std::uint8_t(face.size()));
+        for (const std::size_t v : face)
+            put(out, std::int32_t(v));
+    }
+}
+
+/// The tiles that are read are those that are cut out of the whole mesh, and their surface is its surface.
+template <class Real, class Scheme>
+void expect_same(const shapes::shape& shape, const Scheme& scheme)
+{
+    const shared_file file([&](std::ostream& out) { write_ply<Real>(out, shape); });
+    auto rounded = shape;
+    for (auto& p : rounded.points)
+        for (auto& x : p)
+            x = double(Real(x));
+    const auto mesh = native(rounded);
+    const auto parts = kith::block_partition(mesh, std::size_t(world().size()));
+    for (const int rings : {1, 2, 3}) {
+        const auto read = kith::mpi::read_tiles(world(), shared_file::path(), rings);
+        ASSERT_EQ(read.tiles.size(), 1U);
+        kith::tile_cutter cutter(mesh, scheme, parts.part_of, parts.parts);
+        EXPECT_EQ(read.counts, cutter.counts());
+        const auto expected = cutter.cut(std::size_t(world().rank()), rings).part;
+        const auto& part = read.tiles[0].part;
+        EXPECT_EQ(read.tiles[0].number, std::uint64_t(world().rank()));
+        EXPECT_TRUE(same_bits(part.mesh, expected.mesh)) << rings;
+        for (const auto kind : {kith::element_kind::vertex, kith::element_kind::edge, kith::element_kind::face}) {
+            EXPECT_TRUE(std::ranges::equal(ids_of(part, kind), ids_of(expected, kind))) << rings;
+            EXPECT_TRUE(std::ranges::equal(marks_of(part, kind), marks_of(expected, kind))) << rings;
+        }
+        EXPECT_TRUE(std::ranges::equal(part.roots, expected.roots));
+        EXPECT_TRUE(std::ranges::equal(part.root_of, expected.root_of));
+        if (not expected.corners_before.empty()) {
+            EXPECT_TRUE(std::ranges::equal(part.corners_before, expected.corners_before)) << rings;
+        }
+        const std::uint64_t file_bytes = shape.points.size() * (3 * sizeof(Real) + 1) +
+                                         shape.faces.size() * (1 + 4 * shape.faces[0].size());
+        EXPECT_LE(read.bytes_read, file_bytes / std::uint64_t(world().size()) + 100); // a share of it, no more
+        EXPECT_EQ(world().sum(std::array{read.bytes_read})[0], file_bytes);
+    }
+    auto read = kith::mpi::read_tiles(world(), shared_file::path(), scheme.reach(1));
+    kith::mpi::exchanging_refinement refinement(world(), std::move(read.tiles), read.counts, scheme, scheme.reach(1));
+    refinement.refine();
+    refinement.refine();
+    const auto whole = kith::refine(mesh, scheme, 2);
+    std::vector<int> vertices(whole.vertex_count()), edges(whole.edge_count()), faces(whole.face_count());
+    for (const auto& [number, part] : refinement.tiles())
+        EXPECT_EQ(difference(part, whole, vertices, edges, faces), "");
+    for (const auto n : world().sum(std::vector<std::uint64_t>(faces.begin(), faces.end())))
+        EXPECT_EQ(n, 1U);
+}
+
+std::string error_of(const std::function<void(std::ostream&)>& write)
+{
+    const shared_file file(write);
+    try {
+        kith::mpi::read_tiles(world(), shared_file::path(), 1);
+    } catch (const kith::mpi::phase_error& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+} // namespace
+
+TEST(read_tiles, equals_tiles_that_are_cut_from_the_whole_mesh)
+{
+    auto torus = shapes::shaken(shapes::torus(6, 9));
+    for (std::size_t f = 0; f < torus.faces.size(); ++f) // faces are stored from any corner on
+        std::ranges::rotate(torus.faces[f], torus.faces[f].begin() + std::ptrdiff_t(f % 4));
+    expect_same<double>(torus, kith::doo_sabin{});
+    expect_same<float>(shapes::shaken(shapes::grid(6, 7)), kith::doo_sabin{});
+    expect_same<float>(shapes::with_flips(shapes::shaken(shapes::triangulated(shapes::torus(5, 7))), 1),
+                       kith::butterfly{});
+    expect_same<double>(shapes::shaken(shapes::triangulated(shapes::ring())), kith::butterfly{});
+}
+
+TEST(read_tiles, says_what_is_wrong_with_a_file)
+{
+    auto cube = shapes::cube();
+    const auto ply = [&](std::ostream& out) { write_ply<float>(out, cube); };
+    EXPECT_EQ(error_of(ply), "nothing");
+    EXPECT_NE(error_of([](std::ostream& out) { out << "OFF\n"; }).find("is no PLY file"), std::string::npos);
+    EXPECT_NE(error_of([](std::ostream& out) { out << "ply\nformat ascii 1.0\n"; }).find("is not binary_little_endian"),
+              std::string::npos);
+    std::ranges::reverse(cube.faces[3]);
+    EXPECT_NE(error_of(ply).find("in the same direction; turn one of them round"), std::string::npos) << error_of(ply);
+    cube = shapes::cube();
+    cube.points.push_back({9, 9, 9});
+    EXPECT_NE(error_of(ply).find("vertex 8: belongs to no face"), std::string::npos) << error_of(ply);
+    cube = shapes::cube();
+    cube.faces[5][2] = 77;
+    EXPECT_NE(error_of(ply).find("has face 5 at vertex 77 of 8"), std::string::npos) << error_of(ply);
+    cube = shapes::cube();
+    cube.faces[2].push_back(0);
+    EXPECT_NE(error_of(ply).find("face 2 of another degree than face 0"), std::string::npos) << error_of(ply);
+}
