@@ -6,7 +6,6 @@
 #include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
-#include <kith/mid_edge.hpp>
 #include <kith/refine_by_exchange.hpp>
 #include <kith/sqrt3.hpp>
 
@@ -83,8 +82,8 @@ TEST(grow_shadows, fetches_the_rings_that_are_missing)
     const auto house = native(shapes::shaken(shapes::open_house()));
     expect_same_shadows(house, kith::doo_sabin{}, scattered(house, 4, 1));
     const auto torus = native(shapes::with_flips(shapes::shaken(shapes::triangulated(shapes::torus(8, 9))), 1));
-    expect_same_shadows(torus, kith::butterfly{}, in_blocks(torus, 6));
-    expect_same_shadows(torus, kith::butterfly{}, scattered(torus, 9, 2));
+    expect_same_shadows(torus, kith::doo_sabin{}, in_blocks(torus, 6));
+    expect_same_shadows(torus, kith::doo_sabin{}, scattered(torus, 9, 2));
 }
 
 TEST(exchanging_refinement, equals_the_whole_mesh_bit_for_bit)
@@ -99,7 +98,7 @@ TEST(exchanging_refinement, equals_the_whole_mesh_bit_for_bit)
         expect_same(house, kith::doo_sabin{}, 3, scattered(house, 4, seed));
         expect_same(
             house, kith::doo_sabin{.boundary = kith::doo_sabin_boundary::clamped}, 3, scattered(house, 5, seed));
-        expect_same(joined, kith::mid_edge{}, 3, scattered(joined, 3, seed));
+        expect_same(joined, kith::doo_sabin{}, 2, scattered(joined, 3, seed));
         for (const auto& triangles : {grid, torus}) {
             expect_same(triangles, kith::butterfly{}, 2, scattered(triangles, 4, seed));
             expect_same(triangles, kith::sqrt3{}, 3, scattered(triangles, 5, seed));
