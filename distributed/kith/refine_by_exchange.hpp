@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "corners_at_vertices.hpp"
 #include "cut_tiles.hpp"
 #include "deal_tiles.hpp"
 #include "field_exchange.hpp"
