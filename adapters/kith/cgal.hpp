@@ -4,10 +4,12 @@
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
 #include <kith/basic_mesh.hpp>
+#include <kith/for_parts.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <ranges>
+#include <type_traits>
 #include <vector>
 
 namespace kith {
@@ -73,21 +75,25 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
         const auto& t = fine.topology();
         mesh_type m;
         m.resize(size(t.vertices), size(t.edges()), size(t.faces));
-        for (std::size_t v = 0; v < t.vertices; ++v) {
-            m.point(vertex(size(v))) = fine.point(v);
-            m.set_halfedge(vertex(size(v)), halfedge(t.corner_halfedge[t.vertex_corner[v]] ^ 1));
-        }
-        for (std::size_t f = 0; f < t.faces; ++f) {
-            const std::size_t first = t.first_corner(f), end = t.first_corner(f + 1);
-            m.set_halfedge(face(size(f)), halfedge(t.corner_halfedge[first]));
-            for (std::size_t c = first; c < end; ++c) {
-                const std::size_t next = c + 1 == end ? first : c + 1;
-                const halfedge h(t.corner_halfedge[c]);
-                m.set_face(h, face(size(f)));
-                m.set_target(h, vertex(t.corner_vertex[next]));
-                m.set_next(h, halfedge(t.corner_halfedge[next]));
+        detail::for_parts(t.vertices, std::is_trivially_copyable_v<Point>, [&](std::size_t begin, std::size_t last) {
+            for (std::size_t v = begin; v < last; ++v) {
+                m.point(vertex(size(v))) = fine.point(v);
+                m.set_halfedge(vertex(size(v)), halfedge(t.corner_halfedge[t.vertex_corner[v]] ^ 1));
             }
-        }
+        });
+        detail::for_parts(t.faces, true, [&](std::size_t begin, std::size_t last) {
+            for (std::size_t f = begin; f < last; ++f) {
+                const std::size_t first = t.first_corner(f), end = t.first_corner(f + 1);
+                m.set_halfedge(face(size(f)), halfedge(t.corner_halfedge[first]));
+                for (std::size_t c = first; c < end; ++c) {
+                    const std::size_t next = c + 1 == end ? first : c + 1;
+                    const halfedge h(t.corner_halfedge[c]);
+                    m.set_face(h, face(size(f)));
+                    m.set_target(h, vertex(t.corner_vertex[next]));
+                    m.set_next(h, halfedge(t.corner_halfedge[next]));
+                }
+            }
+        });
         close_boundary(m, t);
         // Only a boundary between its two steps, in sqrt(3), needs this to be remembered.
         if (fine.generation() % 2 != 0 and not m.is_empty() and t.corners() != 2 * t.edges())

@@ -6,12 +6,14 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include <kith/basic_mesh.hpp>
+#include <kith/for_parts.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <ranges>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace kith {
@@ -85,21 +87,25 @@ struct mesh_traits<M> {
                                      " vertices; refine a PolyMesh instead");
         M m;
         m.resize(t.vertices, t.edges(), t.faces);
-        for (std::size_t v = 0; v < t.vertices; ++v) {
-            m.set_point(vertex(int(v)), fine.point(v));
-            m.set_halfedge_handle(vertex(int(v)), halfedge(int(t.corner_halfedge[t.vertex_corner[v]])));
-        }
-        for (std::size_t f = 0; f < t.faces; ++f) {
-            const std::size_t first = t.first_corner(f), end = t.first_corner(f + 1);
-            m.set_halfedge_handle(face(int(f)), halfedge(int(t.corner_halfedge[first])));
-            for (std::size_t c = first; c < end; ++c) {
-                const std::size_t next = c + 1 == end ? first : c + 1;
-                const halfedge h(int(t.corner_halfedge[c]));
-                m.set_face_handle(h, face(int(f)));
-                m.set_vertex_handle(h, vertex(int(t.corner_vertex[next])));
-                m.set_next_halfedge_handle(h, halfedge(int(t.corner_halfedge[next])));
+        detail::for_parts(t.vertices, std::is_trivially_copyable_v<point>, [&](std::size_t begin, std::size_t last) {
+            for (std::size_t v = begin; v < last; ++v) {
+                m.set_point(vertex(int(v)), fine.point(v));
+                m.set_halfedge_handle(vertex(int(v)), halfedge(int(t.corner_halfedge[t.vertex_corner[v]])));
             }
-        }
+        });
+        detail::for_parts(t.faces, true, [&](std::size_t begin, std::size_t last) {
+            for (std::size_t f = begin; f < last; ++f) {
+                const std::size_t first = t.first_corner(f), end = t.first_corner(f + 1);
+                m.set_halfedge_handle(face(int(f)), halfedge(int(t.corner_halfedge[first])));
+                for (std::size_t c = first; c < end; ++c) {
+                    const std::size_t next = c + 1 == end ? first : c + 1;
+                    const halfedge h(int(t.corner_halfedge[c]));
+                    m.set_face_handle(h, face(int(f)));
+                    m.set_vertex_handle(h, vertex(int(t.corner_vertex[next])));
+                    m.set_next_halfedge_handle(h, halfedge(int(t.corner_halfedge[next])));
+                }
+            }
+        });
         close_boundary(m, t);
         // Only a boundary between its two steps, in sqrt(3), needs this to be remembered.
         if (fine.generation() % 2 != 0 and t.corners() != 2 * t.edges()) {
