@@ -112,9 +112,7 @@ struct catmull_clark {
         for_each(coarse.faces(), [&](auto f) { assoc(f, V) = average(f.vertices()); });
 
         for_each(coarse.edges(), [&](auto e) {
-            const auto smooth = [&assoc, e] {
-                return average(e.org(), e.dst(), assoc(e.lface(), V), assoc(e.rface(), V));
-            };
+            const auto smooth = [&] { return average(e.org(), e.dst(), assoc(e.lface(), V), assoc(e.rface(), V)); };
             if (sharp.is_smooth(e))
                 assoc(e, V) = smooth();
             else
@@ -122,7 +120,7 @@ struct catmull_clark {
         });
 
         for_each(coarse.vertices(), [&](auto v) {
-            const auto smooth = [&assoc, v] {
+            const auto smooth = [&] {
                 const auto ring = v.corners().map([&](auto c) { return c.next().v() + assoc(c.f(), V); });
                 return around(v, ring, [](std::size_t valence) {
                     const auto n = real(double(valence));

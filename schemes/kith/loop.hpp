@@ -111,7 +111,7 @@ struct loop {
         const weight_table<real> betas([this](std::size_t n) { return beta(n); });
 
         for_each(coarse.edges(), [&](auto e) {
-            const auto smooth = [e] {
+            const auto smooth = [&] {
                 return 3. / 8 * (e.org() + e.dst()) + 1. / 8 * (e.lcorner().prev().v() + e.rcorner().prev().v());
             };
             if (sharp.is_smooth(e))
@@ -121,7 +121,7 @@ struct loop {
         });
 
         for_each(coarse.vertices(), [&](auto v) {
-            const auto smooth = [&betas, v] {
+            const auto smooth = [&] {
                 const auto ring = v.corners().map([](auto c) { return c.next().v(); });
                 return around(v, ring, [&betas](std::size_t n) {
                     const real beta = betas[n];

@@ -42,11 +42,11 @@ public:
         return all_smooth_ or ((near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary());
     }
 
-    // What is rare stays out of the loops, and is passed by value, so that these keep their elements in registers.
+    // What is rare stays out of the loops.
 
     /// Assigns the point of an edge that is not smooth: its midpoint, or between that and the smooth mask.
     template <class Association, class Smooth>
-    [[gnu::noinline]] void make_edge(edge<Level> e, Association target, Smooth smooth) const
+    [[gnu::noinline]] void make_edge(const edge<Level>& e, const Association& target, const Smooth& smooth) const
     {
         const double s = sharp_->sharpness(e);
         const bool stays_sharp = sharp_->method == crease_method::chaikin and
@@ -59,7 +59,7 @@ public:
 
     /// Assigns the point of a vertex that is not smooth.
     template <class Association, class Smooth>
-    [[gnu::noinline]] void make_vertex(vertex<Level> v, Association target, Smooth smooth) const
+    [[gnu::noinline]] void make_vertex(const vertex<Level>& v, const Association& target, const Smooth& smooth) const
     {
         if (near_sharp_.empty() or not near_sharp_[v.index()]) { // on the boundary, far from all creases
             if (is_kept_corner(v))
