@@ -152,19 +152,20 @@ public:
         using value_type = decltype(std::declval<const Map&>()(
             std::declval<const Step&>().get(std::declval<const Level&>())));
 
-        iterator(const mapped_walk& range) : range_(&range), step_(range.step_) {}
-        value_type operator*() const { return range_->map_(step_.get(*range_->level_)); }
+        iterator(const mapped_walk& range) : level_(range.level_), step_(range.step_), map_(range.map_) {}
+        value_type operator*() const { return map_(step_.get(*level_)); }
         iterator& operator++()
         {
-            step_.advance(*range_->level_);
+            step_.advance(*level_);
             return *this;
         }
         void operator++(int) { ++*this; }
         friend bool operator==(const iterator& i, sentinel) { return i.step_.done(); }
 
     private:
-        const mapped_walk* range_;
+        const Level* level_;
         Step step_;
+        [[no_unique_address]] Map map_;
     };
 
     mapped_walk(const Level& level, Step step, Map map) : level_(&level), step_(step), map_(map) {}
