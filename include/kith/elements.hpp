@@ -57,7 +57,11 @@ public:
 
     edge(const Level& level, handle_type handle) : edge(level, handle, level.first(handle)) {}
     edge(const Level& level, handle_type handle, corner_handle seen_from)
-        : level_(&level), handle_(handle), seen_from_(seen_from)
+        : edge(level, handle, seen_from, level.first(handle))
+    {
+    }
+    edge(const Level& level, handle_type handle, corner_handle seen_from, corner_handle left)
+        : level_(&level), handle_(handle), seen_from_(seen_from), left_(left)
     {
     }
 
@@ -71,7 +75,7 @@ public:
     /// Precondition: not is_boundary().
     [[nodiscard]] face<Level> rface() const { return rcorner().f(); }
     /// The corner of org in lface; the corner of dst in rface (precondition: not is_boundary()).
-    [[nodiscard]] corner<Level> lcorner() const { return {*level_, left()}; }
+    [[nodiscard]] corner<Level> lcorner() const { return {*level_, left_}; }
     [[nodiscard]] corner<Level> rcorner() const { return {*level_, level_->second(handle_)}; }
     /// The corner through which this edge was reached: from a face, its half-edge in that face; else lcorner().
     [[nodiscard]] corner<Level> seen_from() const { return {*level_, seen_from_}; }
@@ -79,11 +83,10 @@ public:
     friend bool operator==(const edge& a, const edge& b) { return a.handle_ == b.handle_; }
 
 private:
-    [[nodiscard]] corner_handle left() const { return level_->first(handle_); }
-
     const Level* level_;
     handle_type handle_;
     corner_handle seen_from_;
+    corner_handle left_;
 };
 
 /// A vertex. Its fan is the cycle of its corners, counter-clockwise; at the boundary from boundary edge to boundary edge.

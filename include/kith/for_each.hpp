@@ -16,7 +16,7 @@ namespace detail {
 /// the order of their numbers every ring would be fetched anew.
 template <class Level>
 concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level::vertex_handle),
-                                    void (*g)(typename Level::edge_handle)) {
+                                    void (*g)(typename Level::edge_handle, typename Level::corner_handle)) {
     level.for_vertices_of(0, 0, f);
     level.for_edges_of(0, 0, g);
 };
@@ -49,7 +49,7 @@ template <class Level, class Element, class F>
     if constexpr (std::same_as<Element, vertex<Level>>)
         level.for_vertices_of(begin, end, [&](auto v) { f(vertex<Level>(level, v)); });
     else
-        level.for_edges_of(begin, end, [&](auto e) { f(edge<Level>(level, e)); });
+        level.for_edges_of(begin, end, [&](auto e, auto left) { f(edge<Level>(level, e, left, left)); });
 }
 
 } // namespace detail

@@ -133,14 +133,14 @@ public:
                 f(v);
     }
 
-    /// Calls f on each edge whose left side is in one of the faces [begin, end).
+    /// Calls f on each edge whose left side is in one of the faces [begin, end), and on its corner there.
     template <class F>
     void for_edges_of(std::size_t begin, std::size_t end, const F& f) const
     {
         const Index last = first(face_handle{Index(end)}).value;
         for (Index c = first(face_handle{Index(begin)}).value; c < last; ++c)
             if (const Index halfedge = corner_halfedge_[c]; halfedge % 2 == 0)
-                f(edge_handle{Index(halfedge / 2)});
+                f(edge_handle{Index(halfedge / 2)}, corner_handle{c});
     }
 
 private:
