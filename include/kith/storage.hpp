@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "large_blocks.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -12,13 +14,9 @@
 #include <type_traits>
 #include <utility>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-
 namespace kith {
 
-/// A fixed-size array whose elements are not initialised when that is allowed, in 2 MiB pages when it is large.
+/// A fixed-size array whose elements are not initialised when that is allowed, in `large_blocks` when it is large.
 /// Refining writes every element once into fresh memory, so clearing it first would double the traffic, and with
 /// 4 KiB pages the page faults cost more than the arithmetic (docs/design.md, Speed).
 template <class T>
@@ -33,7 +31,7 @@ public:
             try {
                 std::uninitialized_value_construct_n(data_, size_);
             } catch (...) {
-                std::free(data_);
+                release();
                 throw;
             }
         }
@@ -59,7 +57,7 @@ public:
     {
         if constexpr (not trivial)
             std::destroy_n(data_, size_);
-        std::free(data_);
+        release();
     }
 
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -82,18 +80,20 @@ private:
             return nullptr;
         if (size > PTRDIFF_MAX / sizeof(T))
             throw std::bad_array_new_length();
-        constexpr std::size_t page = std::size_t(2) << 20;
-        const bool large = size * sizeof(T) >= 2 * page;
-        const std::size_t alignment = large ? page : std::max<std::size_t>(64, alignof(T));
-        const std::size_t bytes = (size * sizeof(T) + alignment - 1) / alignment * alignment;
-        void* const block = std::aligned_alloc(alignment, bytes);
+        if (size * sizeof(T) >= large_blocks::smallest)
+            return static_cast<T*>(shared_blocks.allocate(size * sizeof(T)));
+        constexpr std::size_t alignment = std::max<std::size_t>(64, alignof(T));
+        void* const block = std::aligned_alloc(alignment, (size * sizeof(T) + alignment - 1) / alignment * alignment);
         if (block == nullptr)
             throw std::bad_alloc();
-#if defined(__linux__)
-        if (large)
-            madvise(block, bytes, MADV_HUGEPAGE); // advice: a refusal costs speed only
-#endif
         return static_cast<T*>(block);
+    }
+    void release() noexcept
+    {
+        if (size_ * sizeof(T) >= large_blocks::smallest)
+            shared_blocks.free(data_, size_ * sizeof(T));
+        else
+            std::free(data_);
     }
 
     T* data_ = nullptr;

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdlib>
+#include <mutex>
+#include <new>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace kith {
+
+/// The large blocks of memory of all `storage`: in 2 MiB pages, and kept when they are freed for the next block of about
+/// that size. The kernel clears every fresh page, which is a quarter of the time of a refinement (docs/design.md, Speed);
+/// whoever refines again, or tile after tile, is spared it. What is kept goes back to the system when more is in use than
+/// ever before, so one refinement needs no more memory for it, and when memory runs out. Safe on several threads.
+class large_blocks {
+public:
+    static constexpr std::size_t page = std::size_t(2) << 20;
+    /// Smaller blocks are not for here.
+    static constexpr std::size_t smallest = 2 * page;
+
+    /// Errors: std::bad_alloc.
+    [[nodiscard]] void* allocate(std::size_t bytes)
+    {
+        bytes = rounded(bytes);
+        const std::lock_guard lock(mutex_);
+        const std::size_t now = in_use_ + bytes;
+        for (std::size_t i = kept_count_; i-- > 0;)
+            if (kept_[i].bytes == bytes) {
+                in_use_ = now;
+                return forget(i);
+            }
+        // A level and the two before it, which a second run allocates in between, come to less than an eighth more.
+        keep_only(std::min(limit_, (now > most_in_use_ ? now : most_in_use_ / 8 * 9) - now));
+        void* block = std::aligned_alloc(page, bytes);
+        if (block == nullptr) {
+            keep_only(0);
+            block = std::aligned_alloc(page, bytes);
+        }
+        if (block == nullptr)
+            throw std::bad_alloc();
+        in_use_ = now;
+        most_in_use_ = std::max(most_in_use_, now);
+#if defined(__linux__)
+        madvise(block, bytes, MADV_HUGEPAGE); // advice: a refusal costs speed only
+#endif
+        return block;
+    }
+
+    /// Precondition: `block` is from allocate(bytes).
+    void free(void* block, std::size_t bytes) noexcept
+    {
+        bytes = rounded(bytes);
+        const std::lock_guard lock(mutex_);
+        in_use_ -= bytes;
+        if (kept_count_ == kept_.size() or bytes > limit_ - std::min(limit_, kept_bytes_)) {
+            std::free(block);
+            return;
+        }
+        kept_[kept_count_++] = {block, bytes};
+        kept_bytes_ += bytes;
+    }
+
+    /// Keeps so many bytes at most, 1 GiB unless told; 0: nothing.
+    void keep_at_most(std::size_t bytes)
+    {
+        const std::lock_guard lock(mutex_);
+        limit_ = bytes;
+        keep_only(bytes);
+    }
+    /// The bytes that are kept and not in use.
+    [[nodiscard]] std::size_t kept() const
+    {
+        const std::lock_guard lock(mutex_);
+        return kept_bytes_;
+    }
+
+private:
+    struct kept_block {
+        void* block;
+        std::size_t bytes;
+    };
+
+    /// Blocks of nearly one size are of one size. What is added is never touched, so it is address space only.
+    static std::size_t rounded(std::size_t bytes)
+    {
+        const std::size_t unit = std::max(page, std::bit_floor(bytes) / 16);
+        return (bytes + unit - 1) / unit * unit;
+    }
+    void* forget(std::size_t i)
+    {
+        const auto [block, bytes] = kept_[i];
+        kept_[i] = kept_[--kept_count_];
+        kept_bytes_ -= bytes;
+        return block;
+    }
+    /// Gives back the smallest blocks, which cost least to clear anew, until no more than these bytes are kept.
+    void keep_only(std::size_t bytes)
+    {
+        while (kept_bytes_ > bytes) {
+            const auto least = std::min_element(kept_.begin(),
+                                                kept_.begin() + std::ptrdiff_t(kept_count_),
+                                                [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
+            std::free(forget(std::size_t(least - kept_.begin())));
+        }
+    }
+
+    mutable std::mutex mutex_;
+    std::array<kept_block, 64> kept_{};
+    std::size_t kept_count_ = 0;
+    std::size_t kept_bytes_ = 0;
+    std::size_t in_use_ = 0, most_in_use_ = 0;
+#if defined(__SANITIZE_ADDRESS__)
+    std::size_t limit_ = 0; // what has been freed must not be touched
+#else
+    std::size_t limit_ = std::size_t(1) << 30;
+#endif
+};
+
+/// Those of the process. Never destroyed, so arrays of any lifetime may use it.
+inline constinit large_blocks shared_blocks;
+
+} // namespace kith

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/large_blocks.hpp>
+#include <kith/storage.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+using kith::large_blocks;
+
+namespace {
+
+constexpr std::size_t mebibyte = std::size_t(1) << 20;
+
+/// Blocks of their own, which keep something under the sanitizers, too.
+class large_blocks_test : public testing::Test {
+protected:
+    large_blocks_test() { blocks.keep_at_most(1024 * mebibyte); }
+    ~large_blocks_test() override { blocks.keep_at_most(0); }
+
+    large_blocks blocks;
+};
+
+} // namespace
+
+TEST_F(large_blocks_test, a_freed_block_is_the_next_of_its_size)
+{
+    void* const first = blocks.allocate(16 * mebibyte);
+    blocks.free(first, 16 * mebibyte);
+    EXPECT_EQ(blocks.kept(), 16 * mebibyte);
+    void* const second = blocks.allocate(16 * mebibyte - 100); // nearly: sizes are rounded
+    EXPECT_EQ(second, first);
+    EXPECT_EQ(blocks.kept(), 0U);
+    blocks.free(second, 16 * mebibyte - 100);
+}
+
+TEST_F(large_blocks_test, all_start_at_a_huge_page_and_can_be_written)
+{
+    const std::size_t bytes = 5 * mebibyte + 3;
+    auto* const block = static_cast<unsigned char*>(blocks.allocate(bytes));
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(block) % large_blocks::page, 0U);
+    block[0] = block[bytes - 1] = 1;
+    blocks.free(block, bytes);
+}
+
+TEST_F(large_blocks_test, another_size_gets_a_block_of_its_own)
+{
+    void* const first = blocks.allocate(64 * mebibyte);
+    blocks.free(first, 64 * mebibyte);
+    void* const second = blocks.allocate(8 * mebibyte);
+    EXPECT_NE(second, first);
+    EXPECT_EQ(blocks.kept(), 64 * mebibyte); // in use and kept: within an eighth more than was in use
+    blocks.free(second, 8 * mebibyte);
+}
+
+TEST_F(large_blocks_test, more_in_use_than_ever_leaves_nothing_kept_beyond_it)
+{
+    void* const small = blocks.allocate(8 * mebibyte);
+    void* const middle = blocks.allocate(16 * mebibyte);
+    blocks.free(small, 8 * mebibyte);
+    EXPECT_EQ(blocks.kept(), 8 * mebibyte);
+    void* const large = blocks.allocate(64 * mebibyte);
+    EXPECT_EQ(blocks.kept(), 0U);
+    blocks.free(middle, 16 * mebibyte);
+    blocks.free(large, 64 * mebibyte);
+}
+
+TEST_F(large_blocks_test, the_smallest_are_given_back_first)
+{
+    void* const a = blocks.allocate(8 * mebibyte);
+    void* const b = blocks.allocate(64 * mebibyte);
+    blocks.free(a, 8 * mebibyte);
+    blocks.free(b, 64 * mebibyte);
+    blocks.keep_at_most(70 * mebibyte);
+    EXPECT_EQ(blocks.kept(), 64 * mebibyte);
+}
+
+TEST_F(large_blocks_test, keeps_no_more_than_it_is_told)
+{
+    blocks.keep_at_most(20 * mebibyte);
+    void* const a = blocks.allocate(16 * mebibyte);
+    void* const b = blocks.allocate(16 * mebibyte);
+    blocks.free(a, 16 * mebibyte);
+    blocks.free(b, 16 * mebibyte);
+    EXPECT_EQ(blocks.kept(), 16 * mebibyte);
+    blocks.keep_at_most(0);
+    EXPECT_EQ(blocks.kept(), 0U);
+}
+
+#if not defined(__SANITIZE_ADDRESS__) // which ends the program where malloc would return nothing
+TEST_F(large_blocks_test, what_no_machine_has_is_refused_and_forgotten)
+{
+    void* const kept = blocks.allocate(8 * mebibyte);
+    blocks.free(kept, 8 * mebibyte);
+    EXPECT_THROW(static_cast<void>(blocks.allocate(SIZE_MAX / 4)), std::bad_alloc);
+    void* const next = blocks.allocate(8 * mebibyte);
+    void* const more = blocks.allocate(16 * mebibyte);
+    blocks.free(next, 8 * mebibyte);
+    blocks.free(blocks.allocate(32 * mebibyte), 32 * mebibyte); // more in use than ever
+    EXPECT_EQ(blocks.kept(), 32 * mebibyte);
+    blocks.free(more, 16 * mebibyte);
+}
+#endif
+
+TEST(storage_in_large_blocks, a_large_array_is_given_back)
+{
+    kith::shared_blocks.keep_at_most(64 * mebibyte);
+    const std::size_t before = kith::shared_blocks.kept();
+    const char* where = nullptr;
+    {
+        const kith::storage<char> array(16 * mebibyte);
+        where = array.data();
+    }
+    EXPECT_EQ(kith::shared_blocks.kept(), before + 16 * mebibyte);
+    const kith::storage<char> again(16 * mebibyte);
+    EXPECT_EQ(again.data(), where);
+}
