@@ -18,6 +18,10 @@ double seconds(const measurement& run)
 {
     return run.seconds;
 }
+double seconds_again(const measurement& run)
+{
+    return run.seconds_again;
+}
 double processor_seconds(const measurement& run)
 {
     return run.processor_seconds;
@@ -77,17 +81,18 @@ void print(const contest& contest)
     const auto& first = contest.contestants.front();
     const double faces = double(contest.faces);
     for (const auto& contestant : contest.contestants) {
-        const double time = median(contestant.runs, seconds);
+        const double time = median(contestant.runs, seconds), again = median(contestant.runs, seconds_again);
         std::cout << "  " << std::left << std::setw(32) << contestant.name << std::right << std::setprecision(1)
-                  << std::setw(8) << 1e9 * time / faces << " ns" << std::setprecision(0) << std::setw(6)
-                  << median(contestant.runs, bytes) / faces << " B";
+                  << std::setw(8) << 1e9 * time / faces << " ns, again" << std::setw(8) << 1e9 * again / faces << " ns"
+                  << std::setprecision(0) << std::setw(6) << median(contestant.runs, bytes) / faces << " B";
         if (&contestant != &first) {
             std::vector<double> ratios;
             for (std::size_t i = 0; i < contestant.runs.size(); ++i)
                 ratios.push_back(first.runs[i].seconds / contestant.runs[i].seconds);
             const auto [least, most] = std::ranges::minmax(ratios);
             std::cout << std::setprecision(2) << std::setw(8) << median(first.runs, seconds) / time
-                      << " times as fast (" << least << ".." << most << ')';
+                      << " times as fast (" << least << ".." << most << "), again "
+                      << median(first.runs, seconds_again) / again;
         }
         if (const double processor = median(contestant.runs, processor_seconds); time > 1.1 * processor)
             std::cout << "  busy machine: " << std::setprecision(1) << 1e9 * processor / faces
@@ -107,10 +112,11 @@ void write_json(const std::string& path, const std::map<std::string, std::string
     std::vector<json_object> results;
     for (const auto& contest : contests)
         for (const auto& contestant : contest.contestants) {
-            std::vector<double> seconds, processor_seconds;
+            std::vector<double> seconds, seconds_again, processor_seconds;
             std::vector<std::uint64_t> bytes;
             for (const auto& run : contestant.runs) {
                 seconds.push_back(run.seconds);
+                seconds_again.push_back(run.seconds_again);
                 processor_seconds.push_back(run.processor_seconds);
                 bytes.push_back(run.bytes);
             }
@@ -122,6 +128,7 @@ void write_json(const std::string& path, const std::map<std::string, std::string
                                   .add("peer", contest.contestants.front().name)
                                   .add("contestant", contestant.name)
                                   .add("seconds", seconds)
+                                  .add("seconds_again", seconds_again)
                                   .add("processor_seconds", processor_seconds)
                                   .add("peak_bytes", bytes));
         }
