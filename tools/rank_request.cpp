@@ -46,8 +46,27 @@ po::options_description options_of_refine()
     add_option<std::int64_t>(options, "threads", "N", "threads of each rank; 1 unless told, as ranks fill the machine");
     add_flag(options, "cell-origin", "write tile and rank of every cell; the file then depends on the ranks");
     add_flag(options, "verify", "refine on one rank as well and compare the checksums");
+    add_flag(options,
+             "slices",
+             "each rank reads its share of a binary PLY file and has one tile: for meshes too large for one rank");
     add_option<std::string>(options, "stats", "FILE", "write what each rank did, a JSON object a line");
     return options;
+}
+
+/// With slices no rank has the whole mesh, which these need.
+void require_slices_alone(const po::variables_map& values)
+{
+    for (const char* option : {"mode",
+                               "tiles-per-rank",
+                               "memory-per-rank",
+                               "partitioner",
+                               "journal",
+                               "verify",
+                               "crease-angle",
+                               "crease-sharpness"})
+        if (values.count(option) != 0)
+            throw usage_error("--" + std::string(option) +
+                              ": needs the whole mesh on one rank; leave out this or --slices");
 }
 
 } // namespace
@@ -73,6 +92,9 @@ std::optional<rank_request> rank_request_from(const verb& verb, const std::vecto
     request.partitioner = partitioner_from(*values);
     request.stats = text("stats", "");
     request.verify = values->count("verify") != 0;
+    request.slices = values->count("slices") != 0;
+    if (request.slices)
+        require_slices_alone(*values);
     return request;
 }
 

@@ -8,6 +8,7 @@
 #include "tile_output.hpp"
 
 #include <kith/refine.hpp>
+#include <kith/tiles_of_slices.hpp>
 
 #include <algorithm>
 #include <array>
@@ -101,18 +102,12 @@ std::optional<journal_place> shared_place(mpi::communicator& comm, const std::st
     return journal_place{journal, tiles, unpacker(message).get<std::uint64_t>()};
 }
 
+/// Refines, and writes the surface. `kept` is on rank 0.
 template <class Scheme>
-void refine_by(mpi::communicator& comm, const rank_request& request, const Scheme& scheme)
+void write_surface(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, const recipe& kept,
+                   mpi::rank_refinement<std::array<double, 3>, std::uint32_t, Scheme>& refinement)
 {
     const tile_request& what = request.what;
-    recipe kept; // on rank 0
-    mpi::in_agreement(comm, [&] {
-        if (not comm.is_root())
-            return;
-        const auto make = [&] { return partition_for(request, scheme, comm.size()); };
-        kept = request.journal.empty() ? recipe{.parts = make()} : recipe_for(request.journal, what, make);
-    });
-    mpi::rank_refinement refinement(comm, what.control, scheme, what.levels, kept.parts);
     const whole_counts counts = refinement.whole().counts(what.levels);
 
     tile_output output(what.output,
@@ -157,15 +152,39 @@ void refine_by(mpi::communicator& comm, const rank_request& request, const Schem
                   << (request.verify ? ", verified" : "") << '\n';
 }
 
+template <class Scheme>
+void refine_by(mpi::communicator& comm, const rank_request& request, const Scheme& scheme)
+{
+    recipe kept; // on rank 0
+    mpi::in_agreement(comm, [&] {
+        if (not comm.is_root())
+            return;
+        const auto make = [&] { return partition_for(request, scheme, comm.size()); };
+        kept = request.journal.empty() ? recipe{.parts = make()} : recipe_for(request.journal, request.what, make);
+    });
+    mpi::rank_refinement refinement(comm, request.what.control, scheme, request.what.levels, kept.parts);
+    write_surface(comm, request, scheme, kept, refinement);
+}
+
+template <class Scheme>
+void refine_slices(mpi::communicator& comm, const rank_request& request, const Scheme& scheme)
+{
+    const int levels = request.what.levels;
+    auto read = mpi::read_tiles(comm, request.input, std::max(1, ring_schedule(scheme, levels)[0]));
+    mpi::rank_refinement refinement(comm, std::move(read.tiles), read.counts, scheme, levels);
+    write_surface(comm, request, scheme, {}, refinement);
+}
+
 } // namespace
 
 void refine_ranks(mpi::communicator& comm, rank_request& request)
 {
-    read_request(comm, request);
+    if (not request.slices)
+        read_request(comm, request);
     std::visit(
         [&]<class Scheme>(const Scheme& scheme) {
             if constexpr (reaching_scheme<Scheme>)
-                refine_by(comm, request, scheme);
+                request.slices ? refine_slices(comm, request, scheme) : refine_by(comm, request, scheme);
             else
                 mpi::in_agreement(comm, [] {
                     throw usage_error(std::string(kith::scheme_name<Scheme>()) +

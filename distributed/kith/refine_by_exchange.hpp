@@ -8,6 +8,7 @@
 #include "grow_shadows.hpp"
 #include "pack.hpp"
 #include "partition.hpp"
+#include "require_tiles.hpp"
 #include "tile_step.hpp"
 
 #include <kith/refine.hpp>
@@ -83,12 +84,7 @@ public:
         static_assert(not marks_edges<Scheme>, "marks of edges are counted where tiles are cut");
         in_agreement(comm, [&] {
             require_rings();
-            if constexpr (needs_triangles<Scheme> or needs_quads<Scheme>) // the rest of require_input would see rims
-                for (const auto& [number, part] : tiles_)
-                    if (part.mesh.topology().degree != (needs_triangles<Scheme> ? 3 : 4))
-                        throw mesh_error(std::string(scheme_name<Scheme>()) + ": the mesh has other faces than " +
-                                         (needs_triangles<Scheme> ? "triangles; triangulate it first"
-                                                                  : "quads; split it into quads first"));
+            require_tiles<Scheme>(tiles_);
         });
     }
 

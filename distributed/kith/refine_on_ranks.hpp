@@ -5,13 +5,16 @@
 #include "cut_tiles.hpp"
 #include "deal_tiles.hpp"
 #include "mpi.hpp"
+#include "numbered_tile.hpp"
 #include "pack.hpp"
 #include "partition.hpp"
 #include "refine_tile.hpp"
+#include "require_tiles.hpp"
 
 #include <kith/validate.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -44,7 +47,8 @@ struct work_done {
     }
 };
 
-/// A control mesh that lies on rank 0, refined in tiles on all ranks. Refinement itself sends nothing.
+/// A control mesh refined in tiles on all ranks; it lies on rank 0, or its tiles are on their ranks already. Refinement
+/// itself sends nothing.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class rank_refinement {
 public:
@@ -82,13 +86,38 @@ public:
         });
     }
 
+    /// Collective. From tiles of level 0 that lie on their ranks already, with ring_schedule(scheme, levels, last_rings)[0]
+    /// rings of shadows: read_tiles makes them of a file that is too large for one rank. The scheme carries no creases.
+    /// Errors: phase_error for faces that the scheme does not take, counts beyond 64 bits, and schemes whose numbers need
+    /// more than a tile can tell: of the boundary, if the mesh has one, and of marked edges (4-8).
+    rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
+                    const Scheme& scheme, int levels, std::optional<int> last_rings = std::nullopt)
+        : comm_(comm)
+        , scheme_(scheme)
+        , last_(last_rings ? connect::everything : connect::faces)
+        , held_(std::move(tiles))
+    {
+        in_agreement(comm, [&] {
+            kith::detail::require_levels<Scheme>(levels);
+            require_tiles<Scheme>(*held_);
+            const std::string name(scheme_name<Scheme>());
+            if constexpr (marks_edges<Scheme>)
+                throw mesh_error(name + ": its marked edges are counted where a whole mesh is cut; cut it on one rank");
+            if (numbers_boundary<Scheme> and counts.corners != 2 * counts.edges)
+                throw mesh_error(name +
+                                 ": its numbers depend on the boundary, and the mesh has one; cut it on one rank");
+            whole_.emplace(counts, tile_type(), scheme_, levels, last_rings.value_or(0));
+        });
+        tiles_ = comm.sum(std::array{std::uint64_t(held_->size())})[0];
+    }
+
     /// Local. The numbering of all levels.
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return *whole_; }
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
 
     /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
-    /// `use` may move away.
-    /// Errors: phase_error, of the first rank that has one.
+    /// `use` may move away. Tiles that lay on their ranks are refined there, once. Errors: phase_error, of the first rank
+    /// that has one.
     template <class Use>
     work_done refine(sharing how, const Use& use)
     {
@@ -101,7 +130,9 @@ public:
     work_done refine(sharing how, const std::vector<std::uint64_t>& numbers, const Use& use)
     {
         work_done done;
-        if (how == sharing::spmd or comm_.size() == 1)
+        if (held_)
+            refine_held(numbers, use, done);
+        else if (how == sharing::spmd or comm_.size() == 1)
             refine_dealt(numbers, use, done);
         else
             refine_handed_out(numbers, use, done);
@@ -114,13 +145,32 @@ private:
     {
         auto mine = deal_tiles(
             comm_, numbers.size(), [&](std::uint64_t t) { return pack(cutter_->cut(numbers[t], whole_->rings(0))); });
+        refine_here(mine.size(), [&](std::size_t i) {
+            const auto packed = std::exchange(mine[i], {});
+            refine_one(numbers[std::size_t(comm_.rank()) + i * std::size_t(comm_.size())],
+                       unpack<Point, Index>(packed, scheme_),
+                       use,
+                       done);
+        });
+    }
+    template <class Use>
+    void refine_held(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
+    {
+        refine_here(held_->size(), [&](std::size_t i) {
+            auto& [number, part] = (*held_)[i];
+            if (std::ranges::find(numbers, number) != numbers.end())
+                refine_one(number, {std::move(part), scheme_}, use, done);
+        });
+    }
+    /// Refines the tiles of this rank, which speaks to no other meanwhile.
+    template <class Refine>
+    void refine_here(std::size_t tiles, const Refine& refine_tile)
+    {
         std::string problem;
         MPI_Pcontrol(1); // for profilers: from here to the next there is nothing to see
         try {
-            for (std::size_t i = 0; i < mine.size(); ++i) {
-                const auto packed = std::exchange(mine[i], {});
-                refine_one(numbers[std::size_t(comm_.rank()) + i * std::size_t(comm_.size())], packed, use, done);
-            }
+            for (std::size_t i = 0; i < tiles; ++i)
+                refine_tile(i);
         } catch (const std::bad_alloc&) {
             problem = "there is not enough memory for a tile; use more tiles or fewer levels";
         } catch (const std::exception& failure) {
@@ -193,7 +243,8 @@ private:
             try {
                 unpacker in(answer);
                 const auto number = in.get<std::uint64_t>();
-                refine_one(number, in.get_array<std::vector<std::byte>>(), use, done);
+                const auto packed = in.get_array<std::vector<std::byte>>();
+                refine_one(number, unpack<Point, Index>(packed, scheme_), use, done);
             } catch (const std::bad_alloc&) {
                 problem = "there is not enough memory for a tile; use more tiles or fewer levels";
             } catch (const std::exception& failure) {
@@ -205,9 +256,8 @@ private:
     }
 
     template <class Use>
-    void refine_one(std::uint64_t number, std::span<const std::byte> packed, const Use& use, work_done& done)
+    void refine_one(std::uint64_t number, job_type job, const Use& use, work_done& done)
     {
-        auto job = unpack<Point, Index>(packed, scheme_);
         work_done more{.tiles = 1};
         const auto count = [&](const tile_type& part) {
             more.kept_faces += part.mesh.face_count();
@@ -226,6 +276,7 @@ private:
     Scheme scheme_;
     connect last_;
     std::optional<tile_cutter<Point, Index, Scheme>> cutter_; // on rank 0
+    std::optional<std::vector<numbered_tile<tile_type>>> held_;
     std::optional<whole_levels<Scheme>> whole_;
     std::uint64_t tiles_ = 0;
 };

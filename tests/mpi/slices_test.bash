@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# slices_test.bash KITH KITH_MPI SHIM: control meshes that no rank reads as a whole.
+source "$(dirname "$0")/on_ranks.bash"
+
+cube >cube.off
+tetrahedron >tetra.off
+run refine cube.off -s catmull-clark -n 2 -o quads.ply --tiles 1
+run refine tetra.off -s loop -n 2 -o triangles.ply --tiles 1
+printf 'OFF\n9 4 0\n0 0 0\n1 0 1\n2 0 0\n0 1 1\n1 1 0\n2 1 3\n0 2 0\n1 2 1\n2 2 0\n4 0 1 4 3\n4 1 2 5 4\n4 3 4 7 6\n4 4 5 8 7\n' >open.off
+run refine open.off -s catmull-clark -n 1 -o open.ply --tiles 1
+
+# The bytes of a job whose control mesh lay on rank 0.
+compare() { # compare IN SCHEME LEVELS
+    on 1 refine "$1" -s "$2" -n "$3" -o whole.vtu --verify
+    exits 0
+    for ranks in 1 2 3 5; do
+        on "$ranks" refine "$1" -s "$2" -n "$3" -o slices.vtu --slices
+        exits 0
+        check "the file of the whole mesh" cmp -s whole.vtu slices.vtu
+    done
+}
+compare quads.ply catmull-clark 3
+compare quads.ply doo-sabin 3
+compare quads.ply kobbelt 2
+compare quads.ply nasri-hasbini 2
+compare quads.ply mid-edge 3
+compare triangles.ply loop 3
+compare triangles.ply sqrt3 3
+compare triangles.ply butterfly 3
+compare open.ply catmull-clark 3
+compare open.ply catmull-clark 0
+
+# What a share of the file does not tell.
+on 3 refine open.ply -s doo-sabin -n 1 -o out.vtu --slices
+exits 1
+says 'doo-sabin: its numbers depend on the boundary, and the mesh has one; cut it on one rank'
+one_message
+on 3 refine triangles.ply -s 4-8 -n 1 -o out.vtu --slices
+exits 1
+says '4-8: its marked edges are counted where a whole mesh is cut'
+one_message
+on 3 refine quads.ply -s loop -n 1 -o out.vtu --slices
+exits 1
+says 'loop: face 0 has 4 vertices; triangulate the mesh first'
+one_message
+on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --slices
+exits 1
+says 'cube.off: is no PLY file'
+one_message
+on 3 refine quads.ply -s catmull-clark -n 1 -o out.vtu --slices --verify
+exits 2
+says '.-verify: needs the whole mesh on one rank; leave out this or --slices'
+one_message
+check "no output is left" test -z "$(ls | grep -E '^out|incomplete')"
+
+finish
