@@ -12,6 +12,14 @@ namespace {
 using namespace kith::targets;
 using kith::new_edges;
 
+constexpr auto copy_faces_and_edges = [](const auto& coarse, const auto& assoc) {
+    for (auto f : coarse.faces())
+        assoc(f, F) = polygon(f.corners(), [&](auto c) {
+            const auto e = c.next_edge();
+            return assoc(c.v(), V) >> assoc(e, E).along(e);
+        });
+};
+
 } // namespace
 
 TEST(edge_errors, new_edges_of_elements_that_do_not_touch)
@@ -58,6 +66,38 @@ TEST(edge_errors, an_edge_without_a_face_on_its_left)
                             f.corners(), [&](auto c) { return assoc(c.v(), V) >> assoc(c.next_edge(), E).right(); });
                     }),
               "assoc(e 0) -> E has no face on its left side");
+}
+
+TEST(edge_errors, a_vertex_in_no_face)
+{
+    const own_scheme scheme(kith::columns(kith::new_vertices(kith::per_vertex, kith::per_face),
+                                          new_edges(kith::per_edge),
+                                          kith::new_faces(quads(kith::per_face))),
+                            [](const auto& coarse, const auto& assoc) {
+                                copy_vertices(coarse, assoc);
+                                copy_faces_and_edges(coarse, assoc);
+                                for (auto f : coarse.faces())
+                                    assoc(f, V) = average(f.vertices());
+                            });
+    EXPECT_EQ(error_text<kith::association_error>([&] {
+                  kith::numbering_of<decltype(scheme), std::uint32_t> ids;
+                  kith::refine_mesh<kith::connect::everything>(native(shapes::cube()), scheme, ids);
+              }),
+              "assoc(f 0) -> V is in no face");
+}
+
+TEST(edge_errors, a_vertex_under_a_tuple_without_a_column)
+{
+    const auto text = [](const auto& coarse, const auto& assoc) {
+        copy_vertices(coarse, assoc);
+        copy_faces_and_edges(coarse, assoc);
+        const auto f = coarse.faces();
+        assoc(f[0], f[1], V) = average(f[0].vertices());
+    };
+    EXPECT_EQ(
+        fault(shapes::cube(), new_edges(kith::per_edge), text),
+        "a scheme that declares edges cannot make vertices under tuples that it does not declare; declare a column for "
+        "them, or leave edges to be matched");
 }
 
 TEST(edge_errors, sides_of_one_edge_that_do_not_join_the_same_vertices)

@@ -28,11 +28,21 @@ constexpr auto columns_of(const Scheme& scheme, [[maybe_unused]] int generation)
 
 namespace detail {
 
+/// Errors: mesh_error if Index cannot number so many elements with so many numbers each.
+template <class Index>
+void require_numbers(std::size_t total, std::size_t numbers_of_each, const char* what)
+{
+    if (total >= std::numeric_limits<Index>::max() / numbers_of_each)
+        throw mesh_error("the next level has " + std::to_string(total) + " " + what + ", more than a " +
+                         std::to_string(8 * sizeof(Index)) +
+                         "-bit index can number; refine fewer times or use basic_mesh<Point, std::uint64_t>");
+}
+
 /// The degree that all new faces have, when the columns say it while compiling; else 0.
 template <class... Columns>
 constexpr std::size_t common_degree(const std::tuple<Columns...>*)
 {
-    constexpr auto degree = []<tuple_kind K, class W, class D>(const column<K, W, D>*) {
+    [[maybe_unused]] constexpr auto degree = []<tuple_kind K, class W, class D>(const column<K, W, D>*) {
         if constexpr (std::same_as<D, fixed_degree<3>>)
             return std::size_t(3);
         else if constexpr (std::same_as<D, fixed_degree<4>>)
@@ -79,15 +89,9 @@ public:
     numbering(const Level& coarse, const Columns& columns)
         : vertices(coarse, columns.vertices.list), edges(coarse, columns.edges.list), faces(coarse, columns.faces.list)
     {
-        const auto require = [](std::size_t total, std::size_t ids_of_each, const char* what) {
-            if (total >= std::numeric_limits<Index>::max() / ids_of_each)
-                throw mesh_error("the next level has " + std::to_string(total) + " " + what + ", more than a " +
-                                 std::to_string(8 * sizeof(Index)) +
-                                 "-bit index can number; refine fewer times or use basic_mesh<Point, std::uint64_t>");
-        };
-        require(vertices.total(), 1, "vertices");
-        require(edges.total(), 2, "edges"); // half-edges are numbered, too
-        require(faces.total(), 1, "faces");
+        detail::require_numbers<Index>(vertices.total(), 1, "vertices");
+        detail::require_numbers<Index>(edges.total(), 2, "edges"); // half-edges are numbered, too
+        detail::require_numbers<Index>(faces.total(), std::max<std::size_t>(common_degree, 1), "faces"); // and corners
     }
 };
 

@@ -2,13 +2,17 @@
 #pragma once
 
 #include "choose.hpp"
+#include "for_each.hpp"
+#include "match.hpp"
 #include "pass_space.hpp"
 #include "polygon.hpp"
 #include "values.hpp"
 
-#include <string>
+#include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace kith {
 
@@ -79,6 +83,7 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
                     fine.face_corner[id + 1] = index(corners += degree);
                     return true;
                 });
+                require_numbers<index>(corners, 1, "corners");
                 fine.corner_face = storage<index>(corners);
             }
         }
@@ -110,29 +115,26 @@ template <class Level, class Numbering, class Index>
 void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine,
                  const std::vector<unsigned char>& vertex_is_set, const std::vector<unsigned char>& face_is_set)
 {
-    const auto require_all = [&](const auto& column_ids, const auto& is_set, const char* target) {
+    const auto require_all = [&](const auto& column_ids, const auto& is_set, const char* why) {
         for (std::size_t id = 0; id < is_set.size(); ++id)
             if (not is_set[id]) {
                 const auto [kind, index] = column_ids.origin(id);
-                throw association_error("assoc" + to_string(list_tuple(coarse, kind, index)) + " -> " + target +
-                                        " was never set");
+                faults::refuse(coarse, kind, index, why);
             }
     };
-    require_all(ids.vertices, vertex_is_set, "V");
-    require_all(ids.faces, face_is_set, "F");
+    require_all(ids.vertices, vertex_is_set, " -> V was never set");
+    require_all(ids.faces, face_is_set, " -> F was never set");
     for (std::size_t e = 0; e < fine.edges(); ++e)
         if (fine.halfedge_corner[2 * e] == fine.none) {
             const auto [kind, index] = ids.edges.origin(e);
-            throw association_error("assoc" + to_string(list_tuple(coarse, kind, index)) +
-                                    " -> E has no face on its left side");
+            faults::refuse(coarse, kind, index, " -> E has no face on its left side");
         }
     for (std::size_t e = 0; e < fine.edges(); ++e) {
         const Index left = fine.halfedge_corner[2 * e], right = fine.halfedge_corner[2 * e + 1];
         if (right != fine.none and (fine.corner_vertex[left] != fine.corner_vertex[next_corner(fine, right)] or
                                     fine.corner_vertex[right] != fine.corner_vertex[next_corner(fine, left)])) {
             const auto [kind, index] = ids.edges.origin(e);
-            throw association_error("assoc" + to_string(list_tuple(coarse, kind, index)) +
-                                    " -> E: its two sides do not join the same vertices");
+            faults::refuse(coarse, kind, index, " -> E: its two sides do not join the same vertices");
         }
     }
     if (fine.vertex_corner.empty())
@@ -140,6 +142,11 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
     for (std::size_t c = 0; c < fine.corners(); ++c) // vertices for which the scheme named no start
         if (Index& start = fine.vertex_corner[fine.corner_vertex[c]]; start == fine.none)
             start = Index(c);
+    for (std::size_t v = 0; v < fine.vertices; ++v)
+        if (fine.vertex_corner[v] == fine.none) {
+            const auto [kind, index] = ids.vertices.origin(v);
+            faults::refuse(coarse, kind, index, " -> V is in no face");
+        }
 }
 
 } // namespace detail
@@ -157,8 +164,14 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     scheme(refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
     if constexpr (Checked and Connect != connect::nothing)
         detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set());
-    if constexpr (Connect != connect::nothing)
+    if constexpr (Connect != connect::nothing) {
+        if constexpr (Numbering::has_edges)
+            if (values.listed_count() != 0)
+                throw association_error(
+                    "a scheme that declares edges cannot make vertices under tuples that it does not "
+                    "declare; declare a column for them, or leave edges to be matched");
         fine.vertices += values.listed_count();
+    }
     if constexpr (Connect == connect::everything) {
         if constexpr (Numbering::has_edges) {
             if (not coarse.is_closed())
