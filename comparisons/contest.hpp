@@ -14,7 +14,7 @@ using work = std::function<std::shared_ptr<const void>()>;
 
 struct measurement {
     double seconds;
-    double seconds_again;     ///< of the same work once more in the same process, when the first result is gone
+    double seconds_again;     ///< of the same work once more in the same process, when all of the first is gone
     double processor_seconds; ///< less than the seconds where the machine had other things to do
     std::uint64_t bytes;      ///< that the process grew by at most, beyond what it had when the clock started
 };
