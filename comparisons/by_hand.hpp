@@ -2,7 +2,6 @@
 #pragma once
 
 #include <kith/basic_mesh.hpp>
-#include <kith/refinement.hpp>
 
 #include <array>
 #include <cstddef>

@@ -17,9 +17,10 @@ const mesh3d closed = native(shapes::house());
 const mesh3d open = native(shapes::grid(2, 2)); // edges 0-1 0-3 1-2 1-4 2-5 3-4 3-6 4-5 4-7 5-8 6-7 7-8
 const std::vector<std::size_t> inner_edges_of_open{3, 5, 7, 8};
 
-auto ids_on(const mesh3d& mesh, const auto&... columns)
+template <class... Columns>
+auto ids_on(const mesh3d& mesh, const Columns&... columns)
 {
-    return kith::make_column_ids<std::uint32_t>(level_type(mesh), std::tuple(columns...));
+    return kith::column_ids<std::uint32_t, Columns...>(level_type(mesh), std::tuple(columns...));
 }
 
 constexpr auto never = [](const auto&) { return false; };

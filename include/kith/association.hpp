@@ -3,13 +3,8 @@
 
 #include "tuples.hpp"
 
-#include <atomic>
-#include <concepts>
 #include <cstddef>
-#include <limits>
-#include <map>
-#include <string>
-#include <vector>
+#include <utility>
 
 namespace kith {
 

@@ -4,16 +4,11 @@
 #include "association_faults.hpp"
 #include "basic_mesh.hpp"
 #include "connect.hpp"
-#include "for_each.hpp"
-#include "match.hpp"
 #include "numbering.hpp"
 #include "vertex_dictionary.hpp"
 
-#include <array>
 #include <atomic>
 #include <cstddef>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -170,13 +165,20 @@ private:
 
     // What associations do.
 
+    /// The id of a tuple, which its column may leave out.
+    template <tuple_kind Kind, class Ids>
+    index_type present(const Ids& ids, std::size_t tuple, const char* absent) const
+    {
+        const index_type id = ids.template id<Kind>(tuple);
+        if constexpr (not Ids::template is_full<Kind>)
+            if (id == none) [[unlikely]]
+                faults::refuse(*coarse_, Kind, tuple, absent);
+        return id;
+    }
     template <tuple_kind Kind>
     index_type vertex_id(std::size_t tuple) const
     {
-        const index_type id = ids_.vertices.template id<Kind>(tuple);
-        if constexpr (not decltype(Numbering::vertices)::template is_full<Kind>)
-            if (id == none) [[unlikely]]
-                faults::refuse(*coarse_, Kind, tuple, faults::absent_vertex);
+        const auto id = present<Kind>(ids_.vertices, tuple, faults::absent_vertex);
         if constexpr (Checked)
             if (not std::atomic_ref(vertex_is_set_[id]).load(std::memory_order_relaxed)) [[unlikely]]
                 faults::refuse(*coarse_, Kind, tuple, faults::vertex_read_early);
@@ -185,10 +187,7 @@ private:
     template <tuple_kind Kind, class Mask>
     void make_vertex(std::size_t tuple, const Mask& mask) const
     {
-        const index_type id = ids_.vertices.template id<Kind>(tuple);
-        if constexpr (not decltype(Numbering::vertices)::template is_full<Kind>)
-            if (id == none) [[unlikely]]
-                faults::refuse(*coarse_, Kind, tuple, faults::absent_vertex);
+        const auto id = present<Kind>(ids_.vertices, tuple, faults::absent_vertex);
         values_->assign(id, mask.evaluate(*values_));
         if constexpr (Checked)
             if (std::atomic_ref(vertex_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
@@ -201,20 +200,12 @@ private:
     template <tuple_kind Kind>
     index_type edge_id(std::size_t tuple) const
     {
-        const index_type id = ids_.edges.template id<Kind>(tuple);
-        if constexpr (not decltype(Numbering::edges)::template is_full<Kind>)
-            if (id == none) [[unlikely]]
-                faults::refuse(*coarse_, Kind, tuple, faults::absent_edge);
-        return id;
+        return present<Kind>(ids_.edges, tuple, faults::absent_edge);
     }
     template <tuple_kind Kind>
     index_type face_id(std::size_t tuple) const
     {
-        const index_type id = ids_.faces.template id<Kind>(tuple);
-        if constexpr (not decltype(Numbering::faces)::template is_full<Kind>)
-            if (id == none) [[unlikely]]
-                faults::refuse(*coarse_, Kind, tuple, faults::absent_face);
-        return id;
+        return present<Kind>(ids_.faces, tuple, faults::absent_face);
     }
     template <tuple_kind Kind, class Lines>
     void make_face(std::size_t tuple, const Lines& lines) const

@@ -29,6 +29,7 @@ struct mask_choice : mask_base {
     }
 };
 
+/// The mask that `then` or `otherwise` gives; only that one is called, when the mask is evaluated.
 template <class Then, class Else>
     requires mask<std::invoke_result_t<Then>> and mask<std::invoke_result_t<Else>>
 [[nodiscard]] auto choose(bool condition, Then then, Else otherwise)

@@ -285,10 +285,4 @@ private:
     std::array<std::vector<Index>, size> members_; // by rank
 };
 
-template <class Index, class... Columns>
-auto make_column_ids(const auto& level, const std::tuple<Columns...>& list)
-{
-    return column_ids<Index, Columns...>(level, list);
-}
-
 } // namespace kith

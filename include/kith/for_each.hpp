@@ -23,21 +23,20 @@ concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level
 
 /// Calls f on the elements with these numbers.
 template <class Level, class Element, class F>
-void for_numbers_called(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
+void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
 {
     for (std::size_t i = begin; i < end; ++i)
         f(range[i]);
 }
 
 /// The same with all that f calls inlined: a mask is a tree of small functions, and one that stays a call in the innermost
-/// loop costs more than the arithmetic. For native levels only: of the much longer walks through the traits of other
-/// meshes g++ 12 makes code that reads what it never wrote.
+/// loop costs more than the arithmetic. For native levels only: through the traits of other meshes a step of a walk is
+/// itself longer than a call.
 template <class Level, class Element, class F>
-[[gnu::flatten]] void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
-                                  const F& f)
+[[gnu::flatten]] void for_numbers_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
+                                          const F& f)
 {
-    for (std::size_t i = begin; i < end; ++i)
-        f(range[i]);
+    for_numbers(range, begin, end, f);
 }
 
 /// Calls f on the elements that belong to the faces [begin, end), inlined as well.
@@ -61,9 +60,9 @@ void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 {
     detail::for_parts(range.size(), Level::parallel, [&](std::size_t begin, std::size_t end) {
         if constexpr (detail::ordered_by_faces<Level>)
-            detail::for_numbers(range, begin, end, f);
+            detail::for_numbers_inlined(range, begin, end, f);
         else
-            detail::for_numbers_called(range, begin, end, f);
+            detail::for_numbers(range, begin, end, f);
     });
 }
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <mutex>
 #include <new>
+#include <type_traits>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -17,15 +18,17 @@ namespace kith {
 
 /// The large blocks of memory of all `storage`: in 2 MiB pages, and kept when they are freed for the next block of about
 /// that size. The kernel clears every fresh page, which is a quarter of the time of a refinement (docs/design.md, Speed);
-/// whoever refines again, or tile after tile, is spared it. What is kept goes back to the system when more is in use than
-/// ever before, so one refinement needs no more memory for it, and when memory runs out. Safe on several threads.
+/// whoever refines again, or tile after tile, is spared it. What is in use and what is kept come to an eighth more than was
+/// ever in use at most; all that is kept goes back when more than ever is needed, when there is no memory for a large
+/// block, and before a mesh of another library is built. Safe on several threads.
 class large_blocks {
 public:
+    /// A huge page of Linux on most processors.
     static constexpr std::size_t page = std::size_t(2) << 20;
     /// Smaller blocks are not for here.
     static constexpr std::size_t smallest = 2 * page;
 
-    /// Errors: std::bad_alloc.
+    /// A block that starts at a huge page and is not cleared. Errors: std::bad_alloc. Cost: O(kept blocks).
     [[nodiscard]] void* allocate(std::size_t bytes)
     {
         bytes = rounded(bytes);
@@ -36,7 +39,8 @@ public:
                 in_use_ = now;
                 return forget(i);
             }
-        // A level and the two before it, which a second run allocates in between, come to less than an eighth more.
+        // Where faces at least triple, a level and the two before it, which a second run allocates in between, come to less
+        // than an eighth more; where they double it costs one block.
         keep_only(std::min(limit_, (now > most_in_use_ ? now : most_in_use_ / 8 * 9) - now));
         void* block = std::aligned_alloc(page, bytes);
         if (block == nullptr) {
@@ -73,6 +77,12 @@ public:
         const std::lock_guard lock(mutex_);
         limit_ = bytes;
         keep_only(bytes);
+    }
+    /// Keeps nothing of what has been freed so far.
+    void give_back()
+    {
+        const std::lock_guard lock(mutex_);
+        keep_only(0);
     }
     /// The bytes that are kept and not in use.
     [[nodiscard]] std::size_t kept() const
@@ -125,5 +135,6 @@ private:
 
 /// Those of the process. Never destroyed, so arrays of any lifetime may use it.
 inline constinit large_blocks shared_blocks;
+static_assert(std::is_trivially_destructible_v<large_blocks>);
 
 } // namespace kith

@@ -3,6 +3,7 @@
 
 #include "basic_mesh.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <type_traits>
 

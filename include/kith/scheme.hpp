@@ -24,7 +24,8 @@ namespace kith {
 ///   static constexpr bool closed_only = true          it refuses a boundary
 ///   counts next(counts, generation)                   the next level's counts in closed form, for plans over many levels
 ///   static void require(level, generation)            throws mesh_error for a control mesh that it cannot take
-///   static constexpr int reach(int rings)             for tiles: rings of faces around a tile that a step uses up
+///   int reach(int rings)                              for tiles: rings of faces around a tile that a step uses up
+///   static bool is_marked(edge)                       for tiles, where columns pick edges by marks
 ///   S after(level, numbering)                         the scheme of the next level, when it carries state of its level
 ///   static constexpr bool trusted = true              its associations need no check at every access
 template <class S>

@@ -7,10 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <new>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -18,7 +17,7 @@ namespace kith {
 
 /// A fixed-size array whose elements are not initialised when that is allowed, in `large_blocks` when it is large.
 /// Refining writes every element once into fresh memory, so clearing it first would double the traffic, and with
-/// 4 KiB pages the page faults cost more than the arithmetic (docs/design.md, Speed).
+/// 4 KiB pages the page faults cost more than the arithmetic.
 template <class T>
 class storage {
 public:
@@ -72,7 +71,7 @@ public:
     const T& operator[](std::size_t i) const noexcept { return data_[i]; }
 
 private:
-    static constexpr bool trivial = std::is_trivially_copyable_v<T> and std::is_trivially_destructible_v<T>;
+    static constexpr bool trivial = std::is_trivially_copyable_v<T>;
 
     static T* allocate(std::size_t size)
     {

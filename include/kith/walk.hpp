@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <iterator>
 #include <utility>
 
 namespace kith {
@@ -14,7 +13,7 @@ template <class Level> class corner;
 
 namespace detail {
 
-/// A step goes from element to element of a walk; it is at the end when its corner is no_corner.
+/// A step goes from element to element of a walk until it is done().
 template <class Level>
 struct fan_step {
     typename Level::corner_handle first;
@@ -147,8 +146,6 @@ public:
     struct sentinel {};
     class iterator {
     public:
-        using difference_type = std::ptrdiff_t;
-        using iterator_concept = std::input_iterator_tag;
         using value_type = decltype(std::declval<const Map&>()(
             std::declval<const Step&>().get(std::declval<const Level&>())));
 
@@ -159,7 +156,6 @@ public:
             step_.advance(*level_);
             return *this;
         }
-        void operator++(int) { ++*this; }
         friend bool operator==(const iterator& i, sentinel) { return i.step_.done(); }
 
     private:
@@ -196,6 +192,7 @@ private:
     [[no_unique_address]] Map map_;
 };
 
+/// A walk that gives what its step gives.
 template <class Level, class Step>
 class walk : public mapped_walk<Level, Step, detail::identity> {
 public:

@@ -28,8 +28,8 @@ struct bisection_split {
         return c.next() == c.f().first_corner() ? c.next().across().next() : c.next();
     }
 
-    /// What the columns pick. `before(n, m)` of the first n tuples, where m edges before the last one's edge are marked:
-    /// by this tiles number what is picked in a mesh that nobody holds.
+    /// What the columns pick. `before(n, m)`: how many of the tuples before the n-th, with m marked edges before that of the
+    /// n-th. By this tiles number what is picked in a mesh that nobody holds.
     struct marked_edge {
         template <class Edge>
         constexpr bool operator()(const Edge& e) const
