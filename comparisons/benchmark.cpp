@@ -3,11 +3,11 @@
 #include "contest_picture.hpp"
 #include "contest_report.hpp"
 #include "contests.hpp"
+#include "exit_code.hpp"
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -143,15 +143,8 @@ void run_all(const options::variables_map& values)
 
 int main(int count, char** words)
 {
-    try {
+    return exit_code_of([&] {
         if (const auto values = parse(count, words))
             run_all(*values);
-        return 0;
-    } catch (const options::error& error) {
-        std::cerr << error.what() << '\n';
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
+    });
 }

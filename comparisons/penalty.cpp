@@ -2,13 +2,13 @@
 #include "by_hand.hpp"
 #include "contest_report.hpp"
 #include "contests.hpp"
+#include "exit_code.hpp"
 
 #include <kith/catmull_clark.hpp>
 
 #include <boost/program_options.hpp>
 
 #include <cstring>
-#include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -83,7 +83,7 @@ void run_all(double target, int repeats)
 
 int main(int count, char** words)
 {
-    try {
+    return exit_code_of([&] {
         options::options_description all("Options");
         all.add_options()("help", "this text")(
             "faces-target", options::value<double>()->default_value(4718592), "about how many faces to refine to")(
@@ -95,17 +95,10 @@ int main(int count, char** words)
             std::cout << "Usage: penalty [options]\nRefines by the text of a scheme and by the same scheme written by "
                          "hand on raw arrays, in turn.\n\n"
                       << all;
-            return 0;
+            return;
         }
         if (values["repeats"].as<int>() < 1 or values["faces-target"].as<double>() < 1)
             throw options::error("--repeats and --faces-target are 1 or more");
         run_all(values["faces-target"].as<double>(), values["repeats"].as<int>());
-        return 0;
-    } catch (const options::error& error) {
-        std::cerr << error.what() << '\n';
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
+    });
 }

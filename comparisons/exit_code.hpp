@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <boost/program_options.hpp>
+
+#include <exception>
+#include <iostream>
+
+namespace kith::comparison {
+
+/// What `main` returns when this is all that it does: 0, 2 for wrong options, or 1; what went wrong is told.
+template <class Program>
+int exit_code_of(const Program& program)
+{
+    try {
+        program();
+        return 0;
+    } catch (const boost::program_options::error& error) {
+        std::cerr << error.what() << '\n';
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+}
+
+} // namespace kith::comparison
