@@ -27,12 +27,14 @@ namespace kith::tool {
 namespace {
 
 /// How many tiles there must be so that refining one stays within the memory of a rank: the last level twice, once with
-/// what shadows add to it and once with its ids.
+/// what shadows add to it and once with its ids. The surface may have more elements than the 32-bit index of a tile counts,
+/// which takes half of the bytes of the index that it is planned with.
 template <class Scheme>
 std::uint64_t tiles_for(const rank_request& request, const Scheme& scheme, const basic_mesh<>& control)
 {
-    const auto levels = plan(count(control.topology()), scheme, request.what.levels, control.generation());
-    const double bytes_of_tile = 2.5 * double(levels.back().least_bytes);
+    const auto last = plan(count(control.topology()), scheme, request.what.levels, control.generation(), 24, 8).back();
+    const double bytes_of_points = 24 * double(last.counts.vertices);
+    const double bytes_of_tile = 2.5 * (bytes_of_points + (double(last.least_bytes) - bytes_of_points) / 2);
     return std::uint64_t(
         std::clamp(bytes_of_tile / double(request.memory_per_rank) + 1, 1., double(control.face_count())));
 }

@@ -27,6 +27,10 @@ on 3 refine cube.off -s catmull-clark -n 1 -o nowhere/out.vtu
 exits 1
 says 'nowhere/out.vtu'
 one_message
+on 2 refine cube.off -s catmull-clark -n 15 -o nowhere/out.vtu --memory-per-rank 1G # more than 32 bits number
+exits 1
+says 'nowhere/out.vtu'
+one_message
 on 3 refine cube.off -s catmull-clark -n 40 -o out.vtu
 exits 1
 says 'refine fewer times|more elements than'
