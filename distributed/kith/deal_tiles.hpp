@@ -6,10 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <new>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace kith::mpi {
@@ -23,15 +20,10 @@ std::vector<std::vector<std::byte>> deal_tiles(communicator& comm, std::uint64_t
     std::vector<std::vector<std::byte>> mine;
     std::string problem; // the others wait for tiles, even for empty ones
     const auto packed = [&](std::uint64_t t) {
-        try {
-            if (problem.empty())
-                return pack(t);
-        } catch (const std::bad_alloc&) {
-            problem = "there is not enough memory to cut tiles";
-        } catch (const std::exception& failure) {
-            problem = failure.what();
-        }
-        return std::vector<std::byte>();
+        std::vector<std::byte> result;
+        if (problem.empty())
+            problem = problem_of([&] { result = pack(t); }, "there is not enough memory to cut tiles");
+        return result;
     };
     send_window outgoing(comm, 4);
     for (std::uint64_t t = 0; t < tiles; ++t) {

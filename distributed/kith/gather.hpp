@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <new>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -133,21 +132,24 @@ basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_til
     in_agreement(comm, [&] {
         std::string problem; // nobody may leave while others wait for a message
         const auto packed = [&](const tile<Point, Index>& part) {
-            try {
-                return detail::pack_owned(part);
-            } catch (const std::bad_alloc&) {
-                problem = "there is not enough memory to send a tile";
-                return std::vector<std::byte>();
-            }
+            std::vector<std::byte> result;
+            if (problem.empty())
+                problem = problem_of([&] { result = detail::pack_owned(part); },
+                                     "there is not enough memory to send a tile");
+            return result;
+        };
+        const auto add = [&](const std::vector<std::byte>& message) {
+            if (problem.empty())
+                problem = problem_of([&] { whole->add(message); }, "there is not enough memory to gather a tile");
         };
         if (not comm.is_root())
             comm.send(packer().add(std::uint64_t(tiles.size())).take(), 0);
         for (const auto& [number, part] : tiles)
-            comm.is_root() ? whole->add(packed(part)) : comm.send(packed(part), 0);
+            comm.is_root() ? add(packed(part)) : comm.send(packed(part), 0);
         for (int rank = 1; comm.is_root() and rank < comm.size(); ++rank) {
             const auto count = comm.receive(rank);
             for (auto left = unpacker(count).get<std::uint64_t>(); left > 0; --left)
-                whole->add(comm.receive(rank));
+                add(comm.receive(rank));
         }
         if (not problem.empty())
             throw std::runtime_error(problem);

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <exception>
 #include <limits>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -20,7 +21,7 @@
 /// The little of MPI 3.1 that kith needs, with errors as exceptions and messages of any size.
 namespace kith::mpi {
 
-/// A call to MPI that failed.
+/// A call to MPI that failed, or a message that there is no memory for.
 struct error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -105,7 +106,7 @@ public:
         detail::check(MPI_Recv(&size, 1, MPI_UINT64_T, from, size_tag, comm_, &status), "MPI_Recv");
         from = status.MPI_SOURCE;
         count_received(sizeof size);
-        std::vector<std::byte> bytes(size);
+        auto bytes = room_for(size);
         for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
             detail::check(
                 MPI_Recv(piece.data(), int(piece.size()), MPI_BYTE, from, bytes_tag, comm_, MPI_STATUS_IGNORE),
@@ -146,7 +147,8 @@ public:
     {
         std::uint64_t size = bytes.size();
         detail::check(MPI_Bcast(&size, 1, MPI_UINT64_T, 0, comm_), "MPI_Bcast");
-        bytes.resize(size);
+        if (not is_root())
+            bytes = room_for(size);
         for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
             detail::check(MPI_Bcast(piece.data(), int(piece.size()), MPI_BYTE, 0, comm_), "MPI_Bcast");
         });
@@ -209,6 +211,15 @@ private:
             count_sent(piece.size());
         });
     }
+    /// The other side is sending already and cannot be told that there is no memory, so this is an error of MPI's kind.
+    static std::vector<std::byte> room_for(std::uint64_t size)
+    {
+        try {
+            return std::vector<std::byte>(size);
+        } catch (const std::bad_alloc&) {
+            throw error("there is not enough memory for a message of " + std::to_string(size) + " bytes");
+        }
+    }
     void count_sent(std::size_t bytes)
     {
         traffic_.bytes_sent += bytes;
@@ -246,21 +257,28 @@ inline void communicator::agree(const std::string& problem)
     throw phase_error(first, text);
 }
 
+/// Runs `phase` and gives what went wrong, to be told to the others, or nothing; lack of memory has no text of its own.
+/// Errors: mpi::error, since then the others cannot be reached. Local if `phase` is.
+template <class Phase>
+std::string problem_of(const Phase& phase, const char* lack_of_memory = "there is not enough memory")
+{
+    try {
+        phase();
+    } catch (const std::bad_alloc&) {
+        return lack_of_memory;
+    } catch (const error&) {
+        throw;
+    } catch (const std::exception& failure) {
+        return failure.what();
+    }
+    return {};
+}
+
 /// Runs one phase on every rank and lets all of them agree on how it went. Collective. Errors: phase_error.
 template <class Phase>
 void in_agreement(communicator& comm, const Phase& phase)
 {
-    std::string problem;
-    try {
-        phase();
-    } catch (const std::bad_alloc&) {
-        problem = "there is not enough memory";
-    } catch (const error&) {
-        throw; // the others cannot be reached
-    } catch (const std::exception& failure) {
-        problem = failure.what();
-    }
-    comm.agree(problem);
+    comm.agree(problem_of(phase));
 }
 
 /// MPI from main's beginning to its end. An exception that leaves it ends all ranks: waiting for the others would hang.

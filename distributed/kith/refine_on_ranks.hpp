@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,6 +141,9 @@ public:
     }
 
 private:
+    static constexpr const char* no_memory_for_tile =
+        "there is not enough memory for a tile; use more tiles or fewer levels";
+
     template <class Use>
     void refine_dealt(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
@@ -166,30 +170,15 @@ private:
     template <class Refine>
     void refine_here(std::size_t tiles, const Refine& refine_tile)
     {
-        std::string problem;
         MPI_Pcontrol(1); // for profilers: from here to the next there is nothing to see
-        try {
-            for (std::size_t i = 0; i < tiles; ++i)
-                refine_tile(i);
-        } catch (const std::bad_alloc&) {
-            problem = "there is not enough memory for a tile; use more tiles or fewer levels";
-        } catch (const std::exception& failure) {
-            problem = failure.what();
-        }
+        const std::string problem = problem_of(
+            [&] {
+                for (std::size_t i = 0; i < tiles; ++i)
+                    refine_tile(i);
+            },
+            no_memory_for_tile);
         MPI_Pcontrol(0);
         comm_.agree(problem);
-    }
-
-    std::vector<std::byte> cut(std::uint64_t number, std::string& problem)
-    {
-        try {
-            return pack(cutter_->cut(number, whole_->rings(0)));
-        } catch (const std::bad_alloc&) {
-            problem = "there is not enough memory to cut tiles";
-        } catch (const std::exception& failure) {
-            problem = failure.what();
-        }
-        return {};
     }
 
     /// A worker asks with one byte, which tells whether its last tile went well; the answer is a number and a tile, or
@@ -218,9 +207,12 @@ private:
                 next = order.size(); // it has failed, so the rest is of no use
             std::vector<std::byte> answer;
             if (next < order.size() and problem.empty()) {
-                const auto packed = cut(order[next], problem); // after a problem the workers hear that nothing is left
-                if (problem.empty())
-                    answer = packer().add(order[next]).add_array(packed).take();
+                problem = problem_of( // after one the workers hear that nothing is left
+                    [&] {
+                        const auto packed = pack(cutter_->cut(order[next], whole_->rings(0)));
+                        answer = packer().add(order[next]).add_array(packed).take();
+                    },
+                    "there is not enough memory to cut tiles");
                 ++next;
             }
             working -= answer.empty();
@@ -240,16 +232,14 @@ private:
             const auto answer = comm_.receive(root);
             if (answer.empty())
                 break;
-            try {
-                unpacker in(answer);
-                const auto number = in.get<std::uint64_t>();
-                const auto packed = in.get_array<std::vector<std::byte>>();
-                refine_one(number, unpack<Point, Index>(packed, scheme_), use, done);
-            } catch (const std::bad_alloc&) {
-                problem = "there is not enough memory for a tile; use more tiles or fewer levels";
-            } catch (const std::exception& failure) {
-                problem = failure.what();
-            }
+            problem = problem_of(
+                [&] {
+                    unpacker in(answer);
+                    const auto number = in.get<std::uint64_t>();
+                    const auto packed = in.get_array<std::vector<std::byte>>();
+                    refine_one(number, unpack<Point, Index>(packed, scheme_), use, done);
+                },
+                no_memory_for_tile);
         }
         if (not problem.empty())
             throw std::runtime_error(problem);

@@ -4,7 +4,9 @@
 #include <kith/all_to_all.hpp>
 #include <kith/send_window.hpp>
 
+#include <new>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -91,4 +93,14 @@ TEST(in_agreement, tells_all_ranks_of_the_lowest_problem)
         EXPECT_EQ(error.rank, std::max(0, last - 1));
         EXPECT_EQ(std::string(error.what()), "trouble on " + std::to_string(error.rank));
     }
+}
+
+TEST(problem_of, is_a_text_unless_the_others_cannot_be_reached)
+{
+    using kith::mpi::problem_of;
+    EXPECT_EQ(problem_of([] {}), "");
+    EXPECT_EQ(problem_of([] { throw std::runtime_error("trouble"); }), "trouble");
+    EXPECT_EQ(problem_of([] { throw std::bad_alloc(); }), "there is not enough memory");
+    EXPECT_EQ(problem_of([] { throw std::bad_alloc(); }, "no room"), "no room");
+    EXPECT_THROW(problem_of([] { throw kith::mpi::error("no partner"); }), kith::mpi::error);
 }
