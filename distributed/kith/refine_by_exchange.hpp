@@ -104,8 +104,7 @@ public:
     {
         if (level_ > 0)
             grow_shadows(comm_, std::span(tiles_), rings_);
-        const auto columns = columns_of(scheme_, generation_);
-        in_agreement(comm_, [&] { number(columns); });
+        number();
         in_agreement(comm_, [&] {
             for (auto& [number, part] : tiles_) {
                 Scheme scheme = scheme_;
@@ -119,13 +118,18 @@ public:
         counts_ = numbering_.counts();
         if constexpr (numbers_corners_at_vertices<Scheme>) {
             std::vector<corners_at_vertices::boundary_vertex> boundary;
-            for (const auto& [number, part] : tiles_) {
-                const auto more = corners_at_vertices::owned_at_boundary(part);
-                boundary.insert(boundary.end(), more.begin(), more.end());
-            }
-            const corners_at_vertices corners(all_of_ranks(comm_, boundary));
-            for (auto& [number, part] : tiles_)
-                corners.number(part);
+            in_agreement(comm_, [&] {
+                for (const auto& [number, part] : tiles_) {
+                    const auto more = corners_at_vertices::owned_at_boundary(part);
+                    boundary.insert(boundary.end(), more.begin(), more.end());
+                }
+            });
+            boundary = all_of_ranks(comm_, boundary);
+            in_agreement(comm_, [&] {
+                const corners_at_vertices corners(std::move(boundary));
+                for (auto& [number, part] : tiles_)
+                    corners.number(part);
+            });
         }
         require_agreement();
     }
@@ -137,18 +141,21 @@ private:
             throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(rings_) +
                              " rings per step; a step needs 1 or more");
     }
-    template <class Columns>
-    void number(const Columns& columns)
+    /// What ranks say to all stands between phases: one that fails must not leave others waiting.
+    void number()
     {
+        const auto columns = columns_of(scheme_, generation_);
         std::array<std::vector<boundary_fact>, 3> facts;
-        for (const auto& [number, part] : tiles_) {
-            const auto more = numbering_type::facts_at_boundary(columns, part);
-            for (std::size_t i = 0; i < facts.size(); ++i)
-                facts[i].insert(facts[i].end(), more[i].begin(), more[i].end());
-        }
+        in_agreement(comm_, [&] {
+            for (const auto& [number, part] : tiles_) {
+                const auto more = numbering_type::facts_at_boundary(columns, part);
+                for (std::size_t i = 0; i < facts.size(); ++i)
+                    facts[i].insert(facts[i].end(), more[i].begin(), more[i].end());
+            }
+        });
         for (auto& list : facts)
             list = all_of_ranks(comm_, list);
-        numbering_ = numbering_type(counts_, columns, std::move(facts));
+        in_agreement(comm_, [&] { numbering_ = numbering_type(counts_, columns, std::move(facts)); });
     }
 
     void require_agreement()
