@@ -2,8 +2,10 @@
 #include "every_scheme.hpp"
 #include "tiles.hpp"
 
+#include <kith/checksum.hpp>
 #include <kith/creases.hpp>
 #include <kith/hash_value.hpp>
+#include <kith/refine_in_tiles.hpp>
 
 #include <algorithm>
 #include <set>
@@ -179,6 +181,19 @@ TEST(refine_tile, hands_creases_on)
         EXPECT_EQ(tiles_differ(mesh, scheme, 3, partitions::scattered(mesh.face_count(), 5, 1), 5), "");
         EXPECT_EQ(tiles_differ(mesh, scheme, 3, partitions::blocks(mesh.face_count(), 3), 3), "");
     }
+}
+
+TEST(refine_tile, keeps_a_scheme_of_its_own)
+{
+    const auto mesh = native(shapes::shaken(shapes::torus(6, 8)));
+    const auto scheme = [&] { return kith::catmull_clark{.sharpness = sharpened(mesh, kith::crease_method::chaikin)}; };
+    const auto whole = kith::refine(mesh, scheme(), 2);
+    const kith::partition parts{partitions::blocks(mesh.face_count(), 3), 3};
+    kith::tiled_refinement refinement(mesh, scheme(), 2, parts); // the scheme is gone before tiles are cut
+    kith::mesh_checksum sum;
+    for (std::size_t t = 0; t < refinement.tiles(); ++t)
+        sum += kith::checksum(refinement.refine(t));
+    EXPECT_EQ(sum, kith::checksum(whole));
 }
 
 TEST(refine_tile, takes_any_order_of_vertices_faces_and_corners)

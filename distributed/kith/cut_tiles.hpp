@@ -28,8 +28,8 @@ public:
     using job_type = tile_job<tile_type, Scheme>;
 
     /// `part_of[f]` is the part of face f, below `parts`. Parts may be empty, and need not be connected.
-    /// Preconditions: the mesh outlives this object. Errors: mesh_error for a mesh that `refine` would not take or a part
-    /// that does not exist. Cost: O(elements).
+    /// Preconditions: `refine` takes the mesh, and the mesh outlives this object. Errors: mesh_error for a partition of
+    /// another mesh or a part that does not exist. Cost: O(elements).
     tile_cutter(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const std::uint32_t> part_of,
                 std::size_t parts)
         : mesh_(mesh), scheme_(scheme), cutter_(mesh), first_(parts + 1, 0)
@@ -188,7 +188,7 @@ private:
     }
 
     const basic_mesh<Point, Index>& mesh_;
-    const Scheme& scheme_;
+    Scheme scheme_;
     submesh_cutter<Point, Index> cutter_;
     std::vector<std::size_t> first_;
     std::vector<Index> faces_;

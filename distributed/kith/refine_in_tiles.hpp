@@ -19,8 +19,8 @@ class tiled_refinement {
 public:
     using tile_type = tile<Point, Index>;
 
-    /// The mesh and the partition must outlive this object. Errors: mesh_error for everything that `refine` refuses but
-    /// for lack of memory, for a partition of another mesh, and for more elements than 64 bits can number.
+    /// The mesh must outlive this object. Errors: mesh_error for everything that `refine` refuses but for lack of memory,
+    /// for a partition of another mesh, and for more elements than 64 bits can number.
     /// Cost: that of the control mesh, and of refining its boundary.
     tiled_refinement(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels, const partition& parts)
         : cutter_(checked(mesh, scheme, levels), scheme, parts.part_of, parts.parts)

@@ -56,10 +56,10 @@ public:
     using tile_type = tile<Point, Index>;
     using job_type = tile_job<tile_type, Scheme>;
 
-    /// Collective. `mesh` and `parts` are read on rank 0 only and must outlive this object there; `scheme` has the same
-    /// options on all ranks, its creases count on rank 0. `last_rings`: the last level keeps its edges and so many rings
-    /// of shadows; without it only the owned faces are kept, in half of the memory. Errors: phase_error for everything
-    /// that `refine` refuses, for a partition of another mesh and for counts beyond 64 bits.
+    /// Collective. `mesh` and `parts` are read on rank 0 only, where the mesh must outlive this object; `scheme` has the
+    /// same options on all ranks, its creases count on rank 0. `last_rings`: the last level keeps its edges and so many
+    /// rings of shadows; without it only the owned faces are kept, in half of the memory. Errors: phase_error for
+    /// everything that `refine` refuses, for a partition of another mesh and for counts beyond 64 bits.
     rank_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                     const partition& parts, std::optional<int> last_rings = std::nullopt)
         : comm_(comm), scheme_(scheme), last_(last_rings ? connect::everything : connect::faces)
