@@ -21,23 +21,18 @@ public:
         : sent_(std::move(to)), received_(sizes.size())
     {
         const auto self = std::size_t(comm.rank());
-        for (std::size_t r = 0; r < sizes.size(); ++r) {
-            if (r == self)
-                continue;
-            received_[r].resize(sizes[r]);
-            comm.start_receive(received_[r], int(r), requests_);
-        }
+        for (std::size_t r = 0; r < sizes.size(); ++r) // all of it before any is under way, should there not be enough
+            if (r != self)
+                received_[r].resize(sizes[r]);
+        for (std::size_t r = 0; r < sizes.size(); ++r)
+            if (r != self)
+                comm.start_receive(received_[r], int(r), requests_);
         for (std::size_t r = 0; r < sizes.size(); ++r)
             if (r != self)
                 comm.start_send(sent_[r], int(r), requests_);
         received_[self] = std::move(sent_[self]);
     }
-    under_way(under_way&& other) noexcept
-        : sent_(std::move(other.sent_))
-        , received_(std::move(other.received_))
-        , requests_(std::exchange(other.requests_, {}))
-    {
-    }
+    under_way(under_way&&) noexcept = default; // a list that was moved from is empty, so nobody waits twice
     under_way& operator=(under_way&&) = delete;
     ~under_way() { MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
 
