@@ -40,7 +40,8 @@ inline void check(int code, const char* call)
 
 } // namespace detail
 
-/// Of the bytes that a rank has sent and received through a communicator of kith.
+/// Of the messages between two ranks that a rank has sent and received through a communicator of kith, their sizes
+/// included. What all ranks tell each other at once (broadcast, sum, to_each, ...) is not counted.
 struct traffic {
     std::uint64_t bytes_sent = 0, messages_sent = 0, bytes_received = 0, messages_received = 0;
 };
@@ -50,6 +51,7 @@ struct traffic {
 class communicator {
 public:
     /// Collective. Messages longer than `largest` bytes are sent in pieces: MPI 3.1 counts in int.
+    /// Precondition: 0 < largest < 2^31. Errors: mpi::error.
     explicit communicator(MPI_Comm parent, std::size_t largest = std::size_t(1) << 30) : largest_(largest)
     {
         detail::check(MPI_Comm_dup(parent, &comm_), "MPI_Comm_dup");
@@ -66,6 +68,7 @@ public:
     {
     }
     communicator& operator=(communicator&&) = delete;
+    /// Collective, unless an exception is on its way.
     ~communicator()
     {
         if (comm_ != MPI_COMM_NULL and std::uncaught_exceptions() == 0)
@@ -74,8 +77,11 @@ public:
 
     /// Local.
     [[nodiscard]] int rank() const { return rank_; }
+    /// Local.
     [[nodiscard]] int size() const { return size_; }
+    /// Local.
     [[nodiscard]] bool is_root() const { return rank_ == 0; }
+    /// Local.
     [[nodiscard]] const traffic& sent_and_received() const { return traffic_; }
 
     /// To one rank, which calls receive. Returns when the bytes may be changed.
@@ -94,7 +100,7 @@ public:
     void start_message(const std::uint64_t& size, std::span<const std::byte> bytes, int to,
                        std::vector<MPI_Request>& requests)
     {
-        detail::check(MPI_Isend(&size, 1, MPI_UINT64_T, to, size_tag, comm_, &requests.emplace_back()), "MPI_Isend");
+        detail::check(MPI_Isend(&size, 1, MPI_UINT64_T, to, size_tag, comm_, &requests.emplace_back(MPI_REQUEST_NULL)), "MPI_Isend");
         count_sent(sizeof size);
         start_send(bytes, to, bytes_tag, requests);
     }
@@ -127,7 +133,7 @@ public:
     {
         for_each_piece(bytes, [&](std::span<std::byte> piece) {
             detail::check(
-                MPI_Irecv(piece.data(), int(piece.size()), MPI_BYTE, from, known_tag, comm_, &requests.emplace_back()),
+                MPI_Irecv(piece.data(), int(piece.size()), MPI_BYTE, from, known_tag, comm_, &requests.emplace_back(MPI_REQUEST_NULL)),
                 "MPI_Irecv");
             count_received(piece.size());
         });
@@ -206,7 +212,7 @@ private:
     {
         for_each_piece(bytes, [&](std::span<const std::byte> piece) {
             detail::check(
-                MPI_Isend(piece.data(), int(piece.size()), MPI_BYTE, to, tag, comm_, &requests.emplace_back()),
+                MPI_Isend(piece.data(), int(piece.size()), MPI_BYTE, to, tag, comm_, &requests.emplace_back(MPI_REQUEST_NULL)),
                 "MPI_Isend");
             count_sent(piece.size());
         });
@@ -284,10 +290,13 @@ void in_agreement(communicator& comm, const Phase& phase)
 /// MPI from main's beginning to its end. An exception that leaves it ends all ranks: waiting for the others would hang.
 class session {
 public:
+    /// Collective. Ends all ranks where MPI does not allow threads beside the one that calls it. Errors: mpi::error.
     session(int& count, char**& arguments)
     {
         int provided = 0;
         detail::check(MPI_Init_thread(&count, &arguments, MPI_THREAD_FUNNELED, &provided), "MPI_Init_thread");
+        if (provided < MPI_THREAD_FUNNELED)
+            abort("kith: this MPI does not allow threads beside the one that calls it");
         std::set_terminate([] {
             std::fputs("kith: ended by an error that nobody caught\n", stderr);
             MPI_Abort(MPI_COMM_WORLD, failure_code);
@@ -295,6 +304,7 @@ public:
     }
     session(const session&) = delete;
     session& operator=(const session&) = delete;
+    /// Collective, unless an exception is on its way.
     ~session()
     {
         if (std::uncaught_exceptions() > 0)
@@ -302,7 +312,7 @@ public:
         MPI_Finalize();
     }
 
-    /// Ends all ranks at once.
+    /// Local. Ends all ranks at once.
     [[noreturn]] static void abort(const std::string& message)
     {
         std::fputs((message + "\n").c_str(), stderr);
