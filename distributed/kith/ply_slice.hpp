@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -16,6 +17,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -40,11 +42,6 @@ public:
     {
         static_assert(std::endian::native == std::endian::little, "the file is read as it lies");
         read_header();
-        in_.seekg(faces_at_);
-        degree_ = faces_ == 0 ? 3 : in_.get();
-        require(bool(in_) and (degree_ == 3 or degree_ == 4),
-                "has faces of " + std::to_string(degree_) +
-                    " vertices; files of triangles or of quads can be read in slices");
     }
 
     [[nodiscard]] global_id vertices() const { return vertices_; }
@@ -58,11 +55,10 @@ public:
                                                          global_id first_vertex, global_id end_vertex)
     {
         mesh_slice<std::array<double, 3>> result{vertices_, faces_, degree_, first_face, first_vertex, {}, {}};
-        const std::size_t face_bytes = 1 + 4 * std::size_t(degree_);
-        const auto faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes),
-                                 (end_face - first_face) * face_bytes);
+        const auto faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes()),
+                                 (end_face - first_face) * face_bytes());
         for (global_id f = first_face; f < end_face; ++f) {
-            const char* record = faces.data() + (f - first_face) * face_bytes;
+            const char* record = faces.data() + (f - first_face) * face_bytes();
             require(int(static_cast<unsigned char>(record[0])) == degree_,
                     "has face " + std::to_string(f) + " of another degree than face 0; read it on one rank");
             for (int k = 0; k < degree_; ++k) {
@@ -134,10 +130,22 @@ private:
                 return size;
         return 0;
     }
+    [[nodiscard]] std::size_t face_bytes() const { return 1 + 4 * std::size_t(degree_); }
+
+    [[nodiscard]] global_id count_of(const std::string& element, const std::string& text) const
+    {
+        global_id count = 0;
+        const char* const end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, count);
+        require(error == std::errc() and rest == end, "has '" + text + "' for the number of element " + element);
+        return count;
+    }
     void read_header()
     {
         std::array<std::optional<place>, 3> found;
-        std::string line, element, lists;
+        int elements = 0, face_properties = 0; // so far
+        bool has_corners = false;
+        std::string line;
         require(bool(std::getline(in_, line)) and line.starts_with("ply"), "is no PLY file that can be read");
         while (std::getline(in_, line) and not line.starts_with("end_header")) {
             std::istringstream words(line);
@@ -147,12 +155,14 @@ private:
                 require(type == "binary_little_endian",
                         "is not binary_little_endian; only such files are read in slices");
             if (word == "element") {
-                element = type;
-                require(element == "vertex" or element == "face" or faces_known_,
-                        "has elements before its faces; only vertices may come there");
-                (element == "vertex" ? vertices_ : element == "face" ? faces_ : others_) = std::stoull(name);
-                faces_known_ |= element == "face";
-            } else if (word == "property" and element == "vertex") {
+                ++elements;
+                require((type == "vertex") == (elements == 1) and (type == "face") == (elements == 2),
+                        "has element " + type + " out of place; vertices come first, then faces, then others");
+                if (type == "vertex")
+                    vertices_ = count_of(type, name);
+                if (type == "face")
+                    faces_ = count_of(type, name);
+            } else if (word == "property" and elements == 1) {
                 const std::size_t size = size_of(type);
                 require(size != 0, "has a property of vertices of type " + type);
                 for (std::size_t x = 0; x < 3; ++x)
@@ -161,25 +171,44 @@ private:
                         found[x] = {vertex_bytes_, size == 8};
                     }
                 vertex_bytes_ += size;
-            } else if (word == "property" and element == "face") {
+            } else if (word == "property" and elements == 2) {
                 std::string index;
                 words >> index;
-                lists += type + " " + name + " " + index + ";";
+                ++face_properties;
+                has_corners = type == "list" and size_of(name) == 1 and size_of(index) == 4 and
+                              index.find("int") != index.npos;
             }
         }
-        const bool one_list = std::ranges::count(lists, ';') == 1 and lists.starts_with("list ") and
-                              size_of(lists.substr(5, lists.find(' ', 5) - 5)) == 1 and lists.find("int") != lists.npos;
-        require(bool(in_) and found[0] and found[1] and found[2] and one_list,
+        require(bool(in_) and found[0] and found[1] and found[2] and has_corners and face_properties == 1,
                 "needs vertices with x, y, z and faces with one list of uchar and int, and nothing else");
         places_ = {*found[0], *found[1], *found[2]};
+        find_places();
+    }
+    /// Where vertices and faces lie. The numbers in the header are not believed before the file is as long as they say.
+    void find_places()
+    {
         vertices_at_ = in_.tellg();
+        in_.seekg(0, std::ios::end);
+        auto left = std::uint64_t(in_.tellg() - vertices_at_);
+        const auto too_short = [&] {
+            return "is too short for " + std::to_string(vertices_) + " vertices and " + std::to_string(faces_) +
+                   " faces of one degree";
+        };
+        require(vertices_ <= left / vertex_bytes_, too_short());
+        left -= vertices_ * vertex_bytes_;
         faces_at_ = vertices_at_ + std::streamoff(vertices_ * vertex_bytes_);
+        require(faces_ == 0 or left > 0, too_short());
+        in_.seekg(faces_at_);
+        degree_ = faces_ == 0 ? 3 : in_.get();
+        require(degree_ == 3 or degree_ == 4,
+                "has faces of " + std::to_string(degree_) +
+                    " vertices; files of triangles or of quads can be read in slices");
+        require(faces_ <= left / face_bytes(), too_short());
     }
 
     std::string path_;
     std::ifstream in_;
-    global_id vertices_ = 0, faces_ = 0, others_ = 0;
-    bool faces_known_ = false;
+    global_id vertices_ = 0, faces_ = 0;
     int degree_ = 0;
     std::uint64_t bytes_read_ = 0;
     std::size_t vertex_bytes_ = 0;

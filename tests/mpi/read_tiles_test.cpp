@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -151,4 +152,30 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     cube = shapes::cube();
     cube.faces[2].push_back(0);
     EXPECT_NE(error_of(ply).find("face 2 of another degree than face 0"), std::string::npos) << error_of(ply);
+    cube = shapes::cube();
+    const auto with = [&](const std::string& old_words, const std::string& words) {
+        std::ostringstream whole;
+        ply(whole);
+        std::string bytes = whole.str();
+        bytes.replace(bytes.find(old_words), old_words.size(), words);
+        return error_of([&](std::ostream& out) { out << bytes; });
+    };
+    const auto expect = [](const std::string& text, const std::string& part) {
+        EXPECT_NE(text.find("read_tiles_"), std::string::npos) << text; // the file is named
+        EXPECT_NE(text.find(part), std::string::npos) << text;
+    };
+    for (const char* list : {"list uint8 short", "list uchar int16", "list int int", "list uchar float", "uint"})
+        expect(with("list uchar int", list), "faces with one list of uchar and int");
+    expect(with("element vertex 8", "element vertex -5"), "has '-5' for the number of element vertex");
+    expect(with("element face 6", "element face"), "has '' for the number of element face");
+    expect(with("element face 6", "element face 6x"), "has '6x' for the number of element face");
+    expect(with("element face 6", "element vertex 6"), "has element vertex out of place");
+    expect(with("element vertex 8", "element edge 0\nelement vertex 8"), "has element edge out of place");
+    expect(with("end_header", "element vertex 9\nend_header"), "has element vertex out of place");
+    expect(with("element face 6", "element face 7"), "is too short for 8 vertices and 7 faces");
+    for (const char* many : {"99", "18446744073709551615"}) {
+        expect(with("element vertex 8", std::string("element vertex ") + many), "is too short for");
+        expect(with("element face 6", std::string("element face ") + many), "is too short for");
+    }
+    EXPECT_EQ(with("end_header", "element edge 9\nend_header"), "nothing");
 }
