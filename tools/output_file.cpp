@@ -30,8 +30,11 @@ extern "C" void remove_and_end(int signal)
     std::raise(signal);
 }
 
+} // namespace
+
 void remove_when_interrupted(const std::string& path)
 {
+    keep_when_interrupted();
     removed_on_signal = path;
     path_to_remove = removed_on_signal.c_str();
     for (const int signal : {SIGHUP, SIGINT, SIGTERM})
@@ -39,7 +42,10 @@ void remove_when_interrupted(const std::string& path)
             std::signal(signal, SIG_IGN); // as under nohup
 }
 
-} // namespace
+void keep_when_interrupted() noexcept
+{
+    path_to_remove = nullptr;
+}
 
 output_file::output_file(const std::string& path) : path_(path), stream_(&buffer_)
 {
@@ -69,7 +75,7 @@ output_file::~output_file()
         std::error_code ignored; // what cannot be removed either has been reported already
         fs::remove(written_, ignored);
     }
-    path_to_remove = nullptr;
+    keep_when_interrupted();
 }
 
 void output_file::commit()

@@ -7,6 +7,10 @@
 
 namespace kith::tool {
 
+/// Lets a signal that ends the program remove this file, one at a time, until `keep_when_interrupted`.
+void remove_when_interrupted(const std::string& path);
+void keep_when_interrupted() noexcept;
+
 /// A file that appears under its name only when it is complete: it is written next to it under another name and renamed
 /// by `commit`. Without `commit`, or when that fails, nothing is left and a file that was there before is untouched.
 /// What is no regular file (a device, a pipe) is written directly. One at a time, as the file is also removed when a signal

@@ -22,6 +22,8 @@
 #include <variant>
 #include <vector>
 
+#include <unistd.h>
+
 namespace kith::tool {
 
 namespace {
@@ -94,14 +96,19 @@ mpi::work_done begin(mpi::communicator& comm, tile_output& output, std::uint64_t
     return finished;
 }
 
-/// Where the journal is, on all ranks; rank 0 has the recipe.
+/// Collective: a number that rank 0 has, on all ranks.
+std::uint64_t number_on_root(mpi::communicator& comm, std::uint64_t number)
+{
+    return comm.sum(std::array{comm.is_root() ? number : 0})[0];
+}
+
+/// Collective: where the journal is; rank 0 has the recipe.
 std::optional<journal_place> shared_place(mpi::communicator& comm, const std::string& journal, const recipe& kept,
                                           std::uint64_t tiles)
 {
     if (journal.empty())
         return std::nullopt;
-    const auto message = comm.broadcast(packer().add(comm.is_root() ? checksum_of(kept) : 0).take());
-    return journal_place{journal, tiles, unpacker(message).get<std::uint64_t>()};
+    return journal_place{journal, tiles, number_on_root(comm, comm.is_root() ? checksum_of(kept) : 0)};
 }
 
 /// Refines, and writes the surface. `kept` is on rank 0.
@@ -112,12 +119,13 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
     const tile_request& what = request.what;
     const whole_counts counts = refinement.whole().counts(what.levels);
 
-    tile_output output(what.output,
-                       counts,
-                       refinement.tiles(),
-                       what.levels,
-                       what.with_origin,
-                       shared_place(comm, request.journal, kept, refinement.tiles()));
+    const auto place = shared_place(comm, request.journal, kept, refinement.tiles());
+    const std::uint64_t process = number_on_root(comm, std::uint64_t(getpid()));
+    std::optional<tile_output> made;
+    mpi::in_agreement(comm, [&] {
+        made.emplace(what.output, counts, refinement.tiles(), what.levels, what.with_origin, place, process);
+    });
+    tile_output& output = *made;
     mpi::work_done done, all;
     try {
         mpi::in_agreement(comm, [&] { comm.is_root() ? begin_journal(request.journal, kept, what.output) : void(); });

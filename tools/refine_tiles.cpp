@@ -13,6 +13,8 @@
 #include <utility>
 #include <variant>
 
+#include <unistd.h>
+
 namespace kith::tool {
 
 namespace {
@@ -23,8 +25,13 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
 {
     tiled_refinement refinement(request.control, scheme, request.levels, kept.parts);
     tiled_result result{refinement.whole().counts(request.levels), refinement.tiles(), 0, {}};
-    tile_output file(
-        request.output, result.counts, result.tiles, request.levels, request.with_origin, place_of(journal, kept));
+    tile_output file(request.output,
+                     result.counts,
+                     result.tiles,
+                     request.levels,
+                     request.with_origin,
+                     place_of(journal, kept),
+                     std::uint64_t(getpid()));
     begin_journal(journal, kept, request.output);
     try {
         file.begin();

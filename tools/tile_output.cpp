@@ -2,6 +2,7 @@
 #include "tile_output.hpp"
 
 #include "errors.hpp"
+#include "output_file.hpp"
 
 #include <kith/checksum.hpp>
 #include <kith/vtu_pieces.hpp>
@@ -54,8 +55,10 @@ void require_tile_format(const std::string& path)
 }
 
 tile_output::tile_output(const std::string& path, const whole_counts& counts, std::uint64_t tiles, int level,
-                         bool with_origin, const std::optional<journal_place>& journal)
-    : path_(path), incomplete_(journal ? (fs::path(journal->directory) / "surface").string() : path + ".incomplete")
+                         bool with_origin, const std::optional<journal_place>& journal, std::uint64_t process)
+    : path_(path)
+    , incomplete_(journal ? (fs::path(journal->directory) / "surface").string()
+                          : path + ".incomplete-" + std::to_string(process))
 {
     require_tile_format(path);
     if (extension_of(path) == ".pvtu") {
@@ -78,9 +81,14 @@ void tile_output::begin()
     std::error_code failed;
     if (fs::is_directory(path_, failed))
         throw file_error(path_ + ": is a directory, not a file");
-    if (not pieces_.empty()) {
+    if (not pieces_.empty())
         require_pieces_only(pieces_);
-        if (not journal_)
+    if (not journal_) {
+        is_ours_ = true;
+        remove_when_interrupted(incomplete_);
+    }
+    if (not pieces_.empty()) {
+        if (is_ours_)
             fs::remove_all(incomplete_pieces(), failed);
         fs::create_directory(incomplete_pieces(), failed);
         if (failed)
@@ -143,16 +151,20 @@ void tile_output::commit()
         throw file_error(path_ + ": cannot be written: " + failed.message());
     if (journal_)
         remove_journal(journal_directory_);
+    is_ours_ = false;
+    keep_when_interrupted();
 }
 
 void tile_output::abandon() noexcept
 {
-    if (journal_)
+    if (not is_ours_)
         return;
     std::remove(incomplete_.c_str());
     std::error_code ignored; // the error that led here is told
     if (not pieces_.empty())
         fs::remove_all(incomplete_pieces(), ignored);
+    is_ours_ = false;
+    keep_when_interrupted();
 }
 
 } // namespace kith::tool

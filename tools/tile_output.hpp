@@ -25,13 +25,15 @@ class tile_output {
 public:
     using tile_type = tile<std::array<double, 3>, std::uint32_t>;
 
+    /// `process` is the id of the one that begins, so that no other job writes under the same name until it is complete.
     /// Errors: mesh_error for what the format cannot hold.
     tile_output(const std::string& path, const whole_counts& counts, std::uint64_t tiles, int level, bool with_origin,
-                const std::optional<journal_place>& journal);
+                const std::optional<journal_place>& journal, std::uint64_t process);
     tile_output(const tile_output&) = delete;
     tile_output& operator=(const tile_output&) = delete;
 
-    /// Makes the file, under another name until it is complete; with a journal, unless it is there.
+    /// Makes the file, under another name until it is complete; with a journal, unless it is there. Without one a signal
+    /// that ends the program removes the file again, though not the pieces of .pvtu.
     /// Errors: file_error, write_error.
     void begin();
     void open();
@@ -42,7 +44,7 @@ public:
     void close();
     /// Gives the file its name; nothing of the journal is left then. Errors: file_error, write_error.
     void commit();
-    /// Leaves nothing behind but what is in a journal; nothing happens after commit.
+    /// Leaves nothing behind of what this process has begun but what is in a journal; nothing happens after commit.
     void abandon() noexcept;
 
 private:
@@ -54,6 +56,7 @@ private:
     std::string journal_directory_;
     std::optional<tile_journal> journal_;
     std::optional<offset_file> file_;
+    bool is_ours_ = false; ///< what stands under the other name, to be removed
 };
 
 } // namespace kith::tool

@@ -31,6 +31,10 @@ on 2 refine cube.off -s catmull-clark -n 15 -o nowhere/out.vtu --memory-per-rank
 exits 1
 says 'nowhere/out.vtu'
 one_message
+on 3 refine cube.off -s catmull-clark -n 15 -o out.ply
+exits 1
+says 'PLY numbers 2147483647 vertices at most'
+one_message
 on 3 refine cube.off -s catmull-clark -n 40 -o out.vtu
 exits 1
 says 'refine fewer times|more elements than'

@@ -86,20 +86,26 @@ says 'standard output'
 only_input_left cube.off
 
 # A signal that ends the program leaves nothing either.
-for signal in TERM HUP; do
-    command="kith refine, ended by $signal"
-    "$kith" refine cube.off -s catmull-clark -n 9 -o out.off >"$results/out" 2>"$results/err" &
+interrupted() { # interrupted SIGNAL ARGUMENTS...: ends `kith refine` while it writes
+    local signal=$1 process
+    shift
+    command="kith refine $*, ended by $signal"
+    "$kith" refine "$@" >"$results/out" 2>"$results/err" &
     process=$!
     for _ in $(seq 500); do
-        compgen -G 'out.off.incomplete-*' >/dev/null && break
+        compgen -G 'out.*.incomplete-*' >/dev/null && break
         sleep 0.02
     done
-    check "the file is being written" compgen -G 'out.off.incomplete-*' >/dev/null
-    kill -$signal $process
+    check "the file is being written" compgen -G 'out.*.incomplete-*' >/dev/null
+    kill -"$signal" $process
     wait $process
     code=$?
-    exits $((128 + $(kill -l $signal)))
+    exits $((128 + $(kill -l "$signal")))
     only_input_left cube.off
+}
+for signal in TERM HUP; do
+    interrupted $signal cube.off -s catmull-clark -n 9 -o out.off
+    interrupted $signal cube.off -s catmull-clark -n 10 -o out.ply --tiles 6
 done 2>/dev/null
 
 # A file may be its own result.
