@@ -180,7 +180,9 @@ template <class Scheme>
 void refine_slices(mpi::communicator& comm, const rank_request& request, const Scheme& scheme)
 {
     const int levels = request.what.levels;
-    auto read = mpi::read_tiles(comm, request.input, std::max(1, ring_schedule(scheme, levels)[0]));
+    int rings = 1;
+    mpi::in_agreement(comm, [&] { rings = std::max(rings, ring_schedule(scheme, levels)[0]); });
+    auto read = mpi::read_tiles(comm, request.input, rings);
     mpi::rank_refinement refinement(comm, std::move(read.tiles), read.counts, scheme, levels);
     write_surface(comm, request, scheme, {}, refinement);
 }
@@ -196,10 +198,8 @@ void refine_ranks(mpi::communicator& comm, rank_request& request)
             if constexpr (reaching_scheme<Scheme>)
                 request.slices ? refine_slices(comm, request, scheme) : refine_by(comm, request, scheme);
             else
-                mpi::in_agreement(comm, [] {
-                    throw usage_error(std::string(kith::scheme_name<Scheme>()) +
-                                      " has no reach, so no tiles; use kith refine");
-                });
+                throw usage_error(std::string(kith::scheme_name<Scheme>()) + // on all ranks
+                                  " has no reach, so no tiles; use kith refine");
         },
         request.what.scheme);
 }

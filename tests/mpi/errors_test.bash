@@ -17,6 +17,10 @@ on 3 refine cube.off -s catmull-clark -n 1 -o out.stl
 exits 2
 says 'tiles are written to .vtu or .ply'
 one_message
+on 3 refine cube.off -s unified -n 1 -o out.vtu
+exits 2
+says 'unified has no reach, so no tiles; use kith refine'
+one_message
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --mode some
 exits 2
 says "'some' is not one of spmd, manager"
