@@ -160,13 +160,8 @@ private:
     {
         using index = typename Tile::index_type;
         const auto& mesh = part.mesh;
-        const auto incomplete = incomplete_vertices(part);
-        std::vector<index> seeds;
-        for (std::size_t f = 0; f < mesh.face_count(); ++f)
-            if (not part.owns_face(f) or std::ranges::any_of(mesh.face(f), [&](index v) { return incomplete[v] != 0; }))
-                seeds.push_back(index(f));
         std::vector<unsigned char> result(ids_of(part, kind).size(), 0);
-        for (const index f : submesh_cutter(mesh).faces_around(seeds, rings + 1))
+        for (const index f : submesh_cutter(mesh).faces_around(faces_at_cuts(part), rings + 1))
             for (std::size_t c = mesh.topology().first_corner(f); c < mesh.topology().first_corner(f + 1); ++c)
                 result[kind == element_kind::vertex ? mesh.topology().corner_vertex[c]
                        : kind == element_kind::edge ? mesh.topology().corner_halfedge[c] / 2

@@ -72,13 +72,7 @@ public:
         std::vector<std::vector<offer>> offers(std::size_t(comm.size()));
         for (std::size_t t = 0; t < tiles.size(); ++t) {
             const Tile& part = tiles[t].part;
-            const auto incomplete = incomplete_vertices(part);
-            std::vector<index> near;
-            for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
-                if (not part.owns_face(f) or
-                    std::ranges::any_of(part.mesh.face(f), [&](index v) { return incomplete[v] != 0; }))
-                    near.push_back(index(f));
-            for (const index f : submesh_cutter(part.mesh).faces_around(near, rings))
+            for (const index f : submesh_cutter(part.mesh).faces_around(faces_at_cuts(part), rings))
                 if (part.owns_face(f))
                     for (const index v : part.mesh.face(f)) {
                         const global_id id = part.vertex_ids[v];
@@ -194,14 +188,8 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
         std::vector<tile_patch<Point>> more(tiles.size());
         for (std::size_t rank = 0; rank < ranks; ++rank)
             for (std::size_t f = 0, corner = 0; f < came[rank].faces.size(); ++f) {
-                auto& patch = more[wanting[rank][f]];
-                const auto degree = std::ptrdiff_t(came[rank].faces[f].degree), first = std::ptrdiff_t(corner);
-                const auto& [faces, corners, vertices] = came[rank];
-                patch.faces.push_back(faces[f]);
-                patch.corners.insert(patch.corners.end(), corners.begin() + first, corners.begin() + first + degree);
-                patch.vertices.insert(
-                    patch.vertices.end(), vertices.begin() + first, vertices.begin() + first + degree);
-                corner += std::size_t(degree);
+                more[wanting[rank][f]].append_face(came[rank], f, corner);
+                corner += came[rank].faces[f].degree;
             }
         for (std::size_t t = 0; t < tiles.size(); ++t) {
             auto& part = tiles[t].part;

@@ -4,6 +4,7 @@
 #include "submesh.hpp"
 #include "tile.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -70,6 +71,21 @@ std::vector<unsigned char> incomplete_vertices(const Tile& part)
             const auto c = t.halfedge_corner[2 * e];
             result[t.corner_vertex[c]] = result[t.corner_vertex[detail::next_corner(t, c)]] = 1;
         }
+    return result;
+}
+
+/// The faces that another tile may see: the shadows, and those at a vertex that has faces elsewhere.
+/// Precondition: the tile has its edges.
+template <class Tile>
+std::vector<typename Tile::index_type> faces_at_cuts(const Tile& part)
+{
+    using index = typename Tile::index_type;
+    const auto incomplete = incomplete_vertices(part);
+    std::vector<index> result;
+    for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+        if (not part.owns_face(f) or
+            std::ranges::any_of(part.mesh.face(f), [&](index v) { return incomplete[v] != 0; }))
+            result.push_back(index(f));
     return result;
 }
 

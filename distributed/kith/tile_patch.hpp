@@ -45,6 +45,14 @@ struct tile_patch {
         corners.insert(corners.end(), more.corners.begin(), more.corners.end());
         vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
     }
+    /// One face of a patch that has its vertices in the order of its corners; `first` is where those of the face begin.
+    void append_face(const tile_patch& from, std::size_t face, std::size_t first)
+    {
+        const auto begin = std::ptrdiff_t(first), end = std::ptrdiff_t(first + from.faces[face].degree);
+        faces.push_back(from.faces[face]);
+        corners.insert(corners.end(), from.corners.begin() + begin, from.corners.begin() + end);
+        vertices.insert(vertices.end(), from.vertices.begin() + begin, from.vertices.begin() + end);
+    }
 };
 
 /// These faces of a tile that has its edges. Where all of a vertex's faces are in the tile its fan's start is known.

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -38,16 +37,11 @@ tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& sl
     const auto missing = links.faces_around();
     const auto asked = all_to_all(comm, missing);
     std::vector<std::vector<std::byte>> replies(asked.size());
-    const auto degree = std::ptrdiff_t(slice.degree);
     for (std::size_t rank = 0; rank < asked.size(); ++rank) {
         tile_patch<Point> reply;
         for (const global_id face : asked[rank]) {
-            const auto f = std::ptrdiff_t(face - slice.first_face);
-            const auto corner = patch.corners.begin() + f * degree;
-            const auto vertex = patch.vertices.begin() + f * degree;
-            reply.faces.push_back(patch.faces[std::size_t(f)]);
-            reply.corners.insert(reply.corners.end(), corner, corner + degree);
-            reply.vertices.insert(reply.vertices.end(), vertex, vertex + degree);
+            const std::size_t f = face - slice.first_face;
+            reply.append_face(patch, f, f * std::size_t(slice.degree));
         }
         replies[rank] = pack_patch(reply);
     }
