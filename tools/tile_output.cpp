@@ -36,14 +36,6 @@ void require_pieces_only(const std::string& directory)
                              entry.path().filename().string() + "; remove it, or name another output");
 }
 
-std::uint64_t owned_faces(const tile_output::tile_type& part)
-{
-    std::uint64_t result = 0;
-    for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
-        result += part.owns_face(f);
-    return result;
-}
-
 } // namespace
 
 void require_tile_format(const std::string& path)
@@ -119,7 +111,7 @@ std::vector<std::optional<finished_tile>> tile_output::finished()
 finished_tile tile_output::write(const tile_type& part, cell_origin origin)
 {
     layout_->write_tile(*file_, part, origin);
-    const finished_tile finished{owned_faces(part), checksum(part)};
+    const finished_tile finished{owned_count(part.face_marks), checksum(part)};
     if (journal_)
         journal_->add(*file_, origin.tile, finished);
     return finished;

@@ -103,10 +103,8 @@ basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_til
     std::array<std::uint64_t, 2> owned{0, 0};
     for (const auto& [number, part] : tiles) {
         form = {double(part.mesh.topology().degree), double(part.mesh.generation())};
-        for (const unsigned char mark : part.vertex_marks)
-            owned[0] += mark & owned_mark;
-        for (const unsigned char mark : part.face_marks)
-            owned[1] += mark & owned_mark;
+        owned[0] += owned_count(part.vertex_marks);
+        owned[1] += owned_count(part.face_marks);
     }
     const auto [degree, generation] = comm.maximum(form);
     owned = comm.sum(owned);

@@ -165,8 +165,7 @@ private:
         std::array<std::uint64_t, 3> owned{};
         for (const auto& [number, part] : tiles_)
             for (const auto kind : {element_kind::vertex, element_kind::edge, element_kind::face})
-                for (const unsigned char mark : marks_of(part, kind))
-                    owned[std::size_t(kind)] += mark & owned_mark;
+                owned[std::size_t(kind)] += owned_count(marks_of(part, kind));
         owned = comm_.sum(owned);
         if (owned != std::array{counts_.vertices, counts_.edges, counts_.faces})
             throw phase_error(0,

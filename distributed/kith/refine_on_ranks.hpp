@@ -251,12 +251,10 @@ private:
         work_done more{.tiles = 1};
         const auto count = [&](const tile_type& part) {
             more.kept_faces += part.mesh.face_count();
-            for (const unsigned char mark : part.face_marks)
-                more.useful_faces += mark & owned_mark;
+            more.useful_faces += owned_count(part.face_marks);
         };
         job.part = kith::refine(std::move(job.part), std::move(job.scheme), *whole_, last_, count);
-        for (const unsigned char mark : job.part.face_marks)
-            more.owned_faces += mark & owned_mark;
+        more.owned_faces = owned_count(job.part.face_marks);
         more.checksum = checksum(job.part);
         done += more;
         use(number, std::move(job.part));

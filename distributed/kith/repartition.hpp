@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <string>
@@ -31,8 +32,7 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbe
             break;
         }
         ++seen[number];
-        for (const unsigned char mark : part.face_marks)
-            faces[number] += mark & owned_mark;
+        faces[number] += owned_count(part.face_marks);
     }
     comm.agree(problem);
     seen = comm.sum(std::move(seen));
@@ -64,7 +64,8 @@ inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_t
 /// Collective: moves tiles of any level to other ranks; tile t goes to rank `rank_of[t]`, which is the same list on all
 /// ranks. Returns those that are here now, in the order of their numbers, with all they knew: their roots on level 0 travel
 /// with them, and the tuple that an element came from is whole_numbering::origin of its number, on any rank.
-/// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory.
+/// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory where
+/// messages are made and taken apart; mpi::error, and std::bad_alloc in between, which no other rank hears of.
 /// Cost: a message per pair of ranks; the tiles of this rank are in memory twice meanwhile.
 template <class Point, class Index>
 std::vector<numbered_tile<tile<Point, Index>>>

@@ -4,6 +4,7 @@
 #include <kith/basic_mesh.hpp>
 #include <kith/storage.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -18,6 +19,14 @@ enum tile_mark : unsigned char {
     cut_mark = 2,    ///< edges: it has a second face in the whole mesh, which is not here; no boundary edge
     turned_mark = 4, ///< edges: side 0 of the whole mesh is what is not here, so the sides have changed places
 };
+
+/// Of so many marks those of elements that the tile owns.
+template <class Marks>
+std::uint64_t owned_count(const Marks& marks)
+{
+    return std::uint64_t(
+        std::count_if(marks.begin(), marks.end(), [](unsigned char mark) { return (mark & owned_mark) != 0; }));
+}
 
 /// A part of a mesh that is refined alone: its owned faces, and around them as many rings of shadow faces (faces that
 /// share a vertex) as the scheme reaches in the levels to come. Numbers here are in the order of the global ids, faces
