@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "error_text.hpp"
 #include "native_shape.hpp"
 #include "shapes.hpp"
 #include "tiles.hpp"
@@ -147,6 +148,16 @@ TEST(vtu_pieces, are_named_in_the_index)
     EXPECT_NE(text.find("<Piece Source=\"beside/0.vtu\"/>\n<Piece Source=\"beside/1.vtu\"/>\n</PUnst"), text.npos);
     EXPECT_NE(text.find("<PPointData GlobalIds=\"GlobalPointIds\">"), text.npos);
     EXPECT_EQ(text.find("\"tile\""), text.npos);
+}
+
+TEST(offset_file, says_that_it_ends_early)
+{
+    const directory here;
+    auto file = kith::offset_file::create((here.path / "file").string(), 8);
+    std::array<char, 9> bytes{};
+    EXPECT_NO_THROW(file.read(0, bytes.data(), 8));
+    const std::string text = error_text<kith::write_error>([&] { file.read(0, bytes.data(), 9); });
+    EXPECT_NE(text.find("file: cannot be read back (it ends early)"), text.npos) << text;
 }
 
 TEST(vtu_file, holds_what_any_reader_finds)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/error.hpp>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
@@ -74,37 +72,32 @@ public:
     /// Errors: write_error, also when the file ends before.
     void read(std::uint64_t offset, void* data, std::size_t size)
     {
-        char* bytes = static_cast<char*>(data);
-        while (size > 0) {
-            errno = 0;
-            const ssize_t count = ::pread(descriptor_, bytes, std::min(size, largest), off_t(offset));
-            if (count < 0 and errno == EINTR)
-                continue;
-            if (count <= 0)
-                refuse("cannot be read back");
-            bytes += count;
-            offset += std::uint64_t(count);
-            size -= std::size_t(count);
-        }
+        transfer(::pread, offset, static_cast<char*>(data), size, "cannot be read back");
     }
     void write(std::uint64_t offset, const void* data, std::size_t size)
     {
-        const char* bytes = static_cast<const char*>(data);
-        while (size > 0) {
-            const ssize_t written = ::pwrite(descriptor_, bytes, std::min(size, largest), off_t(offset));
-            if (written < 0 and errno == EINTR)
-                continue;
-            if (written <= 0)
-                refuse("cannot be written");
-            bytes += written;
-            offset += std::uint64_t(written);
-            size -= std::size_t(written);
-        }
+        transfer(::pwrite, offset, static_cast<const char*>(data), size, "cannot be written");
     }
 
 private:
     static constexpr std::size_t largest = std::size_t(256) << 20; // one call of some systems writes 2 GiB at most
 
+    template <class Call, class Byte>
+    void transfer(const Call& call, std::uint64_t offset, Byte* bytes, std::size_t size, const std::string& failure)
+    {
+        while (size > 0) {
+            const ssize_t count = call(descriptor_, bytes, std::min(size, largest), off_t(offset));
+            if (count == 0)
+                throw write_error(path_ + ": " + failure + " (it ends early)");
+            if (count < 0 and errno == EINTR)
+                continue;
+            if (count < 0)
+                refuse(failure);
+            bytes += count;
+            offset += std::uint64_t(count);
+            size -= std::size_t(count);
+        }
+    }
     offset_file(const std::string& path, int flags) : path_(path), descriptor_(::open(path.c_str(), flags, 0666))
     {
         if (descriptor_ < 0)
