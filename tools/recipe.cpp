@@ -19,11 +19,8 @@ namespace {
 
 constexpr std::uint64_t kind_of_recipe = 0x6b697468'72637031; // "kithrcp1", turned round on other machines
 
-std::string text_of(const std::optional<double>& value)
-{
-    return value ? to_json(*value) : "";
-}
-std::string text_of(const std::optional<int>& value)
+template <class Number>
+std::string text_of(const std::optional<Number>& value)
 {
     return value ? to_json(*value) : "";
 }
@@ -82,9 +79,15 @@ basic_mesh<> unpack_control(const std::vector<std::byte>& bytes, any_scheme& sch
     return {std::move(points), std::move(t), generation};
 }
 
-void add_text(packer& out, const std::string& text)
+void add_settings(packer& out, const recipe& recipe)
 {
-    out.add_array(text);
+    for (const auto& [name, value] : recipe.settings)
+        out.add_array(name).add_array(value);
+}
+/// What the surface and its tiles are made of.
+void add_mesh(packer& out, const recipe& recipe)
+{
+    out.add_array(recipe.control).add_array(recipe.parts.part_of).add(std::uint64_t(recipe.parts.parts));
 }
 std::string next_text(unpacker& in)
 {
@@ -142,12 +145,9 @@ std::vector<std::byte> pack_recipe(const recipe& recipe)
 {
     packer out;
     out.add(kind_of_recipe).add(std::uint64_t(recipe.settings.size()));
-    for (const auto& [name, value] : recipe.settings) {
-        add_text(out, name);
-        add_text(out, value);
-    }
-    add_text(out, recipe.output);
-    out.add_array(recipe.control).add_array(recipe.parts.part_of).add(std::uint64_t(recipe.parts.parts));
+    add_settings(out, recipe);
+    out.add_array(recipe.output);
+    add_mesh(out, recipe);
     out.add(checksum_of(recipe));
     return out.take();
 }
@@ -174,11 +174,8 @@ recipe unpack_recipe(const std::vector<std::byte>& bytes)
 std::uint64_t checksum_of(const recipe& recipe)
 {
     packer all;
-    for (const auto& [name, value] : recipe.settings) {
-        add_text(all, name);
-        add_text(all, value);
-    }
-    all.add_array(recipe.control).add_array(recipe.parts.part_of).add(std::uint64_t(recipe.parts.parts));
+    add_settings(all, recipe);
+    add_mesh(all, recipe);
     return kith::detail::checksum_of_bytes(all.take());
 }
 
