@@ -79,6 +79,15 @@ int levels_of(const po::variables_map& values)
     return levels;
 }
 
+std::uint64_t count_from(const po::variables_map& values, const std::string& option, std::int64_t most)
+{
+    const auto count = values.count(option) != 0 ? values[option].as<std::int64_t>() : 1;
+    if (count < 1 or count > most)
+        throw usage_error("--" + option + ": " + std::to_string(count) + " were asked for; ask for 1 or more" +
+                          (most == INT64_MAX ? "" : ", up to " + std::to_string(most)));
+    return std::uint64_t(count);
+}
+
 std::uint64_t bytes_from(const std::string& text)
 {
     double value = 0;

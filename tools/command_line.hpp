@@ -53,6 +53,10 @@ std::string required(const boost::program_options::variables_map& values, const 
 /// --levels: 0 or more. Errors: usage_error.
 int levels_of(const boost::program_options::variables_map& values);
 
+/// An option that counts: from 1 up to `most`, and 1 when it is not given. Errors: usage_error.
+std::uint64_t count_from(const boost::program_options::variables_map& values, const std::string& option,
+                         std::int64_t most = INT64_MAX);
+
 /// A number of bytes: 500M, 1.5G; K, M, G and T are powers of 1024. Errors: usage_error.
 std::uint64_t bytes_from(const std::string& text);
 std::uint64_t physical_memory();

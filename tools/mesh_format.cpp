@@ -8,13 +8,19 @@
 
 namespace kith::tool {
 
+std::string extension_of(const std::string& path)
+{
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(
+        extension, extension.begin(), [](char c) { return c >= 'A' and c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return extension;
+}
+
 mesh_format format_of(const std::string& path)
 {
     if (path == standard_stream)
         return mesh_format::off;
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(
-        extension, extension.begin(), [](char c) { return c >= 'A' and c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    const std::string extension = extension_of(path);
     if (extension == ".off")
         return mesh_format::off;
     if (extension == ".obj")

@@ -12,17 +12,6 @@ namespace {
 
 namespace po = boost::program_options;
 
-std::uint64_t count_of(const po::variables_map& values, const char* option, std::uint64_t otherwise)
-{
-    if (values.count(option) == 0)
-        return otherwise;
-    const auto count = values[option].as<std::int64_t>();
-    if (count < 1)
-        throw usage_error("--" + std::string(option) + ": " + std::to_string(count) +
-                          " were asked for; ask for 1 or more");
-    return std::uint64_t(count);
-}
-
 mpi::sharing sharing_named(const std::string& name)
 {
     if (name == "spmd")
@@ -86,8 +75,8 @@ std::optional<rank_request> rank_request_from(const verb& verb, const std::vecto
         request.what = tile_request_from(*values);
     }
     request.sharing = sharing_named(text("mode", "spmd"));
-    request.tiles_per_rank = count_of(*values, "tiles-per-rank", 1);
-    request.threads = count_of(*values, "threads", 1);
+    request.tiles_per_rank = count_from(*values, "tiles-per-rank");
+    request.threads = count_from(*values, "threads");
     request.memory_per_rank = values->count("memory-per-rank") != 0 ? bytes_from(text("memory-per-rank", "")) : 0;
     request.partitioner = partitioner_from(*values);
     request.stats = text("stats", "");

@@ -50,16 +50,6 @@ void print_json(const std::vector<planned_level>& levels)
               << '\n';
 }
 
-std::uint64_t count_of(const po::variables_map& values, const char* option)
-{
-    const auto count = values.count(option) != 0 ? values[option].as<std::int64_t>() : 1;
-    constexpr std::int64_t most = UINT32_MAX;
-    if (count < 1 or count > most)
-        throw usage_error("--" + std::string(option) + ": " + std::to_string(count) +
-                          " were asked for; ask for 1 or more, up to " + std::to_string(most));
-    return std::uint64_t(count);
-}
-
 void print_table(const planned_ranks& plan)
 {
     std::cout << "rings of shadows on level 0: " << plan.rings
@@ -89,8 +79,8 @@ void print_json(const planned_ranks& plan)
 
 void print_ranks(const po::variables_map& values, const any_scheme& scheme, const basic_mesh<>& control, int levels)
 {
-    const std::uint64_t ranks = count_of(values, "ranks");
-    const std::uint64_t tiles = ranks * count_of(values, "tiles-per-rank");
+    const std::uint64_t ranks = count_from(values, "ranks", UINT32_MAX);
+    const std::uint64_t tiles = ranks * count_from(values, "tiles-per-rank", UINT32_MAX);
     const partition parts = make_partition(partitioner_from(values), control, tiles);
     const planned_ranks plan = plan_ranks(scheme, control, levels, parts, ranks);
     if (values.count("json") != 0)

@@ -4,12 +4,12 @@
 #include "errors.hpp"
 #include "journal.hpp"
 #include "json.hpp"
+#include "mesh_format.hpp"
 #include "partition_options.hpp"
 #include "refine_tiles.hpp"
 #include "tile_options.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -19,14 +19,6 @@ namespace kith::tool {
 namespace {
 
 namespace po = boost::program_options;
-
-std::uint64_t tiles_from(const po::variables_map& values)
-{
-    const auto tiles = values.count("tiles") != 0 ? values["tiles"].as<std::int64_t>() : 1;
-    if (tiles < 1)
-        throw usage_error("--tiles: " + std::to_string(tiles) + " were asked for; ask for 1 or more");
-    return std::uint64_t(tiles);
-}
 
 void print(const tile_request& request, const std::string& journal, const tiled_result& result, bool as_json)
 {
@@ -58,7 +50,7 @@ bool is_tile_format_only(const po::variables_map& values)
 {
     if (values.count("output") == 0)
         return false;
-    const auto extension = std::filesystem::path(values["output"].as<std::string>()).extension();
+    const std::string extension = extension_of(values["output"].as<std::string>());
     return extension == ".vtu" or extension == ".pvtu";
 }
 
@@ -78,7 +70,7 @@ int run_refine_tiles(const po::variables_map& values)
     std::string partitioner = "metis";
     if (names_input(values, {"only", "threads", "json"})) {
         request = tile_request_from(values);
-        tiles = tiles_from(values);
+        tiles = count_from(values, "tiles");
         partitioner = partitioner_from(values);
         require_reach(request);
         read_control(request, required(values, "IN"));

@@ -2,12 +2,12 @@
 #include "tile_output.hpp"
 
 #include "errors.hpp"
+#include "mesh_format.hpp"
 #include "output_file.hpp"
 
 #include <kith/checksum.hpp>
 #include <kith/vtu_pieces.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -17,14 +17,6 @@ namespace kith::tool {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string extension_of(const std::string& path)
-{
-    std::string extension = fs::path(path).extension().string();
-    std::ranges::transform(
-        extension, extension.begin(), [](char c) { return c >= 'A' and c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return extension;
-}
 
 /// What is replaced holds nothing but pieces. Errors: file_error.
 void require_pieces_only(const std::string& directory)

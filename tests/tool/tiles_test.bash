@@ -18,6 +18,11 @@ done
 has one.vtu 'NumberOfPoints="1538" NumberOfCells="1536"'
 has one.vtu 'Name="parent"'
 
+run refine cube.off -s catmull-clark -n 4 -o TWO.VTU # needs no --tiles, in any case of letters
+exits 0
+same one.vtu TWO.VTU
+rm TWO.VTU
+
 # The PLY file is the surface that is refined without tiles.
 run refine tetra.off -s loop -n 5 -o tiles.ply --tiles 3
 exits 0
