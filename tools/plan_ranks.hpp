@@ -16,7 +16,7 @@ struct planned_rank {
     std::uint64_t tiles = 0;
     std::uint64_t faces = 0;         ///< of level 0, owned
     std::uint64_t shadows = 0;       ///< faces of level 0 around them, once per tile
-    std::uint64_t message_bytes = 0; ///< of its tiles of level 0, all that it is sent
+    std::uint64_t message_bytes = 0; ///< of its tiles of level 0 as they are sent; rank 0 keeps its own
     std::uint64_t last_faces = 0;    ///< of the last level, owned
     std::uint64_t tile_bytes = 0;    ///< of the last level of its largest tile
     std::uint64_t output_bytes = 0;  ///< of the .vtu file, its part

@@ -24,9 +24,10 @@ struct recipe {
 
 recipe recipe_of(const tile_request& request, partition parts);
 
-/// Settings only: a request without its control mesh, as ranks other than 0 have it. Errors: usage_error.
+/// Settings only: a request without its control mesh, as ranks other than 0 have it. Errors: usage_error, and file_error
+/// for a setting that is missing.
 tile_request request_from(const recipe& recipe);
-/// The inverse of recipe_of. Errors: file_error for bytes that are none.
+/// The inverse of recipe_of, but for the partition. Errors: as request_from, and pack_error for bytes that end too early.
 tile_request request_with_control(const recipe& recipe);
 
 /// As bytes, with their checksum. Cost: that of the control mesh.
@@ -34,10 +35,11 @@ std::vector<std::byte> pack_recipe(const recipe& recipe);
 /// Errors: pack_error.
 recipe unpack_recipe(const std::vector<std::byte>& bytes);
 
-/// Stands for the recipe, the partition included.
+/// Stands for the recipe, the partition included, but not for the name of the output.
 std::uint64_t checksum_of(const recipe& recipe);
 
-/// Of the setting in which two recipes differ first, or empty: "its levels are '3', here they are '4'".
+/// The setting in which two recipes differ first, or nothing: "its levels is '3', not '4'". Errors: file_error for a setting
+/// that is missing.
 std::string difference(const recipe& kept, const recipe& asked);
 
 } // namespace kith::tool

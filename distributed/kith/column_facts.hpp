@@ -17,8 +17,8 @@ using columns_type = decltype(columns_of(std::declval<const Scheme&>(), 0));
 
 namespace detail {
 
-/// Picks tuples anywhere, by marks of edges, and says how many: `before(n, m)` of the first n tuples of the whole mesh,
-/// where m edges before the one of the last tuple are marked.
+/// Picks tuples anywhere, by marks of edges, and says how many: `before(n, m)` is how many of the tuples before the n-th of
+/// the whole mesh it picks, with m marked edges before that of the n-th.
 template <class Where>
 concept picks_by_marks = requires(const Where& where, global_id n) {
     { where.keep.before(n, n) } -> std::same_as<global_id>;

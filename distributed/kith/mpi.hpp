@@ -100,7 +100,8 @@ public:
     void start_message(const std::uint64_t& size, std::span<const std::byte> bytes, int to,
                        std::vector<MPI_Request>& requests)
     {
-        detail::check(MPI_Isend(&size, 1, MPI_UINT64_T, to, size_tag, comm_, &requests.emplace_back(MPI_REQUEST_NULL)), "MPI_Isend");
+        detail::check(MPI_Isend(&size, 1, MPI_UINT64_T, to, size_tag, comm_, &requests.emplace_back(MPI_REQUEST_NULL)),
+                      "MPI_Isend");
         count_sent(sizeof size);
         start_send(bytes, to, bytes_tag, requests);
     }
@@ -132,9 +133,14 @@ public:
     void start_receive(std::span<std::byte> bytes, int from, std::vector<MPI_Request>& requests)
     {
         for_each_piece(bytes, [&](std::span<std::byte> piece) {
-            detail::check(
-                MPI_Irecv(piece.data(), int(piece.size()), MPI_BYTE, from, known_tag, comm_, &requests.emplace_back(MPI_REQUEST_NULL)),
-                "MPI_Irecv");
+            detail::check(MPI_Irecv(piece.data(),
+                                    int(piece.size()),
+                                    MPI_BYTE,
+                                    from,
+                                    known_tag,
+                                    comm_,
+                                    &requests.emplace_back(MPI_REQUEST_NULL)),
+                          "MPI_Irecv");
             count_received(piece.size());
         });
     }
@@ -211,9 +217,14 @@ private:
     void start_send(std::span<const std::byte> bytes, int to, int tag, std::vector<MPI_Request>& requests)
     {
         for_each_piece(bytes, [&](std::span<const std::byte> piece) {
-            detail::check(
-                MPI_Isend(piece.data(), int(piece.size()), MPI_BYTE, to, tag, comm_, &requests.emplace_back(MPI_REQUEST_NULL)),
-                "MPI_Isend");
+            detail::check(MPI_Isend(piece.data(),
+                                    int(piece.size()),
+                                    MPI_BYTE,
+                                    to,
+                                    tag,
+                                    comm_,
+                                    &requests.emplace_back(MPI_REQUEST_NULL)),
+                          "MPI_Isend");
             count_sent(piece.size());
         });
     }

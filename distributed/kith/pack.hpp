@@ -24,7 +24,7 @@ struct pack_error : std::runtime_error {
 };
 
 /// Appends plain values and arrays to a message. The bytes are those of this machine: messages stay within one job on
-/// machines of one kind, which `kind_of_machine` in the head of a message makes sure of.
+/// machines of one kind, which `kind_of_message` in the head of those with tiles makes sure of.
 class packer {
 public:
     template <class T>

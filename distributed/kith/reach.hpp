@@ -10,9 +10,9 @@
 
 namespace kith {
 
-/// A scheme that says how far its masks reach: `static constexpr int reach(int k)` is the number of rings of faces (that
-/// share a vertex) needed around the owned faces of a level, so that on the next level k rings around their children are
-/// right: points, faces and fans within. The proofs are in docs/distributed.md.
+/// A scheme that says how far its masks reach: `int reach(int k)`, static where no option of the scheme matters, is the
+/// number of rings of faces (that share a vertex) needed around the owned faces of a level, so that on the next level k
+/// rings around their children are right: points, faces and fans within. The proofs are in docs/distributed.md.
 template <class S>
 concept reaching_scheme = scheme<S> and requires(const S& s, int rings) {
     { s.reach(rings) } -> std::convertible_to<int>;

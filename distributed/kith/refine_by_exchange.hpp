@@ -99,7 +99,8 @@ public:
 
     /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which is
     /// so when `rings_per_step` is too small; then the levels are of no use any more. Not every mistake of that kind shows.
-    /// Cost: that of the step, of rings_per_step - 1 rounds of messages, and of two more that compare.
+    /// Cost: that of the step and, in messages, of grow_shadows (not on level 0), of telling all ranks what lies at the
+    /// boundary, and of a field_exchange that compares.
     void refine()
     {
         if (level_ > 0)

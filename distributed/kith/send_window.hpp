@@ -26,7 +26,7 @@ public:
             MPI_Waitall(int(message->requests.size()), message->requests.data(), MPI_STATUSES_IGNORE);
     }
 
-    /// Local; returns at once while the window has room. Errors: mpi::error.
+    /// Returns at once while the window has room, else when the oldest message has gone. Errors: mpi::error.
     void send(std::vector<std::byte> bytes, int to)
     {
         if (under_way_.size() == width_)
