@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../all_shapes.hpp"
+#include "../error_text.hpp"
 #include "../same_mesh.hpp"
 #include "on_ranks.hpp"
 
@@ -111,12 +112,7 @@ void expect_same(const shapes::shape& shape, const Scheme& scheme)
 std::string error_of(const std::function<void(std::ostream&)>& write)
 {
     const shared_file file(write);
-    try {
-        kith::mpi::read_tiles(world(), shared_file::path(), 1);
-    } catch (const kith::mpi::phase_error& error) {
-        return error.what();
-    }
-    return "nothing";
+    return error_text<kith::mpi::phase_error>([] { kith::mpi::read_tiles(world(), shared_file::path(), 1); });
 }
 
 } // namespace
@@ -137,7 +133,7 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
 {
     auto cube = shapes::cube();
     const auto ply = [&](std::ostream& out) { write_ply<float>(out, cube); };
-    EXPECT_EQ(error_of(ply), "nothing");
+    EXPECT_EQ(error_of(ply), "no error");
     EXPECT_NE(error_of([](std::ostream& out) { out << "OFF\n"; }).find("is no PLY file"), std::string::npos);
     EXPECT_NE(error_of([](std::ostream& out) { out << "ply\nformat ascii 1.0\n"; }).find("is not binary_little_endian"),
               std::string::npos);
@@ -177,5 +173,5 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
         expect(with("element vertex 8", std::string("element vertex ") + many), "is too short for");
         expect(with("element face 6", std::string("element face ") + many), "is too short for");
     }
-    EXPECT_EQ(with("end_header", "element edge 9\nend_header"), "nothing");
+    EXPECT_EQ(with("end_header", "element edge 9\nend_header"), "no error");
 }

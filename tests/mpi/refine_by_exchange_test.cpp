@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../all_shapes.hpp"
+#include "../error_text.hpp"
 #include "../same_mesh.hpp"
 #include "on_ranks.hpp"
 
@@ -112,16 +113,13 @@ TEST(exchanging_refinement, says_when_a_step_needs_more_rings)
 {
     const auto torus = native(shapes::shaken(shapes::triangulated(shapes::torus(9, 10))));
     const auto text = [&](int rings) {
-        try {
+        return error_text<kith::mpi::phase_error>([&] {
             kith::mpi::exchanging_refinement refinement(
                 world(), torus, unknown_reach<kith::butterfly>{}, in_blocks(torus, 4), rings);
             refinement.refine();
-            return std::string();
-        } catch (const kith::mpi::phase_error& error) {
-            return std::string(error.what());
-        }
+        });
     };
-    EXPECT_EQ(text(2), "");
+    EXPECT_EQ(text(2), "no error");
     EXPECT_NE(text(1).find("1 rings per step are too few for unknown, ask for more"), std::string::npos) << text(1);
     EXPECT_EQ(text(0), "unknown: 0 rings per step; a step needs 1 or more");
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../error_text.hpp"
 #include "../same_mesh.hpp"
 #include "on_ranks.hpp"
 
@@ -112,14 +113,13 @@ TEST(repartition, gives_ranks_about_as_many_faces_each)
 TEST(repartition, refuses_ranks_that_do_not_exist)
 {
     const auto torus = native(shapes::torus(5, 7));
-    for (const std::vector<int>& rank_of : {std::vector<int>{0, 0}, std::vector<int>{0, 0, world().size()}})
-        try {
+    for (const std::vector<int>& rank_of : {std::vector<int>{0, 0}, std::vector<int>{0, 0, world().size()}}) {
+        const std::string text = error_text<kith::mpi::phase_error>([&] {
             kith::mpi::repartition(
                 world(), refined_tiles(torus, kith::catmull_clark{}, 1, in_blocks(torus, 3), 1), rank_of);
-            ADD_FAILURE() << "nothing was said";
-        } catch (const kith::mpi::phase_error& error) {
-            EXPECT_NE(std::string(error.what()).find("tile 2"), std::string::npos) << error.what();
-        }
+        });
+        EXPECT_NE(text.find("tile 2"), std::string::npos) << text;
+    }
 }
 
 TEST(gather, gives_one_rank_the_mesh_that_refine_makes)
@@ -147,14 +147,10 @@ TEST(gather, refuses_what_is_too_large_or_not_all)
     auto tiles = refined_tiles(torus, kith::catmull_clark{}, 1, in_blocks(torus, 3), 1);
     const kith::whole_counts counts{140, 280, 140, 560};
     const auto text = [&](std::uint64_t limit) {
-        try {
-            kith::mpi::gather(world(), std::span<const kith::numbered_tile<tile3d>>(tiles), counts, limit);
-        } catch (const kith::mpi::phase_error& error) {
-            return std::string(error.what());
-        }
-        return std::string();
+        return error_text<kith::mpi::phase_error>(
+            [&] { kith::mpi::gather(world(), std::span<const kith::numbered_tile<tile3d>>(tiles), counts, limit); });
     };
-    EXPECT_EQ(text(140 * 24 + 560 * 4), "");
+    EXPECT_EQ(text(140 * 24 + 560 * 4), "no error");
     EXPECT_EQ(
         text(140 * 24 + 560 * 4 - 1),
         "the level has 140 vertices and 140 faces, 5600 bytes on one rank, and the limit is 5599; gather a coarser "
