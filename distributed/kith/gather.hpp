@@ -7,6 +7,7 @@
 #include "whole_numbering.hpp"
 
 #include <kith/basic_mesh.hpp>
+#include <kith/error.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,13 +4,14 @@
 #include "check_tile.hpp"
 #include "tile_job.hpp"
 
-#include <kith/error.hpp>
 #include <kith/hash_value.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>

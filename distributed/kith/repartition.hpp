@@ -5,6 +5,8 @@
 #include "numbered_tile.hpp"
 #include "pack.hpp"
 
+#include <kith/error.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

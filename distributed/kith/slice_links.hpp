@@ -7,7 +7,6 @@
 #include "tile_patch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -15,8 +15,6 @@ namespace kith {
 struct finished_tile {
     std::uint64_t faces = 0; ///< of the last level, owned
     mesh_checksum checksum{};
-
-    friend bool operator==(const finished_tile&, const finished_tile&) = default;
 };
 
 /// The tiles that are finished, kept behind the surface in the file that they are written to, until it is complete: a
