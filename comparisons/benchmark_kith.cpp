@@ -63,6 +63,8 @@ void add_floor(std::vector<contest>& list, const course& course)
 void add_creases(std::vector<contest>& list, const course& course)
 {
     constexpr int before = 3;
+    if (course.levels <= before)
+        return;
     const auto control = std::make_shared<const basic_mesh<>>(refine(*course.control, catmull_clark{}, before));
     const catmull_clark creased{
         .sharpness = make_creases(*control, [](auto e) { return e.value % 100 == 0 ? infinitely_sharp : 0; })};

@@ -101,13 +101,13 @@ public:
     {
         in_agreement(comm, [&] {
             kith::detail::require_levels<Scheme>(levels);
-            require_tiles<Scheme>(*held_);
             const std::string name(scheme_name<Scheme>());
             if constexpr (marks_edges<Scheme>)
                 throw mesh_error(name + ": its marked edges are counted where a whole mesh is cut; cut it on one rank");
             if (numbers_boundary<Scheme> and counts.corners != 2 * counts.edges)
                 throw mesh_error(name +
                                  ": its numbers depend on the boundary, and the mesh has one; cut it on one rank");
+            require_tiles<Scheme>(*held_);
             whole_.emplace(counts, tile_type(), scheme_, levels, last_rings.value_or(0));
         });
         tiles_ = comm.sum(std::array{std::uint64_t(held_->size())})[0];
