@@ -100,6 +100,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     set_threads(*values);
     if (given("tiles") or given("journal") or given("only") or is_tile_format_only(*values))
         return run_refine_tiles(*values);
+    shared_blocks.keep_at_most(0); // nothing is refined after this
     const std::string input = required(*values, "IN");
     const std::string output = required(*values, "output");
     const std::string scheme = required(*values, "scheme");
