@@ -9,13 +9,15 @@
 namespace {
 
 /// Calls test(numbers of the whole mesh as the mesh has them, as tiles tell them) for one step of each scheme, from
-/// control meshes and from what they have become after a step.
+/// control meshes and from what they have become after one step and two.
 template <class Test>
 void for_each_numbering(const Test& test)
 {
     for_each_of_all_schemes_and_shape([&]<class Scheme>(const Scheme& scheme, const mesh3d& control) {
-        if constexpr (kith::reaching_scheme<Scheme> and not kith::marks_edges<Scheme>) // which has no formula back
-            for (const int level : {0, 1}) {
+        if constexpr (kith::reaching_scheme<Scheme>)
+            for (const int level : {0, 1, 2}) {
+                if (kith::marks_edges<Scheme> and level == 0) // marked edges may be any of them
+                    continue;
                 const auto mesh = kith::refine(control, scheme, level);
                 const auto columns = columns_of(scheme, mesh.generation());
                 const kith::numbering_of<Scheme, std::uint32_t> expected(kith::level_of<mesh3d>(mesh), columns);

@@ -22,6 +22,7 @@ namespace detail {
 template <class Where>
 concept picks_by_marks = requires(const Where& where, global_id n) {
     { where.keep.before(n, n) } -> std::same_as<global_id>;
+    { where.keep.picked(n, n) } -> std::same_as<global_id>;
 };
 /// Picks inner tuples or tuples at the boundary, which has to be known for this.
 template <class Where>

@@ -50,15 +50,15 @@ public:
         return base_[i] + rank(i, tuple);
     }
     /// The inverse: the tuple that gave birth to an element, without the corners before it.
-    /// Where marks decide there is none, since those of level 0 are in no formula.
-    /// Precondition: id < total(). Cost: O(log exceptions).
+    /// Preconditions: id < total(); where marks decide, the marked edges come first, as they do on all levels but 0.
+    /// Cost: O(log exceptions).
     [[nodiscard]] whole_tuple origin(global_id id) const
-        requires(not(detail::picks_by_marks<decltype(Columns::where)> or ...))
     {
         std::size_t i = 0;
         while (id >= base_[i + 1])
             ++i;
-        return {kinds[i], tuple_of_rank(i, id - base_[i])};
+        const global_id tuple = tuple_of_rank(i, id - base_[i]);
+        return {kinds[i], tuple, 0, kinds[i] == tuple_kind::ve ? tuple / 2 : tuple};
     }
     /// The first corner of a new face. Where its degree is that of a face (the number of faces at a vertex) the tuple has
     /// to know the corners before it.
@@ -91,6 +91,8 @@ private:
     }
     [[nodiscard]] global_id tuple_of_rank(std::size_t i, global_id rank) const
     {
+        if (picked_[i] != nullptr)
+            return picked_[i](rank, marked_edges_);
         const auto& all = exceptions_[i];
         if (all.empty())
             return rank;
@@ -130,6 +132,7 @@ private:
             count = c.where.all ? count : 0;
         if constexpr (detail::picks_by_marks<Where>) {
             picked_before_[i] = [](global_id n, global_id marked) { return decltype(Where::keep)::before(n, marked); };
+            picked_[i] = [](global_id rank, global_id marked) { return decltype(Where::keep)::picked(rank, marked); };
             marked_edges_ = whole.marked_edges;
             count = picked_before_[i](count, marked_edges_);
         }
@@ -164,9 +167,9 @@ private:
     std::array<std::size_t, size> degree_{}; // of the new faces; 0: of many degrees
     std::array<bool, size> exceptions_are_all_{};
     global_id marked_edges_ = 0;
-    std::array<global_id (*)(global_id, global_id), size> picked_before_{}; // where marks decide
-    std::array<std::vector<global_id>, size> exceptions_, excluded_;        // tuples at the boundary, increasing; sums
-    std::array<std::vector<std::int64_t>, size> corners_more_; // sums of the corners they have beyond their faces
+    std::array<global_id (*)(global_id, global_id), size> picked_before_{}, picked_{}; // where marks decide
+    std::array<std::vector<global_id>, size> exceptions_, excluded_; // tuples at the boundary, increasing; sums
+    std::array<std::vector<std::int64_t>, size> corners_more_;       // sums of the corners they have beyond their faces
 };
 
 /// The ids of all new elements of one step in the whole mesh.

@@ -29,7 +29,8 @@ struct bisection_split {
     }
 
     /// What the columns pick. `before(n, m)`: how many of the tuples before the n-th, with m marked edges before that of the
-    /// n-th. By this tiles number what is picked in a mesh that nobody holds.
+    /// n-th. `picked(r, m)`: the r-th that is picked, where the m marked edges come first. By these tiles number what is picked
+    /// in a mesh that nobody holds.
     struct marked_edge {
         template <class Edge>
         constexpr bool operator()(const Edge& e) const
@@ -37,6 +38,7 @@ struct bisection_split {
             return is_marked(e);
         }
         static constexpr std::uint64_t before(std::uint64_t, std::uint64_t m) { return m; }
+        static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t) { return r; }
     };
     struct unmarked_edge {
         template <class Edge>
@@ -45,6 +47,7 @@ struct bisection_split {
             return not is_marked(e);
         }
         static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return n - m; }
+        static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t m) { return r + m; }
     };
     struct end_of_marked_edge : marked_edge {
         static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return 2 * m + n % 2; }
@@ -56,6 +59,7 @@ struct bisection_split {
             return not(c.next() == c.f().first_corner());
         }
         static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t) { return n / 3 * 2 + n % 3; }
+        static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t) { return r / 2 * 3 + r % 2; }
     };
 
     static constexpr auto columns()
