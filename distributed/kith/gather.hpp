@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mpi.hpp"
+#include "in_agreement.hpp"
 #include "numbered_tile.hpp"
 #include "pack.hpp"
 #include "whole_numbering.hpp"

@@ -6,6 +6,7 @@
 #include "deal_tiles.hpp"
 #include "field_exchange.hpp"
 #include "grow_shadows.hpp"
+#include "in_agreement.hpp"
 #include "pack.hpp"
 #include "partition.hpp"
 #include "require_tiles.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "all_to_all.hpp"
+#include "in_agreement.hpp"
 #include "numbered_tile.hpp"
 #include "pack.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mpi.hpp"
+#include "communicator.hpp"
 
 #include <algorithm>
 #include <cstddef>

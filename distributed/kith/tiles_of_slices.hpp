@@ -3,6 +3,7 @@
 
 #include "all_to_all.hpp"
 #include "grow_shadows.hpp"
+#include "in_agreement.hpp"
 #include "ply_slice.hpp"
 #include "slice_links.hpp"
 #include "tile_patch.hpp"

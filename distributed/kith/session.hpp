@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "communicator.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+namespace kith::mpi {
+
+/// MPI from main's beginning to its end. An exception that leaves it ends all ranks: waiting for the others would hang.
+class session {
+public:
+    /// Collective. Ends all ranks where MPI does not allow threads beside the one that calls it. Errors: mpi::error.
+    session(int& count, char**& arguments)
+    {
+        int provided = 0;
+        detail::check(MPI_Init_thread(&count, &arguments, MPI_THREAD_FUNNELED, &provided), "MPI_Init_thread");
+        if (provided < MPI_THREAD_FUNNELED)
+            abort("kith: this MPI does not allow threads beside the one that calls it");
+        std::set_terminate([] {
+            std::fputs("kith: ended by an error that nobody caught\n", stderr);
+            MPI_Abort(MPI_COMM_WORLD, failure_code);
+        });
+    }
+    session(const session&) = delete;
+    session& operator=(const session&) = delete;
+    /// Collective, unless an exception is on its way.
+    ~session()
+    {
+        if (std::uncaught_exceptions() > 0)
+            MPI_Abort(MPI_COMM_WORLD, failure_code);
+        MPI_Finalize();
+    }
+
+    /// Local. Ends all ranks at once.
+    [[noreturn]] static void abort(const std::string& message)
+    {
+        std::fputs((message + "\n").c_str(), stderr);
+        std::fflush(stderr);
+        MPI_Abort(MPI_COMM_WORLD, failure_code);
+        std::abort();
+    }
+    static constexpr int failure_code = 70;
+};
+
+} // namespace kith::mpi
