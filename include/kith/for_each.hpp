@@ -30,8 +30,8 @@ void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, s
 }
 
 /// The same with all that f calls inlined: a mask is a tree of small functions, and one that stays a call in the innermost
-/// loop costs more than the arithmetic. For native levels only: through the traits of other meshes a step of a walk is
-/// itself longer than a call.
+/// loop costs more than the arithmetic. For native levels only, whose walks are short: those through the traits of other
+/// meshes would make very large functions.
 template <class Level, class Element, class F>
 [[gnu::flatten]] void for_numbers_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
                                           const F& f)
