@@ -3,6 +3,7 @@
 
 #include <kith/basic_mesh.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,15 @@ inline connectivity<id> allocate(std::size_t vertices, std::size_t edges, std::s
     return result;
 }
 
+/// Calls body(begin, end) on parts of the corners that fit the cache, as kith::in_blocks does.
+template <class Body>
+void in_blocks(id corners, const Body& body)
+{
+    constexpr id corners_of_block = 4092; // of whole quads and of whole triangles
+    for (id begin = 0; begin < corners; begin += corners_of_block)
+        body(begin, std::min(corners - begin, corners_of_block) + begin);
+}
+
 /// Writes a line of a face: its vertex and, where edges are wanted, the half-edge that leaves it.
 template <bool Complete>
 void write_line(connectivity<id>& fine, id corner, id vertex, id halfedge)
@@ -71,30 +81,31 @@ mesh catmull_clark_step(const mesh& coarse)
         face_points[f] = 0.25 *
                          (coordinates(p[v[0]]) + coordinates(p[v[1]]) + coordinates(p[v[2]]) + coordinates(p[v[3]]));
     }
-    for (id c = 0; c < corners; ++c) // edges and vertices face by face, which keeps what they read in the cache
-        if (halfedge[c] % 2 == 0)
-            edge_points[halfedge[c] / 2] = 0.25 * (coordinates(p[vertex[c]]) + coordinates(p[vertex[next(c)]]) +
-                                                   coordinates(face_points[c / 4]) +
-                                                   coordinates(face_points[corner[halfedge[c] + 1] / 4]));
-    for (id first = 0; first < corners; ++first) {
-        const id v = vertex[first];
-        if (start[v] != first)
-            continue;
-        coordinates ring = coordinates(p[vertex[next(first)]]) + coordinates(face_points[first / 4]);
-        double n = 1;
-        for (id c = corner[halfedge[prev(first)] ^ 1]; c != first; c = corner[halfedge[prev(c)] ^ 1], ++n)
-            ring = ring + (coordinates(p[vertex[next(c)]]) + coordinates(face_points[c / 4]));
-        points[v] = (n - 2) / n * coordinates(p[v]) + 1 / (n * n) * ring;
-    }
-
     auto fine = allocate(points.size(), 2 * std::size_t(edges) + corners, corners, 4, Complete);
-    for (id c = 0; c < corners; ++c) {
-        const id out = halfedge[c], in = halfedge[prev(c)];
-        write_line<Complete>(fine, 4 * c, vertex[c], 2 * out + out % 2);
-        write_line<Complete>(fine, 4 * c + 1, vertices + out / 2, 2 * (2 * edges + c));
-        write_line<Complete>(fine, 4 * c + 2, vertices + edges + c / 4, 2 * (2 * edges + prev(c)) + 1);
-        write_line<Complete>(fine, 4 * c + 3, vertices + in / 2, 2 * (in ^ 1) + in % 2);
-    }
+    in_blocks(corners, [&](id begin, id end) {
+        for (id c = begin; c < end; ++c) // edges and vertices face by face, which keeps what they read in the cache
+            if (halfedge[c] % 2 == 0)
+                edge_points[halfedge[c] / 2] = 0.25 * (coordinates(p[vertex[c]]) + coordinates(p[vertex[next(c)]]) +
+                                                       coordinates(face_points[c / 4]) +
+                                                       coordinates(face_points[corner[halfedge[c] + 1] / 4]));
+        for (id first = begin; first < end; ++first) {
+            const id v = vertex[first];
+            if (start[v] != first)
+                continue;
+            coordinates ring = coordinates(p[vertex[next(first)]]) + coordinates(face_points[first / 4]);
+            double n = 1;
+            for (id c = corner[halfedge[prev(first)] ^ 1]; c != first; c = corner[halfedge[prev(c)] ^ 1], ++n)
+                ring = ring + (coordinates(p[vertex[next(c)]]) + coordinates(face_points[c / 4]));
+            points[v] = (n - 2) / n * coordinates(p[v]) + 1 / (n * n) * ring;
+        }
+        for (id c = begin; c < end; ++c) {
+            const id out = halfedge[c], in = halfedge[prev(c)];
+            write_line<Complete>(fine, 4 * c, vertex[c], 2 * out + out % 2);
+            write_line<Complete>(fine, 4 * c + 1, vertices + out / 2, 2 * (2 * edges + c));
+            write_line<Complete>(fine, 4 * c + 2, vertices + edges + c / 4, 2 * (2 * edges + prev(c)) + 1);
+            write_line<Complete>(fine, 4 * c + 3, vertices + in / 2, 2 * (in ^ 1) + in % 2);
+        }
+    });
     if constexpr (Complete) {
         for (id v = 0; v < vertices; ++v)
             fine.vertex_corner[v] = 4 * start[v];
@@ -119,30 +130,31 @@ mesh loop_step(const mesh& coarse, const double* beta)
 
     storage<point> points(std::size_t(vertices) + edges);
     point* edge_points = points.data() + vertices;
-    for (id c = 0; c < corners; ++c)
-        if (halfedge[c] % 2 == 0)
-            edge_points[halfedge[c] / 2] = 0.375 * (coordinates(p[vertex[c]]) + coordinates(p[vertex[next(c)]])) +
-                                           0.125 * (coordinates(p[vertex[prev(c)]]) +
-                                                    coordinates(p[vertex[prev(corner[halfedge[c] + 1])]]));
-    for (id first = 0; first < corners; ++first) {
-        const id v = vertex[first];
-        if (start[v] != first)
-            continue;
-        coordinates ring(p[vertex[next(first)]]);
-        std::size_t n = 1;
-        for (id c = corner[halfedge[prev(first)] ^ 1]; c != first; c = corner[halfedge[prev(c)] ^ 1], ++n)
-            ring = ring + coordinates(p[vertex[next(c)]]);
-        points[v] = (1 - double(n) * beta[n]) * coordinates(p[v]) + beta[n] * ring;
-    }
-
     auto fine = allocate(points.size(), 2 * std::size_t(edges) + corners, 4 * std::size_t(faces), 3, Complete);
-    for (id c = 0; c < corners; ++c) {
-        const id out = halfedge[c], in = halfedge[prev(c)];
-        write_line<Complete>(fine, 3 * c, vertex[c], 2 * out + out % 2);
-        write_line<Complete>(fine, 3 * c + 1, vertices + out / 2, 2 * (2 * edges + c));
-        write_line<Complete>(fine, 3 * c + 2, vertices + in / 2, 2 * (in ^ 1) + in % 2);
-        write_line<Complete>(fine, 3 * corners + c, vertices + in / 2, 2 * (2 * edges + c) + 1);
-    }
+    in_blocks(corners, [&](id begin, id end) {
+        for (id c = begin; c < end; ++c)
+            if (halfedge[c] % 2 == 0)
+                edge_points[halfedge[c] / 2] = 0.375 * (coordinates(p[vertex[c]]) + coordinates(p[vertex[next(c)]])) +
+                                               0.125 * (coordinates(p[vertex[prev(c)]]) +
+                                                        coordinates(p[vertex[prev(corner[halfedge[c] + 1])]]));
+        for (id first = begin; first < end; ++first) {
+            const id v = vertex[first];
+            if (start[v] != first)
+                continue;
+            coordinates ring(p[vertex[next(first)]]);
+            std::size_t n = 1;
+            for (id c = corner[halfedge[prev(first)] ^ 1]; c != first; c = corner[halfedge[prev(c)] ^ 1], ++n)
+                ring = ring + coordinates(p[vertex[next(c)]]);
+            points[v] = (1 - double(n) * beta[n]) * coordinates(p[v]) + beta[n] * ring;
+        }
+        for (id c = begin; c < end; ++c) {
+            const id out = halfedge[c], in = halfedge[prev(c)];
+            write_line<Complete>(fine, 3 * c, vertex[c], 2 * out + out % 2);
+            write_line<Complete>(fine, 3 * c + 1, vertices + out / 2, 2 * (2 * edges + c));
+            write_line<Complete>(fine, 3 * c + 2, vertices + in / 2, 2 * (in ^ 1) + in % 2);
+            write_line<Complete>(fine, 3 * corners + c, vertices + in / 2, 2 * (2 * edges + c) + 1);
+        }
+    });
     if constexpr (Complete) {
         for (id v = 0; v < vertices; ++v)
             fine.vertex_corner[v] = 3 * start[v];

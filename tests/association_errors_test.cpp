@@ -44,10 +44,19 @@ TEST(association_errors, reading_before_setting)
               "assoc(v 5) -> V is read before it is set");
 }
 
-TEST(association_errors, connecting_before_setting)
+TEST(association_errors, connecting_what_is_never_set)
 {
     EXPECT_EQ(fault([](const auto& coarse, const auto& assoc) { copy_faces(coarse, assoc); }),
-              "assoc(v 0) -> V is read before it is set");
+              "assoc(v 0) -> V was never set");
+}
+
+TEST(association_errors, a_face_may_name_a_vertex_that_is_made_later)
+{
+    EXPECT_EQ(fault([](const auto& coarse, const auto& assoc) {
+                  copy_faces(coarse, assoc);
+                  copy_vertices(coarse, assoc);
+              }),
+              "no error");
 }
 
 TEST(association_errors, setting_twice)

@@ -84,7 +84,7 @@ public:
     template <class Values>
     [[nodiscard]] typename Values::sum evaluate(const Values&) const
     {
-        return space_->vertex_value(id());
+        return space_->template vertex_value<Kind>(tuple_);
     }
     [[nodiscard]] new_vertex<index> vertex() const { return {id()}; }
     [[nodiscard]] face_line<index> operator>>(new_side<index> side) const { return vertex() >> side; }
@@ -159,6 +159,9 @@ public:
     template <class Values>
     [[nodiscard]] typename Values::sum evaluate(const Values&) const
     {
+        if constexpr (has_edge_column)
+            if (edge_ != no_edge)
+                return space_->template vertex_value<tuple_kind::e>(edge_);
         return space_->listed_value(id());
     }
     operator face_line<index>() const { return {id(), Space::none}; }

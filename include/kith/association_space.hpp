@@ -38,47 +38,47 @@ public:
     template <element X>
     auto operator()(const X& x, targets::to_vertex) const
     {
-        return vertex(index_tuple(x), x);
+        return vertex(x);
     }
     template <element X, element Y>
     auto operator()(const X& x, const Y& y, targets::to_vertex) const
     {
-        return vertex(index_tuple(x, y), x, y);
+        return vertex(x, y);
     }
     template <element X, element Y, element Z>
     auto operator()(const X& x, const Y& y, const Z& z, targets::to_vertex) const
     {
-        return vertex(index_tuple(x, y, z), x, y, z);
+        return vertex(x, y, z);
     }
     template <element X>
     auto operator()(const X& x, targets::to_edge) const
     {
-        return edge(index_tuple(x), x);
+        return edge(x);
     }
     template <element X, element Y>
     auto operator()(const X& x, const Y& y, targets::to_edge) const
     {
-        return edge(index_tuple(x, y), x, y);
+        return edge(x, y);
     }
     template <element X, element Y, element Z>
     auto operator()(const X& x, const Y& y, const Z& z, targets::to_edge) const
     {
-        return edge(index_tuple(x, y, z), x, y, z);
+        return edge(x, y, z);
     }
     template <element X>
     auto operator()(const X& x, targets::to_face) const
     {
-        return face(index_tuple(x), x);
+        return face(x);
     }
     template <element X, element Y>
     auto operator()(const X& x, const Y& y, targets::to_face) const
     {
-        return face(index_tuple(x, y), x, y);
+        return face(x, y);
     }
     template <element X, element Y, element Z>
     auto operator()(const X& x, const Y& y, const Z& z, targets::to_face) const
     {
-        return face(index_tuple(x, y, z), x, y, z);
+        return face(x, y, z);
     }
     /// List forms, lazy: assoc(v.faces(), V) and assoc(f, f.vertices(), V).
     template <class Range, class Target>
@@ -120,47 +120,48 @@ private:
     template <class, tuple_kind> friend class face_association;
     template <class> friend class dictionary_association;
 
-    /// The elements of a trusted scheme touch, which the compiler is told, so that it need not look.
-    template <tuple_kind Kind, element... X>
-    static void require_incident(tuple_index<Kind> tuple, const char* target, const X&... x)
+    template <element... X>
+    static constexpr tuple_kind kind_of = decltype(index_tuple(std::declval<const X&>()...))::kind;
+
+    /// The index of a tuple whose elements touch unless the scheme is wrong.
+    template <element... X>
+    static std::size_t incident(const char* target, const X&... x)
     {
-        if (tuple.value == tuple.not_incident) [[unlikely]] {
-            if constexpr (Checked)
+        const auto tuple = index_tuple<not Checked>(x...);
+        if constexpr (Checked)
+            if (tuple.value == tuple.not_incident) [[unlikely]]
                 faults::not_incident(target, x...);
-            else
-                __builtin_unreachable();
-        }
+        return tuple.value;
     }
 
-    template <tuple_kind Kind, element... X>
-    auto vertex(tuple_index<Kind> tuple, const X&... x) const
+    template <element... X>
+    auto vertex(const X&... x) const
     {
         // Two elements of one kind may be neighbours or not, which only running tells, so they always have the
-        // general form; other tuples are incident unless the scheme is wrong.
-        constexpr bool pair_of_one_kind = sizeof...(X) == 2 and Kind == tuple_kind::e;
-        if constexpr (pair_of_one_kind or not has_vertices<Kind>) {
+        // general form.
+        constexpr tuple_kind kind = kind_of<X...>;
+        constexpr bool pair_of_one_kind = sizeof...(X) == 2 and kind == tuple_kind::e;
+        if constexpr (pair_of_one_kind or not has_vertices<kind>) {
+            const auto tuple = index_tuple(x...);
             const bool incident = tuple.value != tuple.not_incident;
             return dictionary_association<const association_space>(
                 *this,
-                incident ? list_tuple(*coarse_, Kind, tuple.value) : list_tuple(x...),
-                incident and has_vertices<Kind> ? tuple.value
+                incident ? list_tuple(*coarse_, kind, tuple.value) : list_tuple(x...),
+                incident and has_vertices<kind> ? tuple.value
                                                 : dictionary_association<const association_space>::no_edge);
         } else {
-            require_incident(tuple, "V", x...);
-            return vertex_association<const association_space, Kind>(*this, tuple.value);
+            return vertex_association<const association_space, kind>(*this, incident("V", x...));
         }
     }
-    template <tuple_kind Kind, element... X>
-    auto edge(tuple_index<Kind> tuple, const X&... x) const
+    template <element... X>
+    auto edge(const X&... x) const
     {
-        require_incident(tuple, "E", x...);
-        return edge_association<const association_space, Kind>(*this, tuple.value);
+        return edge_association<const association_space, kind_of<X...>>(*this, incident("E", x...));
     }
-    template <tuple_kind Kind, element... X>
-    auto face(tuple_index<Kind> tuple, const X&... x) const
+    template <element... X>
+    auto face(const X&... x) const
     {
-        require_incident(tuple, "F", x...);
-        return face_association<const association_space, Kind>(*this, tuple.value);
+        return face_association<const association_space, kind_of<X...>>(*this, incident("F", x...));
     }
 
     // What associations do.
@@ -178,23 +179,27 @@ private:
     template <tuple_kind Kind>
     index_type vertex_id(std::size_t tuple) const
     {
-        const auto id = present<Kind>(ids_.vertices, tuple, faults::absent_vertex);
+        return present<Kind>(ids_.vertices, tuple, faults::absent_vertex);
+    }
+    // Masks read each association in its own space, so that they may join those of several passes.
+    template <tuple_kind Kind>
+    decltype(auto) vertex_value(std::size_t tuple) const
+    {
+        const index_type id = vertex_id<Kind>(tuple);
         if constexpr (Checked)
             if (not std::atomic_ref(vertex_is_set_[id]).load(std::memory_order_relaxed)) [[unlikely]]
                 faults::refuse(*coarse_, Kind, tuple, faults::vertex_read_early);
-        return id;
+        return values_->fine(id);
     }
     template <tuple_kind Kind, class Mask>
     void make_vertex(std::size_t tuple, const Mask& mask) const
     {
-        const auto id = present<Kind>(ids_.vertices, tuple, faults::absent_vertex);
+        const index_type id = vertex_id<Kind>(tuple);
         values_->assign(id, mask.evaluate(*values_));
         if constexpr (Checked)
             if (std::atomic_ref(vertex_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
                 faults::refuse(*coarse_, Kind, tuple, faults::vertex_set_twice);
     }
-    // Masks read each association in its own space, so that they may join those of several passes.
-    [[nodiscard]] decltype(auto) vertex_value(index_type id) const { return values_->fine(id); }
     [[nodiscard]] decltype(auto) listed_value(index_type id) const { return values_->listed(id); }
 
     template <tuple_kind Kind>

@@ -21,6 +21,10 @@ concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level
     level.for_edges_of(0, 0, g);
 };
 
+template <class Level, class Element>
+inline constexpr bool met_by_faces = ordered_by_faces<Level> and
+                                     (std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>);
+
 /// Calls f on the elements with these numbers.
 template <class Level, class Element, class F>
 void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
@@ -71,8 +75,7 @@ void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 template <class Level, class Element, class F>
 void for_each(const all_elements<Level, Element>& range, const F& f)
 {
-    constexpr bool by_faces = std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>;
-    if constexpr (by_faces and detail::ordered_by_faces<Level>)
+    if constexpr (detail::met_by_faces<Level, Element>)
         detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
             detail::for_faces(range, begin, end, f);
         });

@@ -11,14 +11,17 @@
 
 namespace kith::detail {
 
+/// From so many elements on a loop is worth more than one thread.
+inline constexpr std::size_t worth_threads = 4096;
+
 /// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program is compiled with it. Every
 /// value of a level is a gather into its own place, so how the range is cut changes no bit. The first error is rethrown.
 template <class Body>
-void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& body)
+void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& body,
+               [[maybe_unused]] std::size_t smallest = worth_threads)
 {
 #if defined(_OPENMP)
-    constexpr std::size_t worth_threads = 4096;
-    if (parallel and size >= worth_threads and omp_get_max_threads() > 1) {
+    if (parallel and size >= smallest and omp_get_max_threads() > 1) {
         std::exception_ptr error;
         std::atomic_flag failed = ATOMIC_FLAG_INIT;
 #pragma omp parallel

@@ -35,28 +35,30 @@ inline constexpr char element_letter<corner<L>> = 'c';
 template <class T>
 concept element = element_letter<std::remove_cvref_t<T>> != '?';
 
-template <class L>
+/// The index of a tuple. `Touch`: its elements are known to be incident, so the last way in which they may be is not
+/// looked at; a branch that is never taken would keep the compiler from moving what a loop reads out of the loop.
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::v> index_tuple(const vertex<L>& v)
 {
     return {v.index()};
 }
-template <class L>
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::e> index_tuple(const edge<L>& e)
 {
     return {e.index()};
 }
-template <class L>
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::f> index_tuple(const face<L>& f)
 {
     return {f.index()};
 }
-template <class L>
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::vf> index_tuple(const corner<L>& c)
 {
     return {c.index()};
 }
 /// Cost: O(degree of f).
-template <class L>
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::vf> index_tuple(const vertex<L>& v, const face<L>& f)
 {
     for (const auto& c : f.corners())
@@ -64,47 +66,47 @@ tuple_index<tuple_kind::vf> index_tuple(const vertex<L>& v, const face<L>& f)
             return {c.index()};
     return {tuple_index<tuple_kind::vf>::not_incident};
 }
-template <class L>
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::ve> index_tuple(const vertex<L>& v, const edge<L>& e)
 {
     const corner<L> c = e.seen_from();
     if (c.v() == v)
         return {c.halfedge()};
-    if (c.next().v() == v)
+    if (Touch or c.next().v() == v)
         return {c.halfedge() ^ 1};
     return {tuple_index<tuple_kind::ve>::not_incident};
 }
-template <class L>
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::ef> index_tuple(const edge<L>& e, const face<L>& f)
 {
     const corner<L> c = e.seen_from();
     if (c.f() == f)
         return {c.index()};
-    if (not c.is_boundary() and c.across().f() == f)
+    if (Touch or (not c.is_boundary() and c.across().f() == f))
         return {c.across().index()};
     return {tuple_index<tuple_kind::ef>::not_incident};
 }
 /// Side 0 of a corner is its next edge, side 1 its previous one.
-template <class L>
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::vfe> index_tuple(const corner<L>& c, const edge<L>& e)
 {
     if (c.next_edge() == e)
         return {2 * c.index()};
-    if (c.prev_edge() == e)
+    if (Touch or c.prev_edge() == e)
         return {2 * c.index() + 1};
     return {tuple_index<tuple_kind::vfe>::not_incident};
 }
 /// Cost: O(degree of f).
-template <class L>
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::vfe> index_tuple(const vertex<L>& v, const face<L>& f, const edge<L>& e)
 {
     for (const auto& c : f.corners())
         if (c.v() == v)
-            return index_tuple(c, e);
+            return index_tuple<Touch>(c, e);
     return {tuple_index<tuple_kind::vfe>::not_incident};
 }
-/// Two neighbours are an edge. Cost: O(valence).
-template <class L>
+/// Two neighbours are an edge; any two vertices may be asked for. Cost: O(valence).
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
 {
     for (const auto& e : a.edges())
@@ -112,8 +114,9 @@ tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
             return {e.index()};
     return {tuple_index<tuple_kind::e>::not_incident};
 }
-/// Two faces with a common edge are that edge, the first one in a's order if they share several. Cost: O(degree).
-template <class L>
+/// Two faces with a common edge are that edge, the first one in a's order if they share several; any two faces may be asked
+/// for. Cost: O(degree).
+template <bool Touch = false, class L>
 tuple_index<tuple_kind::e> index_tuple(const face<L>& a, const face<L>& b)
 {
     for (const auto& c : a.corners())
@@ -123,22 +126,22 @@ tuple_index<tuple_kind::e> index_tuple(const face<L>& a, const face<L>& b)
 }
 
 // The order of elements in a tuple is free.
-template <element A, element B>
+template <bool Touch = false, element A, element B>
     requires(element_letter<A> == 'f' and element_letter<B> != 'f') or
             (element_letter<A> == 'e' and element_letter<B> == 'v') or
             (element_letter<A> == 'e' and element_letter<B> == 'c')
 auto index_tuple(const A& a, const B& b)
 {
-    return index_tuple(b, a);
+    return index_tuple<Touch>(b, a);
 }
-template <element A, element B, element C>
+template <bool Touch = false, element A, element B, element C>
     requires(not(element_letter<A> == 'v' and element_letter<B> == 'f' and element_letter<C> == 'e'))
 auto index_tuple(const A& a, const B& b, const C& c)
 {
     if constexpr (element_letter<A> != 'v') // bring the vertex to the front, then the face before the edge
-        return index_tuple(b, c, a);
+        return index_tuple<Touch>(b, c, a);
     else
-        return index_tuple(a, c, b);
+        return index_tuple<Touch>(a, c, b);
 }
 
 /// A tuple as its elements, for tuples that are not incident and for messages: letters and numbers, sorted.

@@ -4,6 +4,7 @@
 #include "library.hpp"
 #include "triangle_split.hpp"
 
+#include <kith/blocks.hpp>
 #include <kith/cos_turn.hpp>
 #include <kith/weight_rows.hpp>
 
@@ -97,33 +98,35 @@ struct butterfly {
             assoc(v, V) = v;
         });
 
-        for_each(coarse.edges(), [&](auto e) {
-            const auto x = e.org();
-            const auto y = e.dst();
-            if (e.is_boundary()) {
-                assoc(e, V) = 9. / 16 * (x + y) + -1. / 16 * (x.last_rim() + y.first_rim());
-                return;
-            }
-            const auto l = e.lcorner(); // of x
-            const auto r = e.rcorner(); // of y
-            std::vector<real> spare_x, spare_y;
-            const auto around = [&](auto c,
-                                    auto& spare) { // from c's vertex, the other end of e being its first neighbour
-                const real* row = rows(c.v().valence(), spare);
-                return 3. / 4 * c.v() + sum(c.fan_from_here().map([](auto d) { return d.next().v(); }), row);
-            };
-            if (irregular[x.index()] and irregular[y.index()])
-                assoc(e, V) = (around(l, spare_x) + around(r, spare_y)) / 2;
-            else if (irregular[x.index()])
-                assoc(e, V) = around(l, spare_x);
-            else if (irregular[y.index()])
-                assoc(e, V) = around(r, spare_y);
-            else
-                assoc(e, V) = 1. / 2 * (x + y) + 1. / 8 * (l.prev().v() + r.prev().v()) +
-                              -1. / 16 * (wing(l.next()) + wing(l.prev()) + (wing(r.next()) + wing(r.prev())));
-        });
+        in_blocks(r, [&](const auto& block) {
+            for_each(block.coarse.edges(), [&](auto e) {
+                const auto x = e.org();
+                const auto y = e.dst();
+                if (e.is_boundary()) {
+                    assoc(e, V) = 9. / 16 * (x + y) + -1. / 16 * (x.last_rim() + y.first_rim());
+                    return;
+                }
+                const auto l = e.lcorner(); // of x
+                const auto r = e.rcorner(); // of y
+                std::vector<real> spare_x, spare_y;
+                const auto around = [&](auto c,
+                                        auto& spare) { // from c's vertex, the other end of e being its first neighbour
+                    const real* row = rows(c.v().valence(), spare);
+                    return 3. / 4 * c.v() + sum(c.fan_from_here().map([](auto d) { return d.next().v(); }), row);
+                };
+                if (irregular[x.index()] and irregular[y.index()])
+                    assoc(e, V) = (around(l, spare_x) + around(r, spare_y)) / 2;
+                else if (irregular[x.index()])
+                    assoc(e, V) = around(l, spare_x);
+                else if (irregular[y.index()])
+                    assoc(e, V) = around(r, spare_y);
+                else
+                    assoc(e, V) = 1. / 2 * (x + y) + 1. / 8 * (l.prev().v() + r.prev().v()) +
+                                  -1. / 16 * (wing(l.next()) + wing(l.prev()) + (wing(r.next()) + wing(r.prev())));
+            });
 
-        triangle_split::connect(r);
+            triangle_split::connect(block);
+        });
     }
 
 private:

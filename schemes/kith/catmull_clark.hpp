@@ -6,6 +6,7 @@
 #include "quad_split.hpp"
 #include "sharp_rules.hpp"
 
+#include <kith/blocks.hpp>
 #include <kith/cos_turn.hpp>
 
 #include <cmath>
@@ -111,29 +112,20 @@ struct catmull_clark {
 
         for_each(coarse.faces(), [&](auto f) { assoc(f, V) = average(f.vertices()); });
 
-        for_each(coarse.edges(), [&](auto e) {
-            const auto smooth = [&] { return average(e.org(), e.dst(), assoc(e.lface(), V), assoc(e.rface(), V)); };
-            if (sharp.is_smooth(e))
-                assoc(e, V) = smooth();
-            else
-                sharp.make_edge(e, assoc(e, V), smooth);
-        });
+        in_blocks(r, [&](const auto& block) {
+            sharp.make_edges(
+                block, [&](auto e) { return average(e.org(), e.dst(), assoc(e.lface(), V), assoc(e.rface(), V)); });
 
-        for_each(coarse.vertices(), [&](auto v) {
-            const auto smooth = [&] {
+            sharp.make_vertices(block, [&](auto v) {
                 const auto ring = v.corners().map([&](auto c) { return c.next().v() + assoc(c.f(), V); });
                 return around(v, ring, [](std::size_t valence) {
                     const auto n = real(double(valence));
                     return ring_weights<real>{(n - 2) / n, 1 / (n * n)};
                 });
-            };
-            if (sharp.is_smooth(v))
-                assoc(v, V) = smooth();
-            else
-                sharp.make_vertex(v, assoc(v, V), smooth);
-        });
+            });
 
-        quad_split::connect(r);
+            quad_split::connect(block);
+        });
     }
 };
 

@@ -6,6 +6,7 @@
 #include "sharp_rules.hpp"
 #include "triangle_split.hpp"
 
+#include <kith/blocks.hpp>
 #include <kith/cos_turn.hpp>
 #include <kith/weight_table.hpp>
 
@@ -110,31 +111,21 @@ struct loop {
         const sharp_rules sharp(coarse, sharpness, corners);
         const weight_table<real> betas([this](std::size_t n) { return beta(n); });
 
-        for_each(coarse.edges(), [&](auto e) {
-            const auto smooth = [&] {
+        in_blocks(r, [&](const auto& block) {
+            sharp.make_edges(block, [](auto e) {
                 return 3. / 8 * (e.org() + e.dst()) + 1. / 8 * (e.lcorner().prev().v() + e.rcorner().prev().v());
-            };
-            if (sharp.is_smooth(e))
-                assoc(e, V) = smooth();
-            else
-                sharp.make_edge(e, assoc(e, V), smooth);
-        });
+            });
 
-        for_each(coarse.vertices(), [&](auto v) {
-            const auto smooth = [&] {
+            sharp.make_vertices(block, [&](auto v) {
                 const auto ring = v.corners().map([](auto c) { return c.next().v(); });
                 return around(v, ring, [&betas](std::size_t n) {
                     const real beta = betas[n];
                     return ring_weights<real>{1 - real(double(n)) * beta, beta};
                 });
-            };
-            if (sharp.is_smooth(v))
-                assoc(v, V) = smooth();
-            else
-                sharp.make_vertex(v, assoc(v, V), smooth);
-        });
+            });
 
-        triangle_split::connect(r);
+            triangle_split::connect(block);
+        });
     }
 };
 

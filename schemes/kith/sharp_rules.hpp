@@ -4,6 +4,8 @@
 #include "boundary.hpp"
 #include "creases.hpp"
 
+#include <kith/for_each.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -32,57 +34,27 @@ public:
             near_sharp_[vertex] = true;
     }
 
-    /// Neither boundary nor crease: the scheme's own mask is all there is to it.
+    /// Makes the points of the edges of r.coarse: by smooth(e) where the scheme's own mask is all there is to it.
+    template <class R, class Smooth>
+    void make_edges(const R& r, const Smooth& smooth) const
+    {
+        make_all(r.coarse.edges(), r.assoc, smooth);
+    }
+    /// The same for the vertices of r.coarse.
+    template <class R, class Smooth>
+    void make_vertices(const R& r, const Smooth& smooth) const
+    {
+        make_all(r.coarse.vertices(), r.assoc, smooth);
+    }
+
+    /// Neither boundary nor crease.
     [[nodiscard]] bool is_smooth(const edge<Level>& e) const
     {
-        return all_smooth_ or (not e.is_boundary() and (edge_is_sharp_.empty() or not edge_is_sharp_[e.index()]));
+        return not e.is_boundary() and (edge_is_sharp_.empty() or not edge_is_sharp_[e.index()]);
     }
     [[nodiscard]] bool is_smooth(const vertex<Level>& v) const
     {
-        return all_smooth_ or ((near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary());
-    }
-
-    // What is rare stays out of the loops.
-
-    /// Assigns the point of an edge that is not smooth: its midpoint, or between that and the smooth mask.
-    template <class Association, class Smooth>
-    [[gnu::noinline]] void make_edge(const edge<Level>& e, const Association& target, const Smooth& smooth) const
-    {
-        const double s = sharp_->sharpness(e);
-        const bool stays_sharp = sharp_->method == crease_method::chaikin and
-                                 sharp_->child_sharpness(e.org(), e) > 0 and sharp_->child_sharpness(e.dst(), e) > 0;
-        if (s >= 1 or stays_sharp)
-            target = average(e.org(), e.dst());
-        else
-            target = s * average(e.org(), e.dst()) + (1 - s) * smooth();
-    }
-
-    /// Assigns the point of a vertex that is not smooth.
-    template <class Association, class Smooth>
-    [[gnu::noinline]] void make_vertex(const vertex<Level>& v, const Association& target, const Smooth& smooth) const
-    {
-        if (near_sharp_.empty() or not near_sharp_[v.index()]) { // on the boundary, far from all creases
-            if (is_kept_corner(v))
-                target = v;
-            else
-                target = cubic_curve_vertex(v, v.first_rim(), v.last_rim());
-            return;
-        }
-        const auto [parent, child, weight] = classify(v);
-        const auto rule = [&](const auto& r, const auto& use) {
-            if (r.kind == rule_kind::corner)
-                use(sum(v));
-            else if (r.kind == rule_kind::crease)
-                use(cubic_curve_vertex(v, r.ends[0], r.ends[1]));
-            else
-                use(smooth());
-        };
-        if (parent.kind == rule_kind::smooth or parent.kind == child.kind)
-            rule(parent, [&](const auto& mask) { target = mask; });
-        else
-            rule(parent, [&, w = weight](const auto& now) {
-                rule(child, [&](const auto& later) { target = w * now + (1 - w) * later; });
-            });
+        return (near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary();
     }
 
     /// What the limit at a vertex that is not smooth depends on: nothing (a corner), a curve, or more than a mask can tell.
@@ -111,6 +83,62 @@ public:
     }
 
 private:
+    /// A loop that meets nothing rare is a loop of its own: calls of what is rare would make it read all anew every time.
+    template <class Range, class Space, class Smooth>
+    void make_all(const Range& range, const Space& assoc, const Smooth& smooth) const
+    {
+        if (all_smooth_)
+            for_each(range, [&](auto x) { assoc(x, targets::V) = smooth(x); });
+        else
+            for_each(range, [&](auto x) {
+                if (is_smooth(x))
+                    assoc(x, targets::V) = smooth(x);
+                else
+                    make(x, assoc(x, targets::V), smooth);
+            });
+    }
+
+    /// Assigns the point of an edge that is not smooth: its midpoint, or between that and the smooth mask.
+    template <class Association, class Smooth>
+    [[gnu::noinline]] void make(edge<Level> e, const Association& target, const Smooth& smooth) const
+    {
+        const double s = sharp_->sharpness(e);
+        const bool stays_sharp = sharp_->method == crease_method::chaikin and
+                                 sharp_->child_sharpness(e.org(), e) > 0 and sharp_->child_sharpness(e.dst(), e) > 0;
+        if (s >= 1 or stays_sharp)
+            target = average(e.org(), e.dst());
+        else
+            target = s * average(e.org(), e.dst()) + (1 - s) * smooth(e);
+    }
+
+    /// Assigns the point of a vertex that is not smooth.
+    template <class Association, class Smooth>
+    [[gnu::noinline]] void make(vertex<Level> v, const Association& target, const Smooth& smooth) const
+    {
+        if (near_sharp_.empty() or not near_sharp_[v.index()]) { // on the boundary, far from all creases
+            if (is_kept_corner(v))
+                target = v;
+            else
+                target = cubic_curve_vertex(v, v.first_rim(), v.last_rim());
+            return;
+        }
+        const auto [parent, child, weight] = classify(v);
+        const auto rule = [&](const auto& r, const auto& use) {
+            if (r.kind == rule_kind::corner)
+                use(sum(v));
+            else if (r.kind == rule_kind::crease)
+                use(cubic_curve_vertex(v, r.ends[0], r.ends[1]));
+            else
+                use(smooth(v));
+        };
+        if (parent.kind == rule_kind::smooth or parent.kind == child.kind)
+            rule(parent, [&](const auto& mask) { target = mask; });
+        else
+            rule(parent, [&, w = weight](const auto& now) {
+                rule(child, [&](const auto& later) { target = w * now + (1 - w) * later; });
+            });
+    }
+
     enum class rule_kind : unsigned char { smooth, crease, corner };
     struct vertex_rule {
         rule_kind kind = rule_kind::smooth;

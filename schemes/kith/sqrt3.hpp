@@ -4,6 +4,7 @@
 #include "library.hpp"
 #include "sqrt3_split.hpp"
 
+#include <kith/blocks.hpp>
 #include <kith/cos_turn.hpp>
 #include <kith/weight_table.hpp>
 
@@ -77,35 +78,37 @@ struct sqrt3 {
         const weight_table<real> alphas(alpha);
         const bool odd = sqrt3_split::is_odd(generation) and not coarse.is_closed();
 
-        for_each(coarse.faces(), [&](auto f) {
-            if (not odd or not sqrt3_split::has_one_boundary_edge(f))
-                assoc(f, V) = average(f.vertices());
-        });
-
-        for_each(coarse.vertices(), [&](auto v) {
-            if (not v.is_boundary()) {
-                const auto ring = v.corners().map([](auto c) { return c.next().v(); });
-                assoc(v, V) = around(v, ring, [&](std::size_t n) {
-                    return ring_weights<real>{1 - alphas[n], alphas[n] / real(double(n))};
-                });
-            } else if (odd) {
-                assoc(v, V) = (4. * v.first_rim() + 19. * v + 4. * v.last_rim()) / 27;
-            } else {
-                assoc(v, V) = v;
-            }
-        });
-
-        if (odd)
-            for_each(coarse.edges(), [&](auto e) {
-                if (not e.is_boundary() or not sqrt3_split::has_one_boundary_edge(e.lface()))
-                    return;
-                const auto x = e.org();
-                const auto y = e.dst();
-                assoc(x, e, V) = (x.last_rim() + 16. * x + 10. * y) / 27;
-                assoc(y, e, V) = (10. * x + 16. * y + y.first_rim()) / 27;
+        in_blocks(r, [&](const auto& block) {
+            for_each(block.coarse.faces(), [&](auto f) {
+                if (not odd or not sqrt3_split::has_one_boundary_edge(f))
+                    assoc(f, V) = average(f.vertices());
             });
 
-        sqrt3_split::connect(r);
+            for_each(block.coarse.vertices(), [&](auto v) {
+                if (not v.is_boundary()) {
+                    const auto ring = v.corners().map([](auto c) { return c.next().v(); });
+                    assoc(v, V) = around(v, ring, [&](std::size_t n) {
+                        return ring_weights<real>{1 - alphas[n], alphas[n] / real(double(n))};
+                    });
+                } else if (odd) {
+                    assoc(v, V) = (4. * v.first_rim() + 19. * v + 4. * v.last_rim()) / 27;
+                } else {
+                    assoc(v, V) = v;
+                }
+            });
+
+            if (odd)
+                for_each(block.coarse.edges(), [&](auto e) {
+                    if (not e.is_boundary() or not sqrt3_split::has_one_boundary_edge(e.lface()))
+                        return;
+                    const auto x = e.org();
+                    const auto y = e.dst();
+                    assoc(x, e, V) = (x.last_rim() + 16. * x + 10. * y) / 27;
+                    assoc(y, e, V) = (10. * x + 16. * y + y.first_rim()) / 27;
+                });
+
+            sqrt3_split::connect(block);
+        });
     }
 
 private:

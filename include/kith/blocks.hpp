@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "refinement.hpp"
+
+#include <cstddef>
+
+namespace kith {
+
+/// The elements of one kind of a block: part `number` of `count`.
+template <class Level, class Element>
+struct block_elements {
+    all_elements<Level, Element> all;
+    std::size_t number, count;
+
+    /// Where this part of `size` things begins and ends.
+    [[nodiscard]] std::size_t begin(std::size_t size) const { return size * number / count; }
+    [[nodiscard]] std::size_t end(std::size_t size) const { return size * (number + 1) / count; }
+};
+
+/// Part `number` of `count` of a level: some consecutive faces, the vertices and edges that belong to them, and so on.
+template <class Level>
+class block_of_level {
+public:
+    block_of_level(const Level& level, std::size_t number, std::size_t count)
+        : level_(&level), number_(number), count_(count)
+    {
+    }
+
+    [[nodiscard]] auto vertices() const { return part(level_->vertices()); }
+    [[nodiscard]] auto edges() const { return part(level_->edges()); }
+    [[nodiscard]] auto faces() const { return part(level_->faces()); }
+    [[nodiscard]] auto corners() const { return part(level_->corners()); }
+    /// Of the whole level.
+    [[nodiscard]] bool is_closed() const { return level_->is_closed(); }
+
+private:
+    template <class Element>
+    [[nodiscard]] auto part(const all_elements<Level, Element>& all) const
+    {
+        return block_elements<Level, Element>{all, number_, count_};
+    }
+
+    const Level* level_;
+    std::size_t number_, count_;
+};
+
+/// for_each and for_each_by_number over the elements of a block.
+template <class Level, class Element, class F>
+void for_each_by_number(const block_elements<Level, Element>& range, const F& f)
+{
+    const std::size_t size = range.all.size();
+    detail::for_numbers_inlined(range.all, range.begin(size), range.end(size), f);
+}
+template <class Level, class Element, class F>
+void for_each(const block_elements<Level, Element>& range, const F& f)
+{
+    if constexpr (detail::met_by_faces<Level, Element>) {
+        const std::size_t faces = range.all.level().face_count();
+        detail::for_faces(range.all, range.begin(faces), range.end(faces), f);
+    } else {
+        for_each_by_number(range, f);
+    }
+}
+
+/// Calls body(part of r) for parts of the coarse level that fit the cache, so that what one loop of the body fetches is
+/// still there for the next. The loops of the body must not read what they make: only the coarse level and what was made
+/// before. Each thread of OpenMP takes consecutive parts.
+template <class Level, class Space, class Scalar, class Body>
+void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
+{
+    if constexpr (detail::ordered_by_faces<Level>) {
+        constexpr std::size_t faces_of_block = 1024; // with all that belongs to them about half of a second-level cache
+        const std::size_t faces = r.coarse.face_count();
+        const std::size_t count = (faces + faces_of_block - 1) / faces_of_block;
+        const auto run = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t number = begin; number < end; ++number) {
+                const block_of_level<Level> block(r.coarse, number, count);
+                body(refinement<block_of_level<Level>, Space, Scalar>{block, r.assoc, r.generation});
+            }
+        };
+        detail::for_parts(count, Level::parallel, run, detail::worth_threads / faces_of_block);
+    } else {
+        body(r);
+    }
+}
+
+} // namespace kith
