@@ -166,12 +166,12 @@ private:
 
     // What associations do.
 
-    /// The id of a tuple, which its column may leave out.
+    /// The id of a tuple, which its column may leave out unless the scheme is trusted not to ask then.
     template <tuple_kind Kind, class Ids>
     index_type present(const Ids& ids, std::size_t tuple, const char* absent) const
     {
         const index_type id = ids.template id<Kind>(tuple);
-        if constexpr (not Ids::template is_full<Kind>)
+        if constexpr (Checked and not Ids::template is_full<Kind>)
             if (id == none) [[unlikely]]
                 faults::refuse(*coarse_, Kind, tuple, absent);
         return id;

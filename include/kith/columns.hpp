@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "level_elements.hpp"
 #include "error.hpp"
+#include "level_elements.hpp"
+#include "storage.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@
 #include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace kith {
 
@@ -35,23 +35,31 @@ std::size_t tuple_count(const Level& level, tuple_kind kind)
     }
 }
 
-/// The element by which conditions and degrees of a column speak of a tuple: the vertex, edge or face itself, the corner
+/// The elements by which conditions and degrees of a column speak of tuples: the vertex, edge or face itself, the corner
 /// of (v,f), (e,f) and (v,f,e), the edge of (v,e).
+template <tuple_kind Kind, class Level>
+auto tuple_elements_of(const Level& level)
+{
+    if constexpr (Kind == tuple_kind::v)
+        return level.vertices();
+    else if constexpr (Kind == tuple_kind::e or Kind == tuple_kind::ve)
+        return level.edges();
+    else if constexpr (Kind == tuple_kind::f)
+        return level.faces();
+    else
+        return level.corners();
+}
+
+/// How many tuples of a kind share such an element.
+constexpr std::size_t tuples_per_element(tuple_kind kind)
+{
+    return kind == tuple_kind::ve or kind == tuple_kind::vfe ? 2 : 1;
+}
+
 template <tuple_kind Kind, class Level>
 auto tuple_element(const Level& level, std::size_t index)
 {
-    if constexpr (Kind == tuple_kind::v)
-        return level.vertices()[index];
-    else if constexpr (Kind == tuple_kind::e)
-        return level.edges()[index];
-    else if constexpr (Kind == tuple_kind::f)
-        return level.faces()[index];
-    else if constexpr (Kind == tuple_kind::ve)
-        return level.edges()[index / 2];
-    else if constexpr (Kind == tuple_kind::vfe)
-        return level.corners()[index / 2];
-    else
-        return level.corners()[index];
+    return tuple_elements_of<Kind>(level)[index / tuples_per_element(Kind)];
 }
 
 /// Which tuples of a column give birth: all of them, all or none as the form of the scheme says, all inner ones and some
@@ -220,13 +228,18 @@ public:
         if constexpr (is_full<Kind>)
             return Index(base_[i] + index);
         else {
-            if (rank_[i].empty())
+            const storage<Index>& before = before_[i];
+            if (before.empty())
                 return index < count(i) ? Index(base_[i] + index) : none;
-            const Index rank = index < rank_[i].size() ? rank_[i][index] : none;
-            return rank == none ? none : Index(base_[i] + rank);
+            constexpr std::size_t each = tuples_per_element(Kind);
+            const std::size_t element = index / each;
+            if (element + 1 >= before.size() or before[element] == before[element + 1])
+                return none;
+            return Index(base_[i] + each * before[element] + index % each);
         }
     }
-    /// The inverse: the tuple that gave birth to an element. Precondition: id < total().
+    /// The inverse: the tuple that gave birth to an element. Precondition: id < total(). Cost: O(1), O(log n) in a column
+    /// that is not full.
     [[nodiscard]] std::pair<tuple_kind, std::size_t> origin(std::size_t id) const
     {
         constexpr std::array<tuple_kind, size> kinds{Columns::kind...};
@@ -234,9 +247,11 @@ public:
         while (id >= base_[i + 1])
             ++i;
         const std::size_t rank = id - base_[i];
-        if (rank_[i].empty())
+        if (before_[i].empty())
             return {kinds[i], rank};
-        return {kinds[i], members_[i][rank]};
+        const std::size_t each = tuples_per_element(kinds[i]);
+        const auto element = std::upper_bound(before_[i].begin(), before_[i].end(), rank / each) - 1;
+        return {kinds[i], std::size_t(element - before_[i].begin()) * each + rank % each};
     }
 
 private:
@@ -256,33 +271,36 @@ private:
             if (level.is_closed())
                 count = Where::inner ? count : 0;
             else
-                count = pick<Kind>(level, i, count, [&](const auto& element) {
+                count = pick<Kind>(level, i, [&](const auto& element) {
                     return element.is_boundary() ? bool(c.where.keep(element)) : Where::inner;
                 });
         } else if constexpr (std::same_as<Where, all_or_none>) {
             count = c.where.all ? count : 0;
         } else if constexpr (not std::same_as<Where, everywhere>) {
-            count = pick<Kind>(level, i, count, c.where.keep);
+            count = pick<Kind>(level, i, c.where.keep);
         }
         base_[i + 1] = base_[i] + count;
     }
 
     template <tuple_kind Kind, class Level, class Keep>
-    std::size_t pick(const Level& level, std::size_t i, std::size_t tuples, const Keep& keep)
+    std::size_t pick(const Level& level, std::size_t i, const Keep& keep)
     {
-        rank_[i].assign(tuples, none);
-        for (std::size_t t = 0; t < tuples; ++t)
-            if (keep(tuple_element<Kind>(level, t))) {
-                rank_[i][t] = Index(members_[i].size());
-                members_[i].push_back(Index(t));
-            }
-        return members_[i].size();
+        constexpr std::size_t each = tuples_per_element(Kind);
+        const auto elements = tuple_elements_of<Kind>(level);
+        storage<Index> before(elements.size() + 1);
+        Index picked = 0;
+        for (std::size_t x = 0; x < elements.size(); ++x) {
+            before[x] = picked;
+            picked += Index(bool(keep(elements[x])));
+        }
+        before[elements.size()] = picked;
+        before_[i] = std::move(before);
+        return each * std::size_t(picked);
     }
 
     std::size_t appended_ = 0;
     std::array<std::size_t, size + 1> base_{};
-    std::array<std::vector<Index>, size> rank_;    // by tuple; empty: the column is full
-    std::array<std::vector<Index>, size> members_; // by rank
+    std::array<storage<Index>, size> before_; // by element: how many before it were picked; empty: the column is full
 };
 
 } // namespace kith

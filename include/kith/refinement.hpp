@@ -8,6 +8,7 @@
 #include "polygon.hpp"
 #include "values.hpp"
 
+#include <atomic>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -54,12 +55,20 @@ template <class Level, class Numbering, class Columns>
 int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& columns)
 {
     std::size_t common = 0;
-    for_new_faces(coarse, ids, columns, [&](std::size_t id, std::size_t degree) {
-        const bool same = (id == 0 or degree == common) and (degree == 3 or degree == 4);
-        common = same ? degree : 0;
-        return same;
+    for_new_faces(coarse, ids, columns, [&](std::size_t, std::size_t degree) {
+        common = degree;
+        return false;
     });
-    return int(common);
+    std::atomic<bool> same = common == 3 or common == 4;
+    const auto look_at = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c) {
+        for_each(tuple_elements_of<K>(coarse), [&](const auto& x) {
+            if (same.load(std::memory_order_relaxed) and
+                ids.faces.template id<K>(x.index() * tuples_per_element(K)) != ids.faces.none and c.degree(x) != common)
+                same.store(false, std::memory_order_relaxed);
+        });
+    };
+    std::apply([&](const auto&... c) { (look_at(c), ...); }, columns.faces.list);
+    return same ? int(common) : 0;
 }
 
 /// Allocates the connectivity of the next level as far as its numbering tells it.

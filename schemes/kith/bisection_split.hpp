@@ -13,11 +13,15 @@ namespace kith {
 /// next level. The marked edge of a triangle is its first one, on every mesh type, so the mark needs no room and is handed
 /// on by the order of the corners alone. Velho & Zorin 2001, section 3.
 struct bisection_split {
+    template <class Corner>
+    static bool is_first(const Corner& c)
+    {
+        return c == c.f().first_corner();
+    }
     template <class Edge>
     static bool is_marked(const Edge& e)
     {
-        const auto c = e.lcorner();
-        return c == c.f().first_corner();
+        return is_first(e.lcorner());
     }
 
     /// Two triangles at a marked edge are a block, a quad; of a corner whose half-edge is a side of one, that of the next side.

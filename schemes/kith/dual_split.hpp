@@ -58,7 +58,7 @@ struct dual_split {
             assoc(f, F) = polygon(f.corners(),
                                   [&](auto c) { return assoc(c, V) >> assoc(c.next_edge(), f, E).left(); });
         });
-        for_each(coarse.edges(), [&](auto e) {
+        for_each_by_number(coarse.edges(), [&](auto e) {
             if (e.is_boundary())
                 return;
             const auto xl = e.lcorner(); // of the edge x -> y with faces L and R
@@ -68,7 +68,7 @@ struct dual_split {
                                   assoc(yr.next(), V) >> assoc(e, yr.f(), E).right(),
                                   assoc(yr, V) >> assoc(yr.v(), e, E).left());
         });
-        for_each(coarse.vertices(), [&](auto v) {
+        for_each_by_number(coarse.vertices(), [&](auto v) {
             if (v.is_boundary() and not(cap_boundary and v.face_count() >= 3))
                 return;
             assoc(v, F) = polygon(v.corners(), [&](auto c) {

@@ -5,6 +5,7 @@
 #include "library.hpp"
 #include "tri_quad.hpp"
 
+#include <kith/blocks.hpp>
 #include <kith/cos_turn.hpp>
 
 #include <cstddef>
@@ -106,37 +107,38 @@ struct four_eight {
     void operator()(const R& r) const
     {
         using namespace targets;
-        const auto& [coarse, assoc, generation] = r;
-        for_each(coarse.edges(), [&](auto e) {
-            if (not bisection_split::is_marked(e))
-                return;
-            if (e.is_boundary())
-                assoc(e, V) = average(e.org(), e.dst());
-            else
-                assoc(e, V) = average(e.org(), e.dst(), e.lcorner().prev().v(), e.rcorner().prev().v());
-        });
+        const auto& assoc = r.assoc;
+        in_blocks(r, [&](const auto& block) {
+            for_each(block.coarse.edges(), [&](auto e) {
+                if (not bisection_split::is_marked(e))
+                    return;
+                if (e.is_boundary())
+                    assoc(e, V) = average(e.org(), e.dst());
+                else
+                    assoc(e, V) = average(e.org(), e.dst(), e.lcorner().prev().v(), e.rcorner().prev().v());
+            });
 
-        for_each(coarse.vertices(), [&](auto v) {
-            if (not v.is_boundary()) {
-                const auto unmarked = v.edges().only([](const auto& e) { return not bisection_split::is_marked(e); });
-                const auto other_end = [v](const auto& e) { return e.org() == v ? e.dst() : e.org(); };
-                assoc(v, V) = 1. / 2 * v + 1. / 2 * average(unmarked.map(other_end));
-            } else if (bisection_split::is_marked(v.first_corner().next_edge()) and
-                       bisection_split::is_marked(v.last_corner().prev_edge())) {
-                assoc(v, V) = 3. / 4 * v + 1. / 8 * (v.first_rim() + v.last_rim());
-            } else {
-                assoc(v, V) = v;
-            }
-        });
+            for_each(block.coarse.vertices(), [&](auto v) {
+                if (not v.is_boundary()) {
+                    const auto ends = sides(v).map([](const auto& c) { return c.next().v(); });
+                    assoc(v, V) = 1. / 2 * v + 1. / 2 * average(ends);
+                } else if (bisection_split::is_marked(v.first_corner().next_edge()) and
+                           bisection_split::is_marked(v.last_corner().prev_edge())) {
+                    assoc(v, V) = 3. / 4 * v + 1. / 8 * (v.first_rim() + v.last_rim());
+                } else {
+                    assoc(v, V) = v;
+                }
+            });
 
-        bisection_split::connect(r);
+            bisection_split::connect(block);
+        });
     }
 
 private:
     template <class Vertex>
     static auto sides(const Vertex& v) // of the blocks at v, each side with the block to its left
     {
-        return v.corners().only([](const auto& c) { return not bisection_split::is_marked(c.next_edge()); });
+        return v.corners().only([](const auto& c) { return not bisection_split::is_first(c); });
     }
     template <class Vertex>
     static std::size_t block_count(const Vertex& v)

@@ -38,7 +38,7 @@ struct mid_edge_split {
             assoc(f, F) = polygon(f.corners(),
                                   [&](auto c) { return assoc(c.next_edge(), V) >> assoc(c.next(), E).left(); });
         });
-        for_each(coarse.vertices(), [&](auto v) {
+        for_each_by_number(coarse.vertices(), [&](auto v) {
             if (v.is_boundary() and v.face_count() < 2)
                 return;
             assoc(v, F) = polygon(v.edges(), [&](auto e) {
@@ -46,7 +46,7 @@ struct mid_edge_split {
                 return assoc(e, V) >> (c.v() == v ? assoc(c, E).right() : assoc(v, E).left());
             });
         });
-        for_each(coarse.edges(), [&](auto e) {
+        for_each_by_number(coarse.edges(), [&](auto e) {
             const auto c = e.lcorner();
             assoc(e, V).starts_at(assoc(c.f(), F).corner(c.index() - c.f().first_corner().index()));
         });
