@@ -68,43 +68,23 @@ struct kobbelt {
         const auto& [coarse, assoc, generation] = r;
         const auto outer = real(-tension / 16);
         const auto inner = real((8 + tension) / 16);
-        const weight_rows<real> neighbor_rows(neighbor_weights);
-        const weight_rows<real> opposite_rows([this](std::size_t n) { return opposite_weights(n); });
+        const ring_rows<real> rows{weight_rows<real>(neighbor_weights),
+                                   weight_rows<real>([this](std::size_t n) { return opposite_weights(n); })};
 
-        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
+        std::vector<unsigned char> regular(coarse.vertex_count());
+        for_each(coarse.vertices(), [&](auto v) {
+            regular[v.index()] = not v.is_boundary() and v.valence() == 4;
+            assoc(v, V) = v;
+        });
 
         for_each(coarse.edges(), [&](auto e) {
-            std::vector<real> spare[4];
-            // The point that continues the edge beyond the vertex of c, which is its half-edge from there.
-            const auto beyond = [&](auto c, auto& spare_l, auto& spare_k) {
-                const auto x = c.v();
-                const std::size_t n = x.valence();
-                const real* l = n == 4 ? nullptr : neighbor_rows(n, spare_l);
-                const real* k = n == 4 ? nullptr : opposite_rows(n, spare_k);
-                return choose(
-                    x.is_boundary(),
-                    [c, x] { return 2. * x - c.next().v(); },
-                    [c, n, l, k] {
-                        return choose(
-                            n == 4,
-                            [c] { return sum(c.prev().across().prev().across().next().v()); },
-                            [c, l, k] {
-                                return sum(c.fan_from_here().map([](auto d) { return d.next().v(); }), l) +
-                                       sum(c.fan_from_here().map([](auto d) { return d.next().next().v(); }), k);
-                            });
-                    });
-            };
             const auto x = e.org();
             const auto y = e.dst();
-            if (e.is_boundary()) {
-                const auto along = [](auto v, auto w, auto rim) { // corners end the curve: reflect
-                    return choose(v.face_count() == 1, [v, w] { return 2. * v - w; }, [rim] { return sum(rim); });
-                };
-                assoc(e, V) = inner * (x + y) + outer * (along(x, y, x.last_rim()) + along(y, x, y.first_rim()));
-            } else {
-                assoc(e, V) = inner * (x + y) + outer * (beyond(e.lcorner(), spare[0], spare[1]) +
-                                                         beyond(e.rcorner(), spare[2], spare[3]));
-            }
+            const auto mask = [&](const auto& l, const auto& r) { return inner * (x + y) + outer * (l + r); };
+            if (regular[x.index()] and regular[y.index()])
+                assoc(e, V) = mask(straight_on(e.lcorner()), straight_on(e.rcorner()));
+            else
+                with_irregular_ends<real>(e, rows, [&](const auto& l, const auto& r) { assoc(e, V) = mask(l, r); });
         });
 
         for_each(coarse.faces(), [&](auto f) {
@@ -127,6 +107,52 @@ struct kobbelt {
     }
 
 private:
+    template <class Real>
+    struct ring_rows {
+        weight_rows<Real> neighbors, opposites;
+    };
+
+    /// The vertex that continues the edge of c beyond c's own vertex, which is inside and has valence 4.
+    template <class Corner>
+    static auto straight_on(const Corner& c)
+    {
+        return c.prev().across().prev().across().next().v();
+    }
+    /// Calls use(l, r) with the points that continue an edge beyond its ends. What is rare stays out of the loops.
+    template <class Real, class Edge, class Use>
+    [[gnu::noinline, gnu::flatten]] static void with_irregular_ends(Edge e, const ring_rows<Real>& rows, const Use& use)
+    {
+        const auto x = e.org();
+        const auto y = e.dst();
+        if (e.is_boundary()) {
+            const auto along = [](auto v, auto w, auto rim) { // corners end the curve: reflect
+                return choose(v.face_count() == 1, [v, w] { return 2. * v - w; }, [rim] { return sum(rim); });
+            };
+            use(along(x, y, x.last_rim()), along(y, x, y.first_rim()));
+            return;
+        }
+        std::vector<Real> spare[4];
+        const auto beyond = [&](auto c, auto& spare_l, auto& spare_k) { // the vertex of c
+            const auto v = c.v();
+            const std::size_t n = v.valence();
+            const Real* l = n == 4 ? nullptr : rows.neighbors(n, spare_l);
+            const Real* k = n == 4 ? nullptr : rows.opposites(n, spare_k);
+            return choose(
+                v.is_boundary(),
+                [c, v] { return 2. * v - c.next().v(); },
+                [c, n, l, k] {
+                    return choose(
+                        n == 4,
+                        [c] { return sum(straight_on(c)); },
+                        [c, l, k] {
+                            return sum(c.fan_from_here().map([](auto d) { return d.next().v(); }), l) +
+                                   sum(c.fan_from_here().map([](auto d) { return d.next().next().v(); }), k);
+                        });
+                });
+        };
+        use(beyond(e.lcorner(), spare[0], spare[1]), beyond(e.rcorner(), spare[2], spare[3]));
+    }
+
     /// Of the neighbours l_j of a vertex of valence n, l_0 being the other end of the edge: 4/n - [j = -1, 0, 1].
     static std::vector<double> neighbor_weights(std::size_t n)
     {
