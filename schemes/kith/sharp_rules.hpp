@@ -83,19 +83,20 @@ public:
     }
 
 private:
-    /// A loop that meets nothing rare is a loop of its own: calls of what is rare would make it read all anew every time.
+    /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every time.
     template <class Range, class Space, class Smooth>
     void make_all(const Range& range, const Space& assoc, const Smooth& smooth) const
     {
-        if (all_smooth_)
-            for_each(range, [&](auto x) { assoc(x, targets::V) = smooth(x); });
-        else
-            for_each(range, [&](auto x) {
-                if (is_smooth(x))
-                    assoc(x, targets::V) = smooth(x);
-                else
-                    make(x, assoc(x, targets::V), smooth);
-            });
+        constexpr bool native = detail::ordered_by_faces<Level>;
+        if constexpr (native)
+            if (all_smooth_)
+                return for_each(range, [&](auto x) { assoc(x, targets::V) = smooth(x); });
+        for_each(range, [&](auto x) {
+            if ((not native and all_smooth_) or is_smooth(x))
+                assoc(x, targets::V) = smooth(x);
+            else
+                make(x, assoc(x, targets::V), smooth);
+        });
     }
 
     /// Assigns the point of an edge that is not smooth: its midpoint, or between that and the smooth mask.
