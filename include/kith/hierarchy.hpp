@@ -99,7 +99,8 @@ public:
         return child(level, index_tuple(at(level, x), at(level, y), at(level, z)), target);
     }
 
-    /// The inverse: the elements of level-1 to which an element of `level` belongs. Precondition: level > 0. Cost: O(1).
+    /// The inverse: the elements of level-1 to which an element of `level` belongs. Precondition: level > 0. Cost: O(1), O(log n)
+    /// where the scheme leaves tuples of that kind out.
     [[nodiscard]] birth<M> origin(int level, typename traits::vertex v) const
     {
         return parents(level, levels_.at(std::size_t(level - 1))->ids.vertices, elements(level).index(v));
