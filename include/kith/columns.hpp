@@ -120,7 +120,7 @@ struct column {
     {
         return column<Kind, only_where<Keep>, Degree>{{keep}, degree};
     }
-    /// The degree of the new faces as a function of the tuple's element.
+    /// The degree of the new faces as a function of the tuple's element; it may be asked on several threads.
     template <class Of>
     [[nodiscard]] constexpr auto of_degree(Of of) const
     {
