@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/columns.hpp>
+#include <kith/column_ids.hpp>
 
 #include "every_level.hpp"
 

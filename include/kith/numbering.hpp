@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "columns.hpp"
+#include "column_ids.hpp"
 #include "error.hpp"
 
 #include <algorithm>
