@@ -2,6 +2,7 @@
 #pragma once
 
 #include "association.hpp"
+#include "error.hpp"
 
 #include <cstddef>
 #include <string>
