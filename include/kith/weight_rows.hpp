@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kept = 64;
+    static constexpr std::size_t kept = 16;
 
     static std::vector<Scalar> convert(const std::vector<double>& row)
     {

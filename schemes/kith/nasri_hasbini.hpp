@@ -7,6 +7,7 @@
 
 #include <kith/weight_rows.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -69,6 +70,7 @@ struct nasri_hasbini {
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
         const ternary_rows<real> rows;
+        static const polygon_rows beside_polygons;
 
         // All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them all.
         for_each(coarse.vertices(), [&](auto v) {
@@ -77,7 +79,7 @@ struct nasri_hasbini {
             else if (has_quads_only(v))
                 make_inner(v, assoc, rows);
             else
-                make_beside_polygons<real>(v, assoc);
+                make_beside_polygons<real>(v, assoc, beside_polygons);
         });
 
         ternary_split::connect(r);
@@ -164,13 +166,16 @@ private:
     /// docs/schemes.md, Nasri-Hasbini, faces that are not quads. The ring weights of the quad rule are redistributed: what
     /// belongs to a special face (one that holds the new point) is spent on the corners of that face by its own kernel.
     template <class Real, class Vertex, class Assoc>
-    static void make_beside_polygons(const Vertex& v, const Assoc& assoc)
+    static void make_beside_polygons(const Vertex& v, const Assoc& assoc, const polygon_rows& rows)
     {
         using namespace targets;
         std::vector<decltype(v.first_corner())> ring;
         for (const auto c : v.corners())
             ring.push_back(c);
         const std::size_t n = ring.size();
+        std::vector<std::pair<Vertex, Real>> row;
+        std::vector<double> block(n); // of each special face
+        polygon_rows::spare spare, spare_of_face;
         const auto make = [&](auto&& target, std::size_t i, ternary_point point) {
             const auto is_special = [&](std::size_t j) {
                 const bool near = point == ternary_point::vertex or j == i or
@@ -180,15 +185,16 @@ private:
             std::size_t specials = 0;
             for (std::size_t j = 0; j < n; ++j)
                 specials += is_special(j);
-            std::vector<std::pair<Vertex, Real>> row;
-            double own = center_weight(point);
-            std::vector<double> block(n, 0.); // of each special face
+            row.clear();
+            std::fill(block.begin(), block.end(), 0.);
+            const double own = center_weight(point);
+            const auto around = rows.around(point, n, spare);
             for (std::size_t j = 0; j < n; ++j) {
                 if (is_special(j))
                     block[j] += own / double(specials);
                 const std::size_t before = (j + n - 1) % n; // e_j lies between faces j-1 and j
-                const double e = neighbor_weight(point, (j + n - i) % n, n);
-                const double d = opposite_weight(point, (j + n - i) % n, n);
+                const double e = around.neighbors[(j + n - i) % n];
+                const double d = around.opposites[(j + n - i) % n];
                 const int sharing = int(is_special(j)) + int(is_special(before));
                 if (sharing == 0)
                     row.emplace_back(ring[j].next().v(), Real(e));
@@ -198,10 +204,10 @@ private:
                     block[before] += e / sharing;
                 if (is_special(j))
                     block[j] += d;
+                else if (const std::size_t m = ring[j].f().degree(); m == 4)
+                    row.emplace_back(ring[j].next().next().v(), Real(d));
                 else
-                    spend(row, ring[j], d, [m = ring[j].f().degree()](std::size_t k) {
-                        return m == 4 ? double(k == 2) : diagonal_weight(k, m);
-                    });
+                    spend(row, ring[j], d, [w = rows.diagonal(m, spare_of_face)](std::size_t k) { return w[k]; });
             }
             if (specials == 0)
                 row.emplace_back(v, Real(own));
@@ -209,8 +215,8 @@ private:
                 if (is_special(j)) {
                     const std::size_t m = ring[j].f().degree();
                     const bool mirrored = point == ternary_point::edge and j != i;
-                    spend(row, ring[j], block[j], [&](std::size_t k) {
-                        return polygon_weight(point, mirrored ? (m - k) % m : k, m);
+                    spend(row, ring[j], block[j], [=, w = rows.special(point, m, spare_of_face)](std::size_t k) {
+                        return w[mirrored ? (m - k) % m : k];
                     });
                 }
             target = weighted(row) / 729;

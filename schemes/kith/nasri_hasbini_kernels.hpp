@@ -152,4 +152,51 @@ private:
         q_{make<ternary_point::face, false>}, g_{make<ternary_point::face, true>};
 };
 
+/// The weights around a vertex beside faces that are not quads. Doubles: they are combined before they become scalars.
+class polygon_rows {
+public:
+    using spare = std::array<std::vector<double>, 2>;
+    struct ring {
+        const double *neighbors, *opposites;
+    };
+
+    [[nodiscard]] ring around(ternary_point point, std::size_t n, spare& s) const
+    {
+        return {neighbors_[index(point)](n, s[0]), opposites_[index(point)](n, s[1])};
+    }
+    /// `polygon_weight` by k.
+    [[nodiscard]] const double* special(ternary_point point, std::size_t m, spare& s) const
+    {
+        return special_[index(point)](m, s[0]);
+    }
+    /// `diagonal_weight` by k.
+    [[nodiscard]] const double* diagonal(std::size_t m, spare& s) const { return diagonal_(m, s[0]); }
+
+private:
+    static constexpr std::size_t index(ternary_point point) { return std::size_t(point); }
+
+    template <class WeightOf>
+    static weight_rows<double> rows(WeightOf weight_of)
+    {
+        return weight_rows<double>([weight_of](std::size_t n) {
+            std::vector<double> result;
+            for (std::size_t k = 0; k < n; ++k)
+                result.push_back(weight_of(k, n));
+            return result;
+        });
+    }
+    template <class WeightOf>
+    static std::array<weight_rows<double>, 3> by_point(WeightOf weight_of)
+    {
+        const auto of = [&](ternary_point point) {
+            return rows([=](std::size_t k, std::size_t n) { return weight_of(point, k, n); });
+        };
+        return {of(ternary_point::vertex), of(ternary_point::edge), of(ternary_point::face)};
+    }
+
+    std::array<weight_rows<double>, 3> neighbors_ = by_point(neighbor_weight), opposites_ = by_point(opposite_weight),
+                                       special_ = by_point(polygon_weight);
+    weight_rows<double> diagonal_ = rows(diagonal_weight);
+};
+
 } // namespace kith
