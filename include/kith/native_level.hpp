@@ -40,6 +40,7 @@ public:
         , corner_face_(mesh.topology().corner_face.data())
         , topology_(&mesh.topology())
         , degree_(Index(mesh.topology().degree))
+        , corners_(Index(mesh.topology().corners()))
     {
         KITH_ASSERT(Degree == 0 or Degree == topology_->degree);
     }
@@ -90,9 +91,10 @@ public:
         else if constexpr (Degree != 0)
             return {Index(is_rare(c.value % Degree == Degree - 1) ? c.value - (Degree - 1) : c.value + 1)};
         else {
-            const face_handle f = face_of(c);
-            const Index begin = first(f).value;
-            return {std::size_t(c.value) + 1 == begin + degree(f) ? begin : Index(c.value + 1)};
+            const Index after = c.value + 1;
+            if (degree_ != 0)
+                return {after % degree_ == 0 ? Index(after - degree_) : after};
+            return after < corners_ and are_in_one_face(c.value, after) ? corner_handle{after} : first(face_of(c));
         }
     }
     [[nodiscard]] corner_handle prev(corner_handle c) const
@@ -102,9 +104,12 @@ public:
         else if constexpr (Degree != 0)
             return {Index(is_rare(c.value % Degree == 0) ? c.value + (Degree - 1) : c.value - 1)};
         else {
-            const face_handle f = face_of(c);
-            const Index begin = first(f).value;
-            return {c.value == begin ? Index(begin + degree(f) - 1) : Index(c.value - 1)};
+            const Index before = c.value - 1;
+            if (degree_ != 0)
+                return {c.value % degree_ == 0 ? Index(before + degree_) : before};
+            return {c.value != 0 and are_in_one_face(before, c.value)
+                        ? before
+                        : Index(face_corner_[corner_face_[c.value] + 1] - 1)};
         }
     }
     /// The corner whose half-edge runs the other way along the same edge; no_corner at the boundary.
@@ -145,6 +150,9 @@ public:
     }
 
 private:
+    /// For faces of several degrees: their bounds would be one more read that misses the cache.
+    [[nodiscard]] bool are_in_one_face(Index a, Index b) const { return corner_face_[a] == corner_face_[b]; }
+
     /// Makes a branch of a choice, which it is not: fans look alike, so that the processor guesses right and does not wait
     /// for the remainder before it asks for what the corner leads to.
     static bool is_rare(bool condition) { return __builtin_expect_with_probability(condition, 0, 0.999) != 0; }
@@ -158,6 +166,7 @@ private:
     const Index* corner_face_;
     const connectivity<Index>* topology_;
     Index degree_;
+    Index corners_;
 };
 
 } // namespace kith
