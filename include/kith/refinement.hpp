@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -38,37 +39,38 @@ inline constexpr bool is_trusted = requires { requires Scheme::trusted; };
 
 namespace detail {
 
-/// Calls f(id, degree) for each new face in the order of their numbers as long as f says so.
+/// Calls f(id, degree) for each new face, on threads; `degree()` says how many corners it will have.
 template <class Level, class Numbering, class Columns, class F>
 void for_new_faces(const Level& coarse, const Numbering& ids, const Columns& columns, const F& f)
 {
-    bool more = true;
-    const auto in_column = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c, std::size_t i) {
-        for (std::size_t id = ids.faces.base(i); more and id < ids.faces.base(i + 1); ++id)
-            more = f(id, c.degree(tuple_element<K>(coarse, ids.faces.origin(id).second)));
+    const auto in_column = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c) {
+        constexpr std::size_t each = tuples_per_element(K);
+        for_each_by_number(tuple_elements_of<K>(coarse), [&](const auto& x) {
+            for (std::size_t tuple = each * x.index(); tuple < each * (x.index() + 1); ++tuple)
+                if (const auto id = ids.faces.template id<K>(tuple); id != ids.faces.none)
+                    f(id, [&] { return c.degree(x); });
+        });
     };
-    std::apply([&, i = std::size_t(0)](const auto&... c) mutable { (in_column(c, i++), ...); }, columns.faces.list);
+    std::apply([&](const auto&... c) { (in_column(c), ...); }, columns.faces.list);
 }
 
 /// 3 or 4 if all new faces have so many corners, else 0.
 template <class Level, class Numbering, class Columns>
 int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& columns)
 {
-    std::size_t common = 0;
-    for_new_faces(coarse, ids, columns, [&](std::size_t, std::size_t degree) {
-        common = degree;
-        return false;
+    constexpr std::size_t unknown = 0, mixed = std::numeric_limits<std::size_t>::max();
+    std::atomic<std::size_t> common = unknown;
+    for_new_faces(coarse, ids, columns, [&](std::size_t, const auto& degree) {
+        std::size_t so_far = common.load(std::memory_order_relaxed);
+        if (so_far == mixed)
+            return;
+        const std::size_t here = degree();
+        if (so_far == unknown and common.compare_exchange_strong(so_far, here, std::memory_order_relaxed))
+            return;
+        if (here != so_far)
+            common.store(mixed, std::memory_order_relaxed);
     });
-    std::atomic<bool> same = common == 3 or common == 4;
-    const auto look_at = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c) {
-        for_each(tuple_elements_of<K>(coarse), [&](const auto& x) {
-            if (same.load(std::memory_order_relaxed) and
-                ids.faces.template id<K>(x.index() * tuples_per_element(K)) != ids.faces.none and c.degree(x) != common)
-                same.store(false, std::memory_order_relaxed);
-        });
-    };
-    std::apply([&](const auto&... c) { (look_at(c), ...); }, columns.faces.list);
-    return same ? int(common) : 0;
+    return common == 3 or common == 4 ? int(common) : 0;
 }
 
 /// Allocates the connectivity of the next level as far as its numbering tells it.
@@ -88,10 +90,11 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
             if (fine.degree == 0) {
                 fine.face_corner = storage<index>(fine.faces + 1);
                 fine.face_corner[0] = 0;
-                for_new_faces(coarse, ids, columns, [&](std::size_t id, std::size_t degree) {
-                    fine.face_corner[id + 1] = index(corners += degree);
-                    return true;
+                for_new_faces(coarse, ids, columns, [&](std::size_t id, const auto& degree) {
+                    fine.face_corner[id + 1] = index(degree());
                 });
+                for (std::size_t id = 0; id < fine.faces; ++id)
+                    fine.face_corner[id + 1] = index(corners += fine.face_corner[id + 1]);
                 require_numbers<index>(corners, 1, "corners");
                 fine.corner_face = storage<index>(corners);
             }
