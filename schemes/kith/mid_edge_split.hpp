@@ -39,12 +39,14 @@ struct mid_edge_split {
                                   [&](auto c) { return assoc(c.next_edge(), V) >> assoc(c.next(), E).left(); });
         });
         for_each_by_number(coarse.vertices(), [&](auto v) {
-            if (v.is_boundary() and v.face_count() < 2)
-                return;
-            assoc(v, F) = polygon(v.edges(), [&](auto e) {
-                const auto c = e.seen_from(); // of v, but for the last edge of a boundary fan
-                return assoc(e, V) >> (c.v() == v ? assoc(c, E).right() : assoc(v, E).left());
-            });
+            const auto beside = [&](auto c) { return assoc(c.next_edge(), V) >> assoc(c, E).right(); };
+            if (coarse.is_closed() or not v.is_boundary())
+                assoc(v, F) = polygon(v.corners(), beside);
+            else if (v.face_count() >= 2)
+                assoc(v, F) = polygon(v.edges(), [&](auto e) {
+                    const auto c = e.seen_from(); // of v, but for the last edge
+                    return c.v() == v ? beside(c) : assoc(e, V) >> assoc(v, E).left();
+                });
         });
         for_each_by_number(coarse.edges(), [&](auto e) {
             const auto c = e.lcorner();
