@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 using kith::tuple_kind;
@@ -123,6 +124,25 @@ TEST(columns, a_condition_may_pick_tuples_anywhere)
     EXPECT_EQ(ids.id<tuple_kind::e>(5), 11U + 2);
     EXPECT_EQ(ids.id<tuple_kind::e>(4), ids.none);
     EXPECT_EQ(ids.origin(13).second, 5U);
+}
+
+TEST(columns, tuples_that_follow_one_another_are_numbered_without_gaps)
+{
+    for (const auto& [first, last] : {std::pair(0, 0), {0, 6}, {3, 7}, {8, 20}, {19, 20}, {0, 20}}) {
+        const auto among = [first, last](const auto& e) { return int(e.index()) >= first and int(e.index()) < last; };
+        const auto ids = ids_on(closed, kith::per_face, kith::per_edge.only(among), kith::per_end.only(among));
+        const auto count = std::size_t(last - first);
+        ASSERT_EQ(ids.count(1), count);
+        ASSERT_EQ(ids.count(2), 2 * count);
+        for (int e = 0; e < 20; ++e) {
+            const auto expected = [&](std::size_t id) { return e >= first and e < last ? id : ids.none; };
+            const auto rank = std::size_t(e - first), edge = std::size_t(e);
+            EXPECT_EQ(ids.id<tuple_kind::e>(edge), expected(11 + rank));
+            EXPECT_EQ(ids.id<tuple_kind::ve>(2 * edge), expected(11 + count + 2 * rank));
+            EXPECT_EQ(ids.id<tuple_kind::ve>(2 * edge + 1), expected(11 + count + 2 * rank + 1));
+        }
+        expect_inverse<tuple_kind::f, tuple_kind::e, tuple_kind::ve>(ids);
+    }
 }
 
 TEST(columns, a_form_of_a_scheme_may_have_all_tuples_or_none)

@@ -14,8 +14,8 @@
 
 namespace kith {
 
-/// The ids of the new elements of one kind: for each column its base, and where the column is not full the rank of each
-/// of its tuples.
+/// The ids of the new elements of one kind: for each column its base, and where the tuples that are picked do not follow
+/// one another the rank of each.
 template <class Index, class... Columns>
 class column_ids {
 public:
@@ -52,7 +52,7 @@ public:
         else {
             const storage<Index>& before = before_[i];
             if (before.empty())
-                return index < count(i) ? Index(base_[i] + index) : none;
+                return index - first_[i] < count(i) ? Index(base_[i] + (index - first_[i])) : none;
             constexpr std::size_t each = tuples_per_element(Kind);
             const std::size_t element = index / each;
             if (element + 1 >= before.size() or before[element] == before[element + 1])
@@ -61,7 +61,7 @@ public:
         }
     }
     /// The inverse: the tuple that gave birth to an element. Precondition: id < total(). Cost: O(1), O(log n) in a column
-    /// that is not full.
+    /// whose tuples do not follow one another.
     [[nodiscard]] std::pair<tuple_kind, std::size_t> origin(std::size_t id) const
     {
         constexpr std::array<tuple_kind, size> kinds{Columns::kind...};
@@ -70,7 +70,7 @@ public:
             ++i;
         const std::size_t rank = id - base_[i];
         if (before_[i].empty())
-            return {kinds[i], rank};
+            return {kinds[i], first_[i] + rank};
         const std::size_t each = tuples_per_element(kinds[i]);
         const auto element = std::upper_bound(before_[i].begin(), before_[i].end(), rank / each) - 1;
         return {kinds[i], std::size_t(element - before_[i].begin()) * each + rank % each};
@@ -109,6 +109,16 @@ private:
     {
         constexpr std::size_t each = tuples_per_element(Kind);
         const auto elements = tuple_elements_of<Kind>(level);
+        const auto run_from = [&](std::size_t x, bool picked) {
+            while (x < elements.size() and bool(keep(elements[x])) == picked)
+                ++x;
+            return x;
+        };
+        const std::size_t first = run_from(0, false), last = run_from(first, true);
+        if (run_from(last, false) == elements.size()) {
+            first_[i] = each * first;
+            return each * (last - first);
+        }
         storage<Index> before(elements.size() + 1);
         Index picked = 0;
         for (std::size_t x = 0; x < elements.size(); ++x) {
@@ -122,7 +132,9 @@ private:
 
     std::size_t appended_ = 0;
     std::array<std::size_t, size + 1> base_{};
-    std::array<storage<Index>, size> before_; // by element: how many before it were picked; empty: the column is full
+    // What is not full is a run of tuples from the first one on, or else:
+    std::array<std::size_t, size> first_{};
+    std::array<storage<Index>, size> before_; // by element how many before it were picked
 };
 
 } // namespace kith
