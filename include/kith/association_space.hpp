@@ -170,11 +170,10 @@ private:
     template <tuple_kind Kind, class Ids>
     index_type present(const Ids& ids, std::size_t tuple, const char* absent) const
     {
-        const index_type id = ids.template id<Kind>(tuple);
         if constexpr (Checked and not Ids::template is_full<Kind>)
-            if (id == none) [[unlikely]]
+            if (ids.template id<Kind>(tuple) == none) [[unlikely]]
                 faults::refuse(*coarse_, Kind, tuple, absent);
-        return id;
+        return ids.template known_id<Kind>(tuple);
     }
     template <tuple_kind Kind>
     index_type vertex_id(std::size_t tuple) const

@@ -46,19 +46,16 @@ public:
     template <tuple_kind Kind>
     [[nodiscard]] Index id(std::size_t index) const
     {
-        constexpr std::size_t i = position<Kind>();
-        if constexpr (is_full<Kind>)
-            return Index(base_[i] + index);
-        else {
-            const storage<Index>& before = before_[i];
-            if (before.empty())
-                return index - first_[i] < count(i) ? Index(base_[i] + (index - first_[i])) : none;
-            constexpr std::size_t each = tuples_per_element(Kind);
-            const std::size_t element = index / each;
-            if (element + 1 >= before.size() or before[element] == before[element + 1])
-                return none;
-            return Index(base_[i] + each * before[element] + index % each);
-        }
+        return is_full<Kind> or gives_birth<Kind>(index) ? known_id<Kind>(index) : none;
+    }
+    /// The same. Precondition: the column does not leave this tuple out.
+    template <tuple_kind Kind>
+    [[nodiscard]] Index known_id(std::size_t index) const
+    {
+        constexpr std::size_t i = position<Kind>(), each = tuples_per_element(Kind);
+        if (is_full<Kind> or before_[i].empty())
+            return Index(start_[i] + index);
+        return Index(base_[i] + each * before_[i][index / each] + index % each);
     }
     /// The inverse: the tuple that gave birth to an element. Precondition: id < total(). Cost: O(1), O(log n) in a column
     /// whose tuples do not follow one another.
@@ -70,13 +67,23 @@ public:
             ++i;
         const std::size_t rank = id - base_[i];
         if (before_[i].empty())
-            return {kinds[i], first_[i] + rank};
+            return {kinds[i], id - start_[i]};
         const std::size_t each = tuples_per_element(kinds[i]);
         const auto element = std::upper_bound(before_[i].begin(), before_[i].end(), rank / each) - 1;
         return {kinds[i], std::size_t(element - before_[i].begin()) * each + rank % each};
     }
 
 private:
+    template <tuple_kind Kind>
+    [[nodiscard]] bool gives_birth(std::size_t index) const
+    {
+        constexpr std::size_t i = position<Kind>();
+        const storage<Index>& before = before_[i];
+        if (before.empty())
+            return start_[i] + index - base_[i] < count(i);
+        const std::size_t element = index / tuples_per_element(Kind);
+        return element + 1 < before.size() and before[element] != before[element + 1];
+    }
     template <tuple_kind Kind>
     static constexpr std::size_t position()
     {
@@ -88,6 +95,7 @@ private:
     void append(const Level& level, const column<Kind, Where, Degree>& c)
     {
         const std::size_t i = appended_++;
+        start_[i] = base_[i];
         std::size_t count = tuple_count(level, Kind);
         if constexpr (requires { Where::inner; }) { // the boundary decides; without one there is nothing to look at
             if (level.is_closed())
@@ -116,7 +124,7 @@ private:
         };
         const std::size_t first = run_from(0, false), last = run_from(first, true);
         if (run_from(last, false) == elements.size()) {
-            first_[i] = each * first;
+            start_[i] = base_[i] - each * first;
             return each * (last - first);
         }
         storage<Index> before(elements.size() + 1);
@@ -132,9 +140,10 @@ private:
 
     std::size_t appended_ = 0;
     std::array<std::size_t, size + 1> base_{};
-    // What is not full is a run of tuples from the first one on, or else:
-    std::array<std::size_t, size> first_{};
-    std::array<storage<Index>, size> before_; // by element how many before it were picked
+    // Of a column that is a run of tuples: what the index of a tuple and its id differ by.
+    std::array<std::size_t, size> start_{};
+    // Of any other, by element: how many before it were picked.
+    std::array<storage<Index>, size> before_;
 };
 
 } // namespace kith
