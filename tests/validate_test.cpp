@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 // Meshes of other libraries: cgal_test.cpp, openmesh_test.cpp. Lists of faces: make_mesh_test.cpp.
@@ -42,4 +43,50 @@ TEST(validate, names_the_kinds_of_problems_in_a_list_of_faces)
     EXPECT_TRUE(kith::validate(points, kith::face_list(bad)).has(kith::problem::bad_index));
     bad.back() = {0, 0, 0};
     EXPECT_TRUE(kith::validate(points, kith::face_list(bad)).has(kith::problem::degenerate_face));
+}
+
+namespace {
+
+/// A mesh that promises nothing beyond its boundary, and starts its vertices anywhere.
+struct island : mesh3d {
+    using mesh3d::mesh3d;
+};
+
+} // namespace
+
+template <>
+struct kith::mesh_traits<island> : kith::mesh_traits<mesh3d> {
+    using native = kith::mesh_traits<mesh3d>;
+
+    static halfedge next(const island& m, halfedge h)
+    {
+        EXPECT_FALSE(native::is_boundary(m, h));
+        return native::next(m, h);
+    }
+    static halfedge prev(const island& m, halfedge h)
+    {
+        EXPECT_FALSE(native::is_boundary(m, h));
+        return native::prev(m, h);
+    }
+    using native::halfedge_of;
+    static halfedge halfedge_of(const island& m, vertex v)
+    {
+        halfedge last;
+        for (const auto e : native::edges(m))
+            for (const auto h : {native::halfedge_of(m, e), native::opposite(m, native::halfedge_of(m, e))})
+                if (native::source(m, h) == v)
+                    last = h;
+        return last;
+    }
+};
+
+TEST(validate, asks_nothing_of_what_lies_beyond_the_boundary)
+{
+    for (const auto& [name, shape] : shapes::all_shapes()) {
+        const auto mesh = native(shape);
+        const island same(kith::storage<shapes::point>(mesh.points()), mesh.topology(), 0);
+        EXPECT_EQ(kith::validate(same).text(), "") << name;
+        EXPECT_TRUE(std::ranges::equal(kith::lift(same).topology().corner_halfedge, mesh.topology().corner_halfedge))
+            << name;
+    }
 }

@@ -5,13 +5,15 @@
 #include "make_mesh.hpp"
 #include "mesh_report.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace kith {
 
 /// Everything that is wrong with a mesh that can be built but not refined. Elements are named by the index that their
-/// library gives them. Nothing is changed. Cost: O(elements).
+/// library gives them. Nothing is changed. Cost: O(elements), faces with many corners a logarithm more.
 template <mesh M>
 mesh_report validate(const M& mesh)
 {
@@ -27,16 +29,17 @@ mesh_report validate(const M& mesh)
         const auto first = traits::halfedge_of(mesh, f);
         auto h = first;
         do {
-            const auto v = traits::source(mesh, h);
-            if (std::find(corners.begin(), corners.end(), v) != corners.end())
-                report.add(problem::degenerate_face, [&] {
-                    return "face " + number(f) + ": comes to vertex " + number(v) +
-                           " twice; remove the repeated corner or the face";
-                });
-            corners.push_back(v);
-            ++faces_at[traits::index(mesh, v)];
+            corners.push_back(traits::source(mesh, h));
+            ++faces_at[traits::index(mesh, corners.back())];
             h = traits::next(mesh, h);
         } while (h != first and corners.size() <= traits::halfedge_bound(mesh));
+        const auto index_of = [&](const auto& v) { return traits::index(mesh, v); };
+        std::ranges::sort(corners, {}, index_of);
+        if (const auto twice = std::ranges::adjacent_find(corners, {}, index_of); twice != corners.end())
+            report.add(problem::degenerate_face, [&] {
+                return "face " + number(f) + ": comes to vertex " + number(*twice) +
+                       " twice; remove the repeated corner or the face";
+            });
         if (corners.size() < 3)
             report.add(problem::degenerate_face, [&] {
                 return "face " + number(f) + ": has " + std::to_string(corners.size()) + " corners; remove it";
@@ -60,16 +63,25 @@ mesh_report validate(const M& mesh)
                        [&] { return "vertex " + number(v) + ": belongs to no face; remove it or give it a face"; });
             continue;
         }
-        std::size_t fan = 0, gaps = 0;
-        const auto first = traits::halfedge_of(mesh, v);
-        auto h = first;
-        do { // clockwise through the faces and, at the boundary, on to the other side of it, or to the next fan
-            ++(traits::is_boundary(mesh, h) ? gaps : fan);
-            h = traits::next(mesh, traits::opposite(mesh, h));
-        } while (h != first and fan <= faces_at[traits::index(mesh, v)]);
-        if (fan != faces_at[traits::index(mesh, v)] or gaps > 1)
+        // Clockwise through the faces; from the boundary, beyond which nothing is promised, back and the other way.
+        const std::size_t all = faces_at[traits::index(mesh, v)];
+        const auto start = traits::halfedge_of(mesh, v);
+        const auto is_inside = [&](const auto& h) { return not traits::is_boundary(mesh, h); };
+        std::size_t fan = is_inside(start) ? 1 : 0;
+        auto in = traits::opposite(mesh, start);
+        auto out = start;
+        while (is_inside(in) and (out = traits::next(mesh, in)) != start and fan <= all) {
+            ++fan;
+            in = traits::opposite(mesh, out);
+        }
+        if (not is_inside(in))
+            for (out = start; is_inside(out) and fan <= all;) {
+                out = traits::opposite(mesh, traits::prev(mesh, out));
+                fan += is_inside(out) ? 1 : 0;
+            }
+        if (fan != all)
             report.add(problem::nonmanifold_vertex, [&] {
-                return "vertex " + number(v) + ": its " + std::to_string(faces_at[traits::index(mesh, v)]) +
+                return "vertex " + number(v) + ": its " + std::to_string(all) +
                        " faces form several fans; split the vertex, one copy per fan";
             });
     }
