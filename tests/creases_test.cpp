@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/creases.hpp>
 
+#include "error_text.hpp"
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
 
@@ -139,4 +140,20 @@ TEST(creases, every_level_of_a_hierarchy_has_its_own)
     EXPECT_EQ(levels.scheme(1).sharpness.edges()[0].second, 1.);
     EXPECT_EQ(levels.scheme(1).sharpness.of_vertex(12), 0.5);
     EXPECT_TRUE(levels.scheme(2).sharpness.empty());
+}
+
+TEST(creases, those_of_another_mesh_are_refused)
+{
+    const auto cube = native(shapes::cube());
+    const auto refusal = [&](const creases& sharp) {
+        return error_text<kith::mesh_error>([&] { kith::refine(cube, kith::catmull_clark{.sharpness = sharp}, 1); });
+    };
+    creases sharp;
+    sharp.sharpen_edge(12, 1);
+    EXPECT_EQ(refusal(sharp),
+              "creases: edge 12 does not exist, there are 12; make the creases for this mesh and level");
+    sharp.sharpen_edge(12, 0);
+    sharp.sharpen_vertex(8, infinitely_sharp);
+    EXPECT_EQ(refusal(sharp),
+              "creases: vertex 8 does not exist, there are 8; make the creases for this mesh and level");
 }

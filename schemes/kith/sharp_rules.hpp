@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace kith {
@@ -18,11 +19,14 @@ namespace kith {
 template <class Level>
 class sharp_rules {
 public:
+    /// Errors: mesh_error for sharp elements that the level does not have.
     sharp_rules(const Level& coarse, const creases& sharp, boundary_corner corners)
         : sharp_(&sharp), corners_(corners), all_smooth_(sharp.empty() and coarse.is_closed())
     {
         if (sharp.empty())
             return;
+        require_below(sharp.edges(), coarse.edge_count(), "edge");
+        require_below(sharp.vertices(), coarse.vertex_count(), "vertex");
         edge_is_sharp_.resize(coarse.edge_count());
         near_sharp_.resize(coarse.vertex_count());
         for (const auto& [edge, sharpness] : sharp.edges()) {
@@ -83,6 +87,15 @@ public:
     }
 
 private:
+    template <class List>
+    static void require_below(const List& sharp, std::size_t count, const char* kind)
+    {
+        if (not sharp.empty() and sharp.back().first >= count)
+            throw mesh_error("creases: " + std::string(kind) + " " + std::to_string(sharp.back().first) +
+                             " does not exist, there are " + std::to_string(count) +
+                             "; make the creases for this mesh and level");
+    }
+
     /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every time.
     template <class Range, class Space, class Smooth>
     void make_all(const Range& range, const Space& assoc, const Smooth& smooth) const
