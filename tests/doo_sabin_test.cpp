@@ -5,6 +5,7 @@
 #include "exact_mesh.hpp"
 
 #include <kith/hierarchy.hpp>
+#include <kith/linear.hpp>
 
 #include <gtest/gtest.h>
 
@@ -101,7 +102,7 @@ TEST(doo_sabin, boundary_vertices_with_three_faces_get_a_face_unless_dropped)
 TEST(doo_sabin, refuses_an_inner_vertex_between_two_faces)
 {
     EXPECT_EQ(error_text<kith::mesh_error>([] { kith::refine(exact(shapes::valence_two()), doo_sabin(), 1); }),
-              "doo-sabin: vertex 3 lies between 2 faces only, so its new face would have as many corners; join its "
+              "doo-sabin: vertex 3 lies between 2 faces only, the scheme needs three; join its "
               "edges to one first");
 }
 
@@ -110,4 +111,11 @@ TEST(doo_sabin, follows_the_boundary_of_cgal)
     EXPECT_EQ(doo_sabin::like(kith::library::cgal).boundary, doo_sabin_boundary::drop);
     EXPECT_EQ(doo_sabin::like(kith::library::kith).boundary, doo_sabin_boundary::thesis);
     EXPECT_THROW(doo_sabin::like(kith::library::openmesh), kith::mesh_error);
+}
+
+TEST(doo_sabin, refuses_such_a_vertex_that_another_scheme_left)
+{
+    const auto mesh = kith::refine(exact(shapes::valence_two()), kith::linear(), 1);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(mesh, doo_sabin(), 1); }),
+              "doo-sabin: vertex 3 lies between 2 faces only, the scheme needs three; join its edges to one first");
 }

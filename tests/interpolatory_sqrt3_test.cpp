@@ -121,3 +121,11 @@ TEST(interpolatory_sqrt3, is_in_openmesh_too)
     EXPECT_NO_THROW(interpolatory_sqrt3::like(kith::library::openmesh));
     EXPECT_THROW(interpolatory_sqrt3::like(kith::library::cgal), kith::mesh_error);
 }
+
+TEST(interpolatory_sqrt3, refuses_an_inner_vertex_between_two_faces)
+{
+    const shapes::shape pillow{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}}};
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(native(pillow), interpolatory_sqrt3(), 1); }),
+              "interpolatory-sqrt3: vertex 0 lies between 2 faces only, the scheme needs three; join its edges to one "
+              "first");
+}

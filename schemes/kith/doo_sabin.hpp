@@ -7,7 +7,9 @@
 
 #include <kith/cos_turn.hpp>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +46,12 @@ struct doo_sabin {
     [[nodiscard]] constexpr dual_split split() const { return {.cap_boundary = boundary != doo_sabin_boundary::drop}; }
     [[nodiscard]] constexpr auto columns() const { return split().columns(); }
     [[nodiscard]] constexpr counts next(const counts& c, int) const { return split().next(c); }
+
+    template <class Level>
+    static void require(const Level& level, int)
+    {
+        require_three_faces(level, name);
+    }
 
     static doo_sabin like(library other)
     {
@@ -105,8 +113,6 @@ struct doo_sabin {
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
         const auto masks = masks_by_degree<real>(coarse);
-        if (generation == 0)
-            require_three_faces(coarse, name);
 
         const bool open = not coarse.is_closed();
         for_each(coarse.corners(), [&](auto c) {

@@ -25,6 +25,12 @@ struct interpolatory_sqrt3 {
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
     static constexpr counts next(const counts& c, int generation) { return sqrt3_split::next(c, generation); }
 
+    template <class Level>
+    static void require(const Level& level, int)
+    {
+        require_three_faces(level, name);
+    }
+
     static interpolatory_sqrt3 like(library other)
     {
         if (other != library::kith and other != library::openmesh)
@@ -63,8 +69,6 @@ struct interpolatory_sqrt3 {
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
         const weight_rows<real> rows(ring_weights);
-        if (generation == 0)
-            require_three_faces(coarse, name);
 
         std::vector<unsigned char> irregular(coarse.vertex_count());
         for_each(coarse.vertices(), [&](auto v) {

@@ -19,6 +19,12 @@ struct mid_edge {
     static constexpr auto columns() { return mid_edge_split::columns(); }
     static constexpr counts next(const counts& c, int) { return mid_edge_split::next(c); }
 
+    template <class Level>
+    static void require(const Level& level, int)
+    {
+        require_three_faces(level, name);
+    }
+
     static mid_edge like(library other)
     {
         if (other != library::kith and other != library::openmesh)
@@ -31,8 +37,6 @@ struct mid_edge {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        if (generation == 0)
-            require_three_faces(coarse, name);
         for_each(coarse.edges(), [&](auto e) { assoc(e, V) = average(e.org(), e.dst()); });
         mid_edge_split::connect(r);
     }

@@ -9,7 +9,8 @@
 namespace kith {
 
 /// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one of
-/// two corners there. No step makes such vertices, so looking at the control mesh is enough. Cost: O(corners).
+/// two corners there. No step makes such vertices where there are none, so looking at a mesh before the first is enough.
+/// Cost: O(corners).
 template <class Level>
 void require_three_faces(const Level& coarse, std::string_view scheme)
 {
@@ -17,7 +18,7 @@ void require_three_faces(const Level& coarse, std::string_view scheme)
         if (not v.is_boundary() and v.face_count() < 3)
             throw mesh_error(std::string(scheme) + ": vertex " + std::to_string(v.index()) + " lies between " +
                              std::to_string(v.face_count()) +
-                             " faces only, so its new face would have as many corners; join its edges to one first");
+                             " faces only, the scheme needs three; join its edges to one first");
 }
 
 } // namespace kith

@@ -62,7 +62,7 @@ struct unified {
         if (degree < 1 or degree > max_degree)
             throw mesh_error("unified: degree " + std::to_string(degree) + " was asked for; ask for 1 to " +
                              std::to_string(max_degree));
-        if (not is_primal() and generation == 0)
+        if (not is_primal())
             require_three_faces(coarse, name);
 
         // The split copies each vertex into its corners, so the first averaging gives centroids, midpoints and the
