@@ -172,3 +172,29 @@ TEST(association, vertices_of_the_dictionary_are_counted_on_a_last_level_of_face
     EXPECT_EQ(fine.points().size(), 5U);
     EXPECT_EQ(fine.vertex_count(), 5U);
 }
+
+namespace {
+
+struct reads_early {
+    static constexpr auto degree_of = [](const auto& f) { return f.degree(); };
+    static constexpr auto columns()
+    {
+        return kith::columns(kith::new_vertices(kith::per_vertex),
+                             kith::new_faces(kith::per_face.of_degree(degree_of)));
+    }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        const auto v = r.coarse.vertices();
+        r.assoc(v[0], v[6], V).refers_to(r.assoc(v[1], V));
+        r.assoc(v[0], V) = r.assoc(v[0], v[6], V);
+    }
+};
+
+} // namespace
+
+TEST(association, a_vertex_that_another_tuple_refers_to_is_not_read_before_it_is_set)
+{
+    EXPECT_EQ(error_text<kith::association_error>([] { kith::refine(native(shapes::cube()), reads_early(), 1); }),
+              "assoc(v 0, v 6) -> V is read before it is set");
+}

@@ -162,7 +162,7 @@ public:
         if constexpr (has_edge_column)
             if (edge_ != no_edge)
                 return space_->template vertex_value<tuple_kind::e>(edge_);
-        return space_->listed_value(id());
+        return space_->listed_value(tuple_);
     }
     operator face_line<index>() const { return {id(), Space::none}; }
 

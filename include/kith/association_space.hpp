@@ -17,8 +17,8 @@ namespace kith {
 template <class Level, class Numbering, class Values, bool Checked> class pass_space;
 
 /// The association space of one refinement step: `assoc(f, V)`, `assoc(v, e, E)`, `assoc(c, F)`. Thesis 4.1.
-/// It holds no table: a tuple is an index, and the new element's id is the base of its column plus that index. What is
-/// written goes straight into the arrays of the new level.
+/// A tuple is an index, and the new element's id is the base of its column plus that index; a table is needed only where a
+/// column leaves tuples out here and there. What is written goes straight into the arrays of the new level.
 template <class Level, class Numbering, class Values, connect Connect, bool Checked>
 class association_space {
 public:
@@ -199,7 +199,14 @@ private:
             if (std::atomic_ref(vertex_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
                 faults::refuse(*coarse_, Kind, tuple, faults::vertex_set_twice);
     }
-    [[nodiscard]] decltype(auto) listed_value(index_type id) const { return values_->listed(id); }
+    [[nodiscard]] decltype(auto) listed_value(const tuple_elements& tuple) const
+    {
+        const index_type id = dictionary_.find(tuple);
+        if constexpr (Checked)
+            if (id < vertex_is_set_.size() and not vertex_is_set_[id]) // it refers to a vertex of a column
+                faults::refuse(tuple, faults::vertex_read_early);
+        return values_->listed(id);
+    }
 
     template <tuple_kind Kind>
     index_type edge_id(std::size_t tuple) const
