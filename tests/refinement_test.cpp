@@ -2,6 +2,7 @@
 #include <kith/refinement.hpp>
 
 #include "consistent.hpp"
+#include "error_text.hpp"
 #include "own_scheme.hpp"
 #include "same_mesh.hpp"
 
@@ -141,4 +142,46 @@ TEST(refinement, tells_the_scheme_the_generation_and_the_scalar_type)
     EXPECT_EQ(kith::refine(kith::make_mesh(points, shapes::house().faces), asks(), 3).generation(), 3);
     EXPECT_EQ(asks::generation, 2);
     EXPECT_EQ(asks::scalar_bytes, sizeof(float));
+}
+
+namespace {
+
+/// Quads at the corners, though no one knows of it while compiling, and without edges.
+struct cut_by_faces {
+    static constexpr auto columns()
+    {
+        const auto four = [](const auto&) { return std::size_t(4); };
+        return kith::columns(new_vertices(kith::per_vertex, kith::per_edge, kith::per_face),
+                             new_faces(kith::per_corner.of_degree(four)));
+    }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        const auto& assoc = r.assoc;
+        for (auto v : r.coarse.vertices())
+            assoc(v, V) = v;
+        for (auto e : r.coarse.edges())
+            assoc(e, V) = average(e.org(), e.dst());
+        for (auto f : r.coarse.faces())
+            assoc(f, V) = average(f.vertices());
+        for (auto c : r.coarse.corners())
+            assoc(c, F) = polygon(assoc(c.v(), V), assoc(c.next_edge(), V), assoc(c.f(), V), assoc(c.prev_edge(), V));
+    }
+};
+
+} // namespace
+
+TEST(refinement, refuses_more_corners_than_the_index_can_number)
+{
+    const auto refine_grid = [](std::size_t n, connect last) {
+        const auto [points, faces] = shapes::grid(n, n);
+        return error_text<kith::mesh_error>(
+            [&] { kith::refine(kith::make_mesh<std::uint16_t>(points, faces), cut_by_faces(), 1, {last}); });
+    };
+    EXPECT_EQ(refine_grid(70, connect::faces),
+              "the next level has 78400 corners, more than a 16-bit index can number; refine fewer times or use "
+              "basic_mesh<Point, std::uint64_t>");
+    EXPECT_EQ(refine_grid(50, connect::faces), "no error"); // 40000
+    EXPECT_NE(refine_grid(50, connect::everything).find("40000 corners"), std::string::npos);
+    EXPECT_EQ(refine_grid(40, connect::everything), "no error");
 }

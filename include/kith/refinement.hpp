@@ -95,10 +95,12 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
                 });
                 for (std::size_t id = 0; id < fine.faces; ++id)
                     fine.face_corner[id + 1] = index(corners += fine.face_corner[id + 1]);
-                require_numbers<index>(corners, 1, "corners");
-                fine.corner_face = storage<index>(corners);
             }
         }
+        // Where edges are matched there may be two half-edges for each corner.
+        require_numbers<index>(corners, Connect == connect::everything and not Numbering::has_edges ? 2 : 1, "corners");
+        if (fine.degree == 0)
+            fine.corner_face = storage<index>(corners);
         fine.corner_vertex = storage<index>(corners);
         if constexpr (Connect == connect::everything and Numbering::has_edges) {
             const bool clear = Checked or not coarse.is_closed(); // the far sides of boundary edges are never written
