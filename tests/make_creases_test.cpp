@@ -5,6 +5,10 @@
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
 
+#include <kith/loop.hpp>
+#include <kith/tri_quad.hpp>
+#include <kith/vertex_type.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -111,4 +115,14 @@ TEST(make_creases, angles_find_them)
 TEST(make_creases, the_native_mesh_marks_no_features)
 {
     EXPECT_FALSE(kith::mesh_with_features<mesh3d>);
+}
+
+TEST(make_creases, a_mesh_without_edges_is_refused)
+{
+    const auto faces = kith::refine(native(shapes::tetrahedron()), kith::loop(), 1, {kith::connect::faces});
+    const char* text = "the mesh has face-vertex lists only and no edges; refine it with connect::everything";
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::make_creases(faces, [](const auto&) { return true; }); }), text);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::creases_by_angle(faces, 30); }), text);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::vertex_types(faces, kith::creases()); }), text);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::mark_edges(faces, {}); }), text);
 }

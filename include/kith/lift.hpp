@@ -25,6 +25,15 @@ struct level_view<basic_mesh<Point, Index>> {
 template <class M>
 using level_of = typename level_view<M>::type;
 
+/// Errors: mesh_error for a native mesh of face-vertex lists only, whose edges nobody knows.
+template <mesh M>
+void require_edges(const M& mesh)
+{
+    if constexpr (requires { mesh.topology(); })
+        if (mesh.topology().faces_only())
+            throw mesh_error("the mesh has face-vertex lists only and no edges; refine it with connect::everything");
+}
+
 /// Steps since the control mesh, as far as the mesh type remembers them.
 template <mesh M>
 int generation_of(const M& mesh)

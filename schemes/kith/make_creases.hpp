@@ -45,12 +45,14 @@ double sharpness_from(const Source& source, const Element& x, const char* kind)
 
 /// The creases of a mesh from what its user knows of them: of edges and of vertices each a function of the mesh's handles,
 /// a property map over them, such as CGAL's edge_is_constrained_map, or anything that takes them in brackets.
-/// Numbers are sharpness; `true` stands for infinitely_sharp. Errors: mesh_error for a sharpness below 0 or NaN.
+/// Numbers are sharpness; `true` stands for infinitely_sharp. Errors: mesh_error for a sharpness below 0 or NaN, and for a
+/// mesh without edges.
 /// Cost: O(elements).
 template <mesh M, class EdgeSharpness, class VertexSharpness>
 creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const VertexSharpness& vertex_sharpness,
                      crease_method method = crease_method::uniform)
 {
+    require_edges(mesh);
     const level_of<M> level(mesh);
     creases result(method);
     for (const auto e : level.edges())
@@ -93,11 +95,13 @@ creases creases_from_features(const M& mesh, double sharpness = infinitely_sharp
 }
 
 /// Makes every inner edge sharp at which the normals of its two faces turn by more than `degrees`.
+/// Errors: mesh_error for a mesh without edges.
 /// Cost: O(corners).
 template <mesh M>
 creases creases_by_angle(const M& mesh, double degrees, double sharpness = infinitely_sharp)
 {
     using coordinates = std::array<double, 3>;
+    require_edges(mesh);
     const level_of<M> level(mesh);
     const auto place = [](const auto& v) {
         const auto sum = affine<typename level_of<M>::point_type>::load(v.point());

@@ -89,7 +89,8 @@ M tri_quad(const M& mesh)
 }
 
 /// The same triangle mesh with these edges, given by their vertices, as the marked ones.
-/// Errors: mesh_error names a face with no or several marked edges. Cost: O(corners log edges).
+/// Errors: mesh_error for other faces than triangles, for a mesh without edges, and for a face with no or several marked
+/// edges, which it names. Cost: O(corners log edges).
 template <class Point, class Index>
 basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::vector<std::pair<Index, Index>> marked)
 {
@@ -97,6 +98,7 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
         if (b < a)
             std::swap(a, b);
     std::ranges::sort(marked);
+    require_edges(mesh);
     auto t = mesh.topology();
     if (t.degree != 3)
         throw mesh_error("4-8: only triangles have a marked edge each; triangulate the mesh first");

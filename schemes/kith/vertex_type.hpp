@@ -43,11 +43,13 @@ vertex_type type_of(const vertex<Level>& v, const creases& sharp, boundary_corne
                                     : vertex_type::inner;
 }
 
-/// The types of all vertices of a mesh, by their dense numbers. Cost: O(corners log sharp elements).
+/// The types of all vertices of a mesh, by their dense numbers. Errors: mesh_error for a mesh without edges.
+/// Cost: O(corners log sharp elements).
 template <mesh M>
 std::vector<vertex_type> vertex_types(const M& mesh, const creases& sharp,
                                       boundary_corner corners = boundary_corner::kept)
 {
+    require_edges(mesh);
     const level_of<M> level(mesh);
     std::vector<vertex_type> result;
     result.reserve(level.vertex_count());
