@@ -154,3 +154,13 @@ TEST(plan, the_peak_may_be_before_the_last_level)
 {
     EXPECT_EQ(kith::peak_bytes({{{}, 100, 10}, {{}, 100, 10}, {{}, 400, 5}}, false, true), 200U);
 }
+
+TEST(plan, its_bytes_do_not_wrap)
+{
+    for (int n = 1; n < 26; ++n) {
+        const auto levels = plan(cube, kith::catmull_clark(), n - 1, 0, 24, 8);
+        if (n > 1) {
+            EXPECT_GT(levels.back().bytes, 2 * levels[levels.size() - 2].bytes) << n;
+        }
+    }
+}

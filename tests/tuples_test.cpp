@@ -157,3 +157,13 @@ TEST(tuples, are_written_by_letters_and_numbers)
     EXPECT_EQ(kith::to_string(list_tuple(f, f.first_corner().v())), "(f 3, v 1)");
     EXPECT_EQ(kith::to_string(list_tuple(level.vertices()[5], level.vertices()[2])), "(v 2, v 5)");
 }
+
+TEST(tuples, a_vertex_is_no_neighbour_of_itself)
+{
+    for_each_level([](const level_type& level) {
+        for (const auto v : level.vertices()) {
+            const auto tuple = index_tuple(v, v);
+            EXPECT_EQ(tuple.value, tuple.not_incident);
+        }
+    });
+}

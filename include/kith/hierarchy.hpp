@@ -52,8 +52,12 @@ public:
         detail::require_levels<Scheme>(n);
         if (n == 0)
             return;
-        detail::require_room<typename traits::point, index_type>(
-            elements(0).counts(), levels_[0]->scheme, depth() + n, generation_, true, options_);
+        detail::require_room<typename traits::point, index_type>(elements(0).counts(),
+                                                                 levels_[0]->scheme,
+                                                                 depth() + n,
+                                                                 generation_,
+                                                                 true,
+                                                                 {connect::everything, options_.memory_limit});
         for (int i = 0; i < n; ++i) {
             entry& last = *levels_.back();
             auto fine = refine_last(last);

@@ -16,8 +16,10 @@ namespace kith {
 struct refine_options {
     /// Of the last level: `connect::faces` leaves out its edges, which saves about a third of the time and of the memory.
     /// When such a mesh is refined again its edges are found by matching: the same surface, other edge numbers.
+    /// For native meshes; those of other libraries and the levels of a `hierarchy` have everything.
     connect last_level = connect::everything;
-    /// In bytes; a refinement that would need more is refused before anything is allocated.
+    /// In bytes; a refinement whose native levels would need more is refused before they are made. Meshes of other
+    /// libraries that are copied or built are not counted.
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
 };
 

@@ -110,7 +110,7 @@ template <bool Touch = false, class L>
 tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
 {
     for (const auto& e : a.edges())
-        if (e.org() == b or e.dst() == b)
+        if ((e.org() == a ? e.dst() : e.org()) == b)
             return {e.index()};
     return {tuple_index<tuple_kind::e>::not_incident};
 }

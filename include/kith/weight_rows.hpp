@@ -8,8 +8,8 @@
 
 namespace kith {
 
-/// Rows of weights by valence, for masks whose weights differ around a ring: computed once per step for the valences that
-/// meshes have, on the spot for the rare others.
+/// Rows of weights by valence, for masks whose weights differ around a ring: computed at once for the valences that meshes
+/// have, on the spot for the rare others.
 template <class Scalar>
 class weight_rows {
 public:
@@ -21,7 +21,7 @@ public:
             rows_.push_back(convert(row_(n)));
     }
 
-    /// The row for valence n, as long as n says or the row function makes it. `spare` holds it if it is not kept.
+    /// The row for valence n > 0, as long as n says or the row function makes it. `spare` holds it if it is not kept.
     [[nodiscard]] const Scalar* operator()(std::size_t n, std::vector<Scalar>& spare) const
     {
         if (n <= kept)

@@ -19,7 +19,8 @@ namespace kith {
 /// Nasri-Hasbini: ternary refinement of bicubic B-splines, three times as fine per step, polygons of any kind.
 /// Published (thesis 2.1.5) are the split and the masks of the regular part. The masks around extraordinary vertices, in
 /// faces that are not quads and at irregular boundary vertices are derived in docs/schemes.md and not the original
-/// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(sum of squared valences).
+/// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(sum of squared valences and face
+/// degrees).
 struct nasri_hasbini {
     static constexpr std::string_view name = "nasri-hasbini";
     static constexpr bool trusted = true;
@@ -70,7 +71,7 @@ struct nasri_hasbini {
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
         const ternary_rows<real> rows;
-        static const polygon_rows beside_polygons;
+        const polygon_rows& beside_polygons = polygon_rows::shared();
 
         // All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them all.
         for_each(coarse.vertices(), [&](auto v) {

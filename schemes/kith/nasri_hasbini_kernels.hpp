@@ -156,6 +156,12 @@ private:
 class polygon_rows {
 public:
     using spare = std::array<std::vector<double>, 2>;
+    static const polygon_rows& shared()
+    {
+        static const polygon_rows rows;
+        return rows;
+    }
+
     struct ring {
         const double *neighbors, *opposites;
     };
