@@ -23,8 +23,6 @@ template <class Scheme>
 void add_scheme(std::vector<contest>& list, const Scheme& scheme, const course_settings& settings)
 {
     for (auto [name, control, levels, faces] : courses(scheme, settings)) {
-        if constexpr (std::same_as<Scheme, four_eight>)
-            control = std::make_shared<const basic_mesh<>>(tri_quad(*control));
         list.push_back({std::string(scheme_name<Scheme>()),
                         name,
                         levels,

@@ -3,6 +3,7 @@
 
 #include <kith/butterfly.hpp>
 #include <kith/figures.hpp>
+#include <kith/four_eight.hpp>
 #include <kith/loop.hpp>
 #include <kith/make_mesh.hpp>
 #include <kith/plan.hpp>
@@ -55,26 +56,35 @@ inline figures::shape patch(std::size_t rows, std::size_t columns)
 }
 
 /// A torus of 12 times 24 quads, or of their triangles, or of 24 times 24 where triangles are cut in four, so that all
-/// come to the same number of faces; the same with a boundary; then the mesh of the file, if the scheme takes it.
+/// come to the same number of faces; the same with a boundary; then the mesh of the file, if the scheme takes it. For 4-8
+/// all are made tri-quad meshes, quads by their diagonals.
 template <class Scheme>
 std::vector<course> courses(const Scheme& scheme, const course_settings& settings)
 {
     constexpr bool quadruples_triangles = std::same_as<Scheme, loop> or std::same_as<Scheme, butterfly>;
+    constexpr bool bisects = std::same_as<Scheme, four_eight>;
     constexpr std::size_t rows = quadruples_triangles ? 24 : 12, columns = 24;
     std::vector<course> result;
+    const auto prepared = [](basic_mesh<> mesh) {
+        if constexpr (bisects)
+            mesh = tri_quad(mesh);
+        return std::make_shared<const basic_mesh<>>(std::move(mesh));
+    };
     const auto add = [&](std::string name, figures::shape shape) {
-        if (needs_triangles<Scheme>)
+        if (needs_triangles<Scheme> and not bisects)
             shape = figures::triangulated(shape);
-        auto control = std::make_shared<const basic_mesh<>>(make_mesh(shape.points, shape.faces));
-        name += " of " + std::to_string(shape.faces.size()) + (needs_triangles<Scheme> ? " triangles" : " quads");
+        auto control = prepared(make_mesh(shape.points, shape.faces));
+        name += " of " + std::to_string(control->face_count()) + (needs_triangles<Scheme> ? " triangles" : " quads");
         result.push_back(make_course(name, control, scheme, settings.faces_target));
     };
     if (settings.torus)
         add("torus", figures::torus(rows, columns));
     if (settings.patch)
         add("patch", patch(rows, columns));
-    if (settings.mesh and (not needs_triangles<Scheme> or settings.mesh->topology().degree == 3))
-        result.push_back(make_course(settings.mesh_name, settings.mesh, scheme, settings.faces_target));
+    if (const int degree = settings.mesh ? settings.mesh->topology().degree : 0;
+        settings.mesh and (bisects or not needs_triangles<Scheme> or degree == 3) and
+        (not needs_quads<Scheme> or degree == 4))
+        result.push_back(make_course(settings.mesh_name, prepared(*settings.mesh), scheme, settings.faces_target));
     return result;
 }
 
