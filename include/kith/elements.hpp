@@ -35,6 +35,16 @@ public:
 
     /// The corners around the vertex, counter-clockwise from this one. At the boundary those before it are left out.
     [[nodiscard]] auto fan_from_here() const { return walk(*level_, detail::fan_step<Level>{handle_}); }
+    /// The vertices around the vertex in the same order: the other ends of its edges, and in each face the vertex after the
+    /// next. At the boundary those before this corner and the last neighbour are left out.
+    [[nodiscard]] auto neighbors_from_here() const
+    {
+        return fan_from_here().map([](const corner& c) { return c.next().v(); });
+    }
+    [[nodiscard]] auto opposites_from_here() const
+    {
+        return fan_from_here().map([](const corner& c) { return c.next().next().v(); });
+    }
     /// The vertices of the face, counter-clockwise from this corner's.
     [[nodiscard]] auto vertices_from_here() const
     {
@@ -120,10 +130,7 @@ public:
         return spokes().map([](const auto& spoke) { return spoke.end; });
     }
     /// In each face the vertex after the next, counter-clockwise: in quads the one opposite this vertex.
-    [[nodiscard]] auto opposites() const
-    {
-        return corners().map([](const corner<Level>& c) { return c.next().next().v(); });
-    }
+    [[nodiscard]] auto opposites() const { return first_corner().opposites_from_here(); }
     /// The number of edges, and the number of faces: one less at the boundary.
     [[nodiscard]] std::size_t valence() const { return face_count() + (is_boundary() ? 1 : 0); }
     [[nodiscard]] std::size_t face_count() const

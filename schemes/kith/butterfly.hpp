@@ -112,7 +112,7 @@ struct butterfly {
                 const auto around = [&](auto c,
                                         auto& spare) { // from c's vertex, the other end of e being its first neighbour
                     const real* row = rows(c.v().valence(), spare);
-                    return 3. / 4 * c.v() + sum(c.fan_from_here().map([](auto d) { return d.next().v(); }), row);
+                    return 3. / 4 * c.v() + sum(c.neighbors_from_here(), row);
                 };
                 if (irregular[x.index()] and irregular[y.index()])
                     assoc(e, V) = (around(l, spare_x) + around(r, spare_y)) / 2;

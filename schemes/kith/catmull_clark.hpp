@@ -79,8 +79,7 @@ struct catmull_clark {
                 return;
         const std::size_t k = v.face_count();
         const bool inside = sharp.is_smooth(v);
-        if (not inside and
-            (not v.is_boundary() or sharp.limit_of(v).kind != sharp_rules<Level>::limit_kind::curve or k < 2))
+        if (not inside and not sharp.is_on_boundary_curve(v))
             return limit_at_corner(sharp, v, use);
         const auto turns = std::int64_t(inside ? k : 2 * k); // the ring spans a full turn, or half of one
         const double c = cos_turn(1, turns), half = cos_turn(1, 2 * turns);

@@ -82,8 +82,8 @@ struct interpolatory_sqrt3 {
                 std::vector<real> spare;
                 assoc(f, V) = average(corners_to_mend.map([&](auto c) {
                     const std::size_t n = c.v().valence();
-                    const auto ring = c.prev().across().fan_from_here().map([](auto d) { return d.next().v(); });
-                    return real(center_weight(n)) * c.v() + sum(ring, rows(n, spare));
+                    return real(center_weight(n)) * c.v() +
+                           sum(c.prev().across().neighbors_from_here(), rows(n, spare));
                 }));
             } else {
                 const auto tip = [](auto c) { return c.across().prev().v(); };

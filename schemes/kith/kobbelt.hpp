@@ -144,10 +144,7 @@ private:
                     return choose(
                         n == 4,
                         [c] { return sum(straight_on(c)); },
-                        [c, l, k] {
-                            return sum(c.fan_from_here().map([](auto d) { return d.next().v(); }), l) +
-                                   sum(c.fan_from_here().map([](auto d) { return d.next().next().v(); }), k);
-                        });
+                        [c, l, k] { return sum(c.neighbors_from_here(), l) + sum(c.opposites_from_here(), k); });
                 });
         };
         use(beyond(e.lcorner(), spare[0], spare[1]), beyond(e.rcorner(), spare[2], spare[3]));

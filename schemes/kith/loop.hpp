@@ -11,6 +11,7 @@
 #include <kith/weight_table.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -86,8 +87,7 @@ struct loop {
     {
         const std::size_t k = v.face_count();
         const bool inside = sharp.is_smooth(v);
-        if (not inside and
-            (not v.is_boundary() or sharp.limit_of(v).kind != sharp_rules<Level>::limit_kind::curve or k < 2))
+        if (not inside and not sharp.is_on_boundary_curve(v))
             return limit_at_corner(sharp, v, use);
         const auto turns = std::int64_t(inside ? k : 2 * k); // the ring spans a full turn, or half of one
         const auto sine = [turns](std::size_t j) { return sin_turn(std::int64_t(j), turns); };

@@ -102,15 +102,16 @@ private:
     {
         using namespace targets;
         const std::size_t n = v.valence();
-        const auto neighbors = [](auto c) { return c.fan_from_here().map([](auto d) { return d.next().v(); }); };
-        const auto opposites = [](auto c) { return c.fan_from_here().map([](auto d) { return d.next().next().v(); }); };
         const auto first = v.first_corner();
-        assoc(v, V) = (361. * v + 304. * average(neighbors(first)) + 64. * average(opposites(first))) / 729;
+        const auto ring = 304. * average(first.neighbors_from_here()) + 64. * average(first.opposites_from_here());
+        assoc(v, V) = (361. * v + ring) / 729;
         typename Rows::spare spare;
         const auto row = rows(n, spare);
         for (const auto c : v.corners()) {
-            assoc(v, c.next_edge(), V) = (304. * v + sum(neighbors(c), row.b) + sum(opposites(c), row.c)) / 729;
-            assoc(c, V) = (256. * v + sum(neighbors(c), row.q) + sum(opposites(c), row.g)) / 729;
+            const auto e = c.next_edge();
+            assoc(v, e, V) = (304. * v + sum(c.neighbors_from_here(), row.b) + sum(c.opposites_from_here(), row.c)) /
+                             729;
+            assoc(c, V) = (256. * v + sum(c.neighbors_from_here(), row.q) + sum(c.opposites_from_here(), row.g)) / 729;
         }
     }
 

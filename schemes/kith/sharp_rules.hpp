@@ -67,6 +67,11 @@ public:
         limit_kind kind;
         std::array<vertex<Level>, 2> ends; ///< the neighbours along the curve
     };
+    /// Half a ring of at least two faces lies at v.
+    [[nodiscard]] bool is_on_boundary_curve(const vertex<Level>& v) const
+    {
+        return v.is_boundary() and v.face_count() >= 2 and limit_of(v).kind == limit_kind::curve;
+    }
     [[nodiscard]] limit_rule limit_of(const vertex<Level>& v) const
     {
         if (is_kept_corner(v))
