@@ -95,7 +95,7 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
             }
         });
         close_boundary(m, t);
-        // Only a boundary between its two steps, in sqrt(3), needs this to be remembered.
+        // Only a boundary between two steps of sqrt(3) or 4-8 needs this to be remembered.
         if (fine.generation() % 2 != 0 and not m.is_empty() and t.corners() != 2 * t.edges())
             m.template add_property_map<face, std::uint8_t>(odd_generation, 1);
         return m;

@@ -107,7 +107,7 @@ struct mesh_traits<M> {
             }
         });
         close_boundary(m, t);
-        // Only a boundary between its two steps, in sqrt(3), needs this to be remembered.
+        // Only a boundary between two steps of sqrt(3) or 4-8 needs this to be remembered.
         if (fine.generation() % 2 != 0 and t.corners() != 2 * t.edges()) {
             OpenMesh::MPropHandleT<bool> odd;
             m.add_property(odd, odd_generation);

@@ -14,6 +14,7 @@
 #include <limits>
 #include <ranges>
 #include <span>
+#include <utility>
 
 namespace kith {
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -85,7 +86,7 @@ public:
     }
 
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
-    /// under this tuple. Errors: association_error if it made none. Cost: O(1), O(valence) for pairs without their edge.
+    /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary. Cost: O(1), O(valence) for pairs without their edge.
     template <class X, class Target>
         requires(not std::integral<X>)
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const
@@ -119,7 +120,8 @@ public:
     }
 
     /// Values at the vertices of level `from` carried to level `to` by the scheme's own text: colours, weights, hashes,
-    /// anything with an `affine`. In the order of the dense vertex numbers. Precondition: from <= to <= depth().
+    /// anything with an `affine`. In the order of the dense vertex numbers. Precondition: from <= to <= depth(). Errors:
+    /// mesh_error unless there is a value per vertex. Cost: that of refining again, without connectivity.
     template <affine_value T>
     [[nodiscard]] storage<T> carry(int from, int to, std::span<const T> values) const
     {
@@ -141,7 +143,8 @@ public:
         return result;
     }
 
-    /// The subdivision matrix from the vertices of one level to those of a finer one.
+    /// The subdivision matrix from the vertices of one level to those of a finer one. Precondition: from <= to <= depth().
+    /// Cost: O(its entries log of those of a row) time and memory per level.
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
         const std::size_t columns = elements(from).vertex_count();

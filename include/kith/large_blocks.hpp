@@ -20,7 +20,7 @@ namespace kith {
 /// that size. The kernel clears every fresh page, which is a quarter of the time of a refinement (docs/design.md, Speed);
 /// whoever refines again, or tile after tile, is spared it. What is in use and what is kept come to an eighth more than was
 /// ever in use at most; all that is kept goes back when more than ever is needed, when there is no memory for a large
-/// block, and before a mesh of another library is built. Safe on several threads.
+/// block, and before `refine` builds a mesh of another library. Safe on several threads.
 class large_blocks {
 public:
     /// A huge page of Linux on most processors.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "basic_mesh.hpp"
+#include "error.hpp"
 #include "level_elements.hpp"
 #include "mesh_level.hpp"
 #include "native_level.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>

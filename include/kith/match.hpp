@@ -5,6 +5,7 @@
 #include "mesh_report.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <string>
 #include <utility>
 #include <vector>

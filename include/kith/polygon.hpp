@@ -24,7 +24,7 @@ auto polygon(const First& first, const More&... more)
     return std::array<line, 1 + sizeof...(More)>{line(first), line(more)...};
 }
 
-/// The same from a range of elements and the line that each of them gives.
+/// The same from a range of elements and the line that each of them gives; `line_of` has to outlive the result.
 template <class Range, class LineOf>
 auto polygon(const Range& range, const LineOf& line_of)
 {

@@ -16,6 +16,7 @@ template <class Scheme, class Index>
 using numbering_of = numbering<decltype(columns_of(std::declval<const Scheme&>(), 0)), Index>;
 
 /// One step over the points of a level: the next level as a native mesh, and its numbering.
+/// Errors: mesh_error for more elements than the index can number, association_error for faults of the scheme.
 template <connect Connect, class Level, class Scheme>
 auto refine_level(const Level& coarse, const Scheme& scheme, int generation,
                   numbering_of<Scheme, typename Level::index_type>& ids)
@@ -49,7 +50,8 @@ decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& 
     }
 }
 
-/// One step from a native mesh.
+/// One step from a native mesh. Precondition: it has its edges. Errors: as `refine_level`, and for faces that the scheme
+/// does not take.
 template <connect Connect, class Scheme, class Point, class Index>
 auto refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, numbering_of<Scheme, Index>& ids)
 {

@@ -6,7 +6,8 @@
 namespace kith {
 
 /// The primal quad split: every vertex, edge and face gives birth to a vertex, every corner to a quad. Any polygons in,
-/// quads out. Used by Catmull-Clark, Kobbelt and the linear split.
+/// quads out. Used by Catmull-Clark, Kobbelt, the linear split and unified of odd
+/// degree.
 struct quad_split {
     static constexpr auto columns()
     {

@@ -9,6 +9,7 @@
 #include <kith/weight_table.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
