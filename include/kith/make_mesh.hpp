@@ -68,9 +68,7 @@ void check_points(const Points& points, mesh_report& report)
     std::size_t v = 0;
     for (const auto& point : points) {
         if (not point_is_finite(point))
-            report.add(problem::not_finite, [&] {
-                return "vertex " + std::to_string(v) + ": a coordinate is not a finite number; give it a place";
-            });
+            report.add_not_finite(v);
         ++v;
     }
 }
@@ -78,27 +76,22 @@ void check_points(const Points& points, mesh_report& report)
 inline void check_faces(std::size_t vertices, const face_list& faces, mesh_report& report)
 {
     if (faces.size() == 0)
-        report.add(problem::empty_mesh, [] { return std::string("the mesh has no faces; nothing can be refined"); });
+        report.add_no_faces();
     std::vector<std::size_t> sorted;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const auto face = faces[f];
-        const auto name = [&] { return "face " + std::to_string(f) + ": "; };
         for (const std::size_t v : face)
             if (v >= vertices)
                 report.add(problem::bad_index, [&] {
-                    return name() + "vertex " + std::to_string(std::ptrdiff_t(v)) + " does not exist, there are " +
-                           std::to_string(vertices) + "; correct the index";
+                    return "face " + std::to_string(f) + ": vertex " + std::to_string(std::ptrdiff_t(v)) +
+                           " does not exist, there are " + std::to_string(vertices) + "; correct the index";
                 });
         if (face.size() < 3)
-            report.add(problem::degenerate_face,
-                       [&] { return name() + "has " + std::to_string(face.size()) + " corners; remove it"; });
+            report.add_few_corners(f, face.size());
         sorted.assign(face.begin(), face.end());
         std::ranges::sort(sorted);
         if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
-            report.add(problem::degenerate_face, [&] {
-                return name() + "comes to vertex " + std::to_string(*twice) +
-                       " twice; remove the repeated corner or the face";
-            });
+            report.add_repeated_corner(f, *twice);
     }
 }
 

@@ -115,9 +115,7 @@ void start_fans(connectivity<Index>& t, mesh_report& report)
     for (std::size_t v = 0; v < t.vertices; ++v) {
         const Index start = t.vertex_corner[v];
         if (start == none) {
-            report.add(problem::isolated_vertex, [&] {
-                return "vertex " + std::to_string(v) + ": belongs to no face; remove it or give it a face";
-            });
+            report.add_isolated(v);
             continue;
         }
         Index fan = 0;
@@ -127,10 +125,7 @@ void start_fans(connectivity<Index>& t, mesh_report& report)
             c = across(prev(c));
         } while (c != none and c != start and fan <= size[v]);
         if (fan != size[v])
-            report.add(problem::nonmanifold_vertex, [&] {
-                return "vertex " + std::to_string(v) + ": its " + std::to_string(size[v]) +
-                       " faces form several fans; split the vertex, one copy per fan";
-            });
+            report.add_several_fans(v, size[v]);
     }
 }
 

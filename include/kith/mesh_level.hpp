@@ -62,10 +62,7 @@ public:
         mesh_report report;
         for (const auto v : vertices_)
             if (traits::is_isolated(mesh, v)) {
-                report.add(problem::isolated_vertex, [&] {
-                    return "vertex " + std::to_string(traits::index(mesh, v)) +
-                           ": belongs to no face; remove it or give it a face";
-                });
+                report.add_isolated(std::size_t(traits::index(mesh, v)));
                 fan_start_.push_back(typename traits::halfedge{});
             } else {
                 fan_start_.push_back(start_of_fan(traits::halfedge_of(mesh, v)));

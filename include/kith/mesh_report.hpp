@@ -38,6 +38,41 @@ public:
             told_.emplace_back(kind, describe());
     }
 
+    // What is found on more than one way into the library; elements by number.
+    void add_no_faces()
+    {
+        add(problem::empty_mesh, [] { return std::string("the mesh has no faces; nothing can be refined"); });
+    }
+    void add_not_finite(std::size_t vertex)
+    {
+        add(problem::not_finite,
+            [&] { return named("vertex", vertex) + "a coordinate is not a finite number; give it a place"; });
+    }
+    void add_isolated(std::size_t vertex)
+    {
+        add(problem::isolated_vertex,
+            [&] { return named("vertex", vertex) + "belongs to no face; remove it or give it a face"; });
+    }
+    void add_several_fans(std::size_t vertex, std::size_t faces)
+    {
+        add(problem::nonmanifold_vertex, [&] {
+            return named("vertex", vertex) + "its " + std::to_string(faces) +
+                   " faces form several fans; split the vertex, one copy per fan";
+        });
+    }
+    void add_few_corners(std::size_t face, std::size_t corners)
+    {
+        add(problem::degenerate_face,
+            [&] { return named("face", face) + "has " + std::to_string(corners) + " corners; remove it"; });
+    }
+    void add_repeated_corner(std::size_t face, std::size_t vertex)
+    {
+        add(problem::degenerate_face, [&] {
+            return named("face", face) + "comes to vertex " + std::to_string(vertex) +
+                   " twice; remove the repeated corner or the face";
+        });
+    }
+
     [[nodiscard]] bool ok() const { return told_.empty(); }
     explicit operator bool() const { return ok(); }
     [[nodiscard]] std::size_t count(problem kind) const { return counts_[std::size_t(kind)]; }
@@ -70,6 +105,11 @@ public:
     }
 
 private:
+    static std::string named(const char* kind, std::size_t element)
+    {
+        return kind + (" " + std::to_string(element)) + ": ";
+    }
+
     static constexpr std::array<std::string_view, 8> names{"empty mesh",
                                                            "coordinates that are not finite",
                                                            "indices out of range",

@@ -19,9 +19,9 @@ mesh_report validate(const M& mesh)
 {
     using traits = mesh_traits<M>;
     mesh_report report;
-    const auto number = [&](const auto& handle) { return std::to_string(std::size_t(traits::index(mesh, handle))); };
+    const auto number = [&](const auto& handle) { return std::size_t(traits::index(mesh, handle)); };
     std::vector<std::size_t> faces_at(traits::vertex_bound(mesh), 0);
-    std::vector<typename traits::vertex> corners;
+    std::vector<std::size_t> corners; // of a face, by number
     bool empty = true;
     for (const auto f : traits::faces(mesh)) {
         empty = false;
@@ -29,42 +29,34 @@ mesh_report validate(const M& mesh)
         const auto first = traits::halfedge_of(mesh, f);
         auto h = first;
         do {
-            corners.push_back(traits::source(mesh, h));
-            ++faces_at[traits::index(mesh, corners.back())];
+            corners.push_back(number(traits::source(mesh, h)));
+            ++faces_at[corners.back()];
             h = traits::next(mesh, h);
         } while (h != first and corners.size() <= traits::halfedge_bound(mesh));
-        const auto index_of = [&](const auto& v) { return traits::index(mesh, v); };
-        std::ranges::sort(corners, {}, index_of);
-        if (const auto twice = std::ranges::adjacent_find(corners, {}, index_of); twice != corners.end())
-            report.add(problem::degenerate_face, [&] {
-                return "face " + number(f) + ": comes to vertex " + number(*twice) +
-                       " twice; remove the repeated corner or the face";
-            });
+        std::ranges::sort(corners);
+        if (const auto twice = std::ranges::adjacent_find(corners); twice != corners.end())
+            report.add_repeated_corner(number(f), *twice);
         if (corners.size() < 3)
-            report.add(problem::degenerate_face, [&] {
-                return "face " + number(f) + ": has " + std::to_string(corners.size()) + " corners; remove it";
-            });
+            report.add_few_corners(number(f), corners.size());
     }
     if (empty)
-        report.add(problem::empty_mesh, [] { return std::string("the mesh has no faces; nothing can be refined"); });
+        report.add_no_faces();
     for (const auto e : traits::edges(mesh)) {
         const auto h = traits::halfedge_of(mesh, e);
         if (traits::is_boundary(mesh, h) and traits::is_boundary(mesh, traits::opposite(mesh, h)))
-            report.add(problem::nonmanifold_edge,
-                       [&] { return "edge " + number(e) + ": has no face; remove it or give it a face"; });
+            report.add(problem::nonmanifold_edge, [&] {
+                return "edge " + std::to_string(number(e)) + ": has no face; remove it or give it a face";
+            });
     }
     for (const auto v : traits::vertices(mesh)) {
         if (not detail::point_is_finite(typename traits::point(traits::point_of(mesh, v))))
-            report.add(problem::not_finite, [&] {
-                return "vertex " + number(v) + ": a coordinate is not a finite number; give it a place";
-            });
-        if (traits::is_isolated(mesh, v) or faces_at[traits::index(mesh, v)] == 0) {
-            report.add(problem::isolated_vertex,
-                       [&] { return "vertex " + number(v) + ": belongs to no face; remove it or give it a face"; });
+            report.add_not_finite(number(v));
+        if (traits::is_isolated(mesh, v) or faces_at[number(v)] == 0) {
+            report.add_isolated(number(v));
             continue;
         }
         // Clockwise through the faces; from the boundary, beyond which nothing is promised, back and the other way.
-        const std::size_t all = faces_at[traits::index(mesh, v)];
+        const std::size_t all = faces_at[number(v)];
         const auto start = traits::halfedge_of(mesh, v);
         const auto is_inside = [&](const auto& h) { return not traits::is_boundary(mesh, h); };
         std::size_t fan = is_inside(start) ? 1 : 0;
@@ -80,10 +72,7 @@ mesh_report validate(const M& mesh)
                 fan += is_inside(out) ? 1 : 0;
             }
         if (fan != all)
-            report.add(problem::nonmanifold_vertex, [&] {
-                return "vertex " + number(v) + ": its " + std::to_string(all) +
-                       " faces form several fans; split the vertex, one copy per fan";
-            });
+            report.add_several_fans(number(v), all);
     }
     return report;
 }
@@ -95,7 +84,7 @@ mesh_report validate(const basic_mesh<Point, Index>& mesh)
     mesh_report report;
     detail::check_points(mesh.points(), report);
     if (mesh.face_count() == 0)
-        report.add(problem::empty_mesh, [] { return std::string("the mesh has no faces; nothing can be refined"); });
+        report.add_no_faces();
     return report;
 }
 
