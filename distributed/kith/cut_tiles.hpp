@@ -28,7 +28,7 @@ public:
     using job_type = tile_job<tile_type, Scheme>;
 
     /// `part_of[f]` is the part of face f, below `parts`. Parts may be empty, and need not be connected.
-    /// Preconditions: `refine` takes the mesh, and the mesh outlives this object. Errors: mesh_error for a partition of
+    /// Preconditions: `refine` takes the mesh, which has its edges, and the mesh outlives this object. Errors: mesh_error for a partition of
     /// another mesh or a part that does not exist. Cost: O(elements).
     tile_cutter(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const std::uint32_t> part_of,
                 std::size_t parts)

@@ -3,6 +3,8 @@
 
 #include "partition.hpp"
 
+#include <kith/lift.hpp>
+
 #include <metis.h>
 
 #include <limits>
@@ -14,11 +16,12 @@ namespace kith {
 /// an edge, weighted by corners, since a polygon makes a child per corner. Its random numbers are seeded, so that the same
 /// METIS gives the same partition. Parts may be empty. What METIS cannot take is cut into blocks: graphs whose arrays its
 /// 32-bit index cannot number, and parts of less than two faces.
-/// Errors: mesh_error when METIS reports one. Cost: about 150 bytes per face.
+/// Errors: mesh_error for a mesh of face-vertex lists only, and when METIS reports one. Cost: about 150 bytes per face.
 template <class Point, class Index>
 partition metis_partition(const basic_mesh<Point, Index>& mesh, std::size_t parts)
 {
     detail::require_parts(parts);
+    require_edges(mesh);
     const auto& t = mesh.topology();
     const std::size_t inner_edges = mesh.corner_count() - mesh.edge_count();
     constexpr auto most = std::size_t(std::numeric_limits<idx_t>::max());

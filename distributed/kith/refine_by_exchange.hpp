@@ -9,11 +9,11 @@
 #include "in_agreement.hpp"
 #include "pack.hpp"
 #include "partition.hpp"
+#include "require_control.hpp"
 #include "require_tiles.hpp"
 #include "tile_step.hpp"
 
 #include <kith/refine.hpp>
-#include <kith/validate.hpp>
 
 #include <array>
 #include <cstddef>
@@ -47,7 +47,8 @@ public:
     using numbering_type = whole_numbering<columns_type<Scheme>>;
 
     /// Collective. `mesh` and `parts` are read on rank 0 only; `rings_per_step` > 0 is the same on all ranks. Errors:
-    /// phase_error for everything that `refine` refuses and for a partition of another mesh.
+    /// phase_error for everything that `refine` refuses, for a mesh of face-vertex lists only and for a partition of another
+    /// mesh.
     exchanging_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                           const partition& parts, int rings_per_step)
         : comm_(comm), scheme_(scheme), rings_(rings_per_step)
@@ -58,8 +59,7 @@ public:
             require_rings();
             if (not comm.is_root())
                 return;
-            validate(mesh).require_ok();
-            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh), mesh.generation());
+            kith::detail::require_control<Scheme>(mesh, 0);
             cutter.emplace(mesh, scheme_, parts.part_of, parts.parts);
             setting = packer().add(cutter->counts()).add(std::uint64_t(parts.parts)).add(mesh.generation()).take();
         });

@@ -4,8 +4,7 @@
 #include "cut_tiles.hpp"
 #include "partition.hpp"
 #include "refine_tile.hpp"
-
-#include <kith/validate.hpp>
+#include "require_control.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -20,7 +19,7 @@ public:
     using tile_type = tile<Point, Index>;
 
     /// The mesh must outlive this object. Errors: mesh_error for everything that `refine` refuses but for lack of memory,
-    /// for a partition of another mesh, and for more elements than 64 bits can number.
+    /// for a mesh of face-vertex lists only, for a partition of another mesh, and for more elements than 64 bits can number.
     /// Cost: that of the control mesh, and of refining its boundary.
     tiled_refinement(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels, const partition& parts)
         : cutter_(checked(mesh, scheme, levels), scheme, parts.part_of, parts.parts)
@@ -42,9 +41,7 @@ public:
 private:
     static const basic_mesh<Point, Index>& checked(const basic_mesh<Point, Index>& mesh, const Scheme&, int levels)
     {
-        detail::require_levels<Scheme>(levels);
-        validate(mesh).require_ok();
-        require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh), mesh.generation());
+        detail::require_control<Scheme>(mesh, levels);
         return mesh;
     }
     static whole_levels<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme, int levels)

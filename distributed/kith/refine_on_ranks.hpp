@@ -9,9 +9,8 @@
 #include "pack.hpp"
 #include "partition.hpp"
 #include "refine_tile.hpp"
+#include "require_control.hpp"
 #include "require_tiles.hpp"
-
-#include <kith/validate.hpp>
 
 #include <algorithm>
 #include <array>
@@ -60,7 +59,8 @@ public:
     /// Collective. `mesh` and `parts` are read on rank 0 only, where the mesh must outlive this object; `scheme` has the
     /// same options on all ranks, its creases count on rank 0. `last_rings`: the last level keeps its edges and so many
     /// rings of shadows; without it only the owned faces are kept, in half of the memory. Errors: phase_error for
-    /// everything that `refine` refuses, for a partition of another mesh and for counts beyond 64 bits.
+    /// everything that `refine` refuses, for a mesh of face-vertex lists only, for a partition of another mesh and for counts
+    /// beyond 64 bits.
     rank_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                     const partition& parts, std::optional<int> last_rings = std::nullopt)
         : comm_(comm), scheme_(scheme), last_(last_rings ? connect::everything : connect::faces)
@@ -69,9 +69,7 @@ public:
         in_agreement(comm, [&] {
             if (not comm.is_root())
                 return;
-            kith::detail::require_levels<Scheme>(levels);
-            validate(mesh).require_ok();
-            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh), mesh.generation());
+            kith::detail::require_control<Scheme>(mesh, levels);
             cutter_.emplace(mesh, scheme_, parts.part_of, parts.parts);
             packer out;
             out.add(cutter_->counts()).add(std::uint64_t(parts.parts));

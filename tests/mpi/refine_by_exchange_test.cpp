@@ -123,3 +123,16 @@ TEST(exchanging_refinement, says_when_a_step_needs_more_rings)
     EXPECT_NE(text(1).find("1 rings per step are too few for unknown, ask for more"), std::string::npos) << text(1);
     EXPECT_EQ(text(0), "unknown: 0 rings per step; a step needs 1 or more");
 }
+
+TEST(exchanging_refinement, needs_the_edges_of_the_control_mesh)
+{
+    const auto cube = native(shapes::cube());
+    const auto faces = kith::refine(cube, kith::catmull_clark{}, 1, {kith::connect::faces});
+    const std::string refusal = "the mesh has face-vertex lists only and no edges; refine it with connect::everything";
+    EXPECT_EQ(error_text<kith::mpi::phase_error>(
+                  [&] { kith::mpi::exchanging_refinement(world(), faces, kith::doo_sabin{}, in_blocks(faces, 2), 2); }),
+              refusal);
+    EXPECT_EQ(error_text<kith::mpi::phase_error>(
+                  [&] { kith::mpi::rank_refinement(world(), faces, kith::doo_sabin{}, 1, in_blocks(faces, 2)); }),
+              refusal);
+}
