@@ -344,4 +344,8 @@ for mesh in native cgal openmesh; do
         only_input_left in.off
     done
 done
+run refine in.off -s catmull-clark -n 2147483647 -o out.vtu --tiles 2
+exits 1
+says '2147483647 levels were asked for; no surface has so many, ask for at most 1000'
+only_input_left in.off
 finish
