@@ -2,6 +2,7 @@
 #pragma once
 
 #include "column_facts.hpp"
+#include "partition.hpp"
 #include "reach.hpp"
 #include "submesh.hpp"
 #include "tile_job.hpp"
@@ -28,11 +29,11 @@ public:
     using job_type = tile_job<tile_type, Scheme>;
 
     /// `part_of[f]` is the part of face f, below `parts`. Parts may be empty, and need not be connected.
-    /// Preconditions: `refine` takes the mesh, which has its edges, and the mesh outlives this object. Errors: mesh_error for a partition of
-    /// another mesh or a part that does not exist. Cost: O(elements).
+    /// Preconditions: `refine` takes the mesh, which has its edges, and the mesh outlives this object. Errors: mesh_error for
+    /// a partition of another mesh, a part that does not exist and what block_partition refuses. Cost: O(elements).
     tile_cutter(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const std::uint32_t> part_of,
                 std::size_t parts)
-        : mesh_(mesh), scheme_(scheme), cutter_(mesh), first_(parts + 1, 0)
+        : mesh_(mesh), scheme_(scheme), cutter_(mesh), first_(checked(parts, mesh) + 1, 0)
     {
         if (part_of.size() != mesh.face_count())
             throw mesh_error("the partition has " + std::to_string(part_of.size()) + " faces, the mesh has " +
@@ -93,6 +94,11 @@ public:
     }
 
 private:
+    static std::size_t checked(std::size_t parts, const basic_mesh<Point, Index>& mesh)
+    {
+        detail::require_parts(parts, mesh.face_count());
+        return parts;
+    }
     void count_corners()
     {
         corners_before_.assign(mesh_.vertex_count() + 1, 0);

@@ -20,7 +20,7 @@ namespace kith {
 template <class Point, class Index>
 partition metis_partition(const basic_mesh<Point, Index>& mesh, std::size_t parts)
 {
-    detail::require_parts(parts);
+    detail::require_parts(parts, mesh.face_count());
     require_edges(mesh);
     const auto& t = mesh.topology();
     const std::size_t inner_edges = mesh.corner_count() - mesh.edge_count();

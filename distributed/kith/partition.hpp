@@ -21,10 +21,15 @@ struct partition {
 
 namespace detail {
 
-inline void require_parts(std::size_t parts)
+/// More parts than faces are of no use but no fault either, as long as they are not too many to hold.
+inline void require_parts(std::size_t parts, std::size_t faces)
 {
-    if (parts == 0 or parts > UINT32_MAX)
-        throw mesh_error(std::to_string(parts) + " parts were asked for; ask for 1 or more");
+    if (parts == 0)
+        throw mesh_error("0 parts were asked for; ask for 1 or more");
+    const std::size_t most = std::clamp(faces, std::size_t(1) << 20, std::size_t(UINT32_MAX));
+    if (parts > most)
+        throw mesh_error(std::to_string(parts) + " parts were asked for, and the mesh has " + std::to_string(faces) +
+                         " faces; ask for at most " + std::to_string(most));
 }
 
 /// Of a run of faces: the part of a face of `degree` corners, the first of which is `first` of all `corners`.
@@ -37,11 +42,11 @@ inline std::size_t block_of(std::uint64_t first, std::size_t degree, std::uint64
 } // namespace detail
 
 /// Runs of faces in the order of their numbers, of as many corners each as can be: polygons make a child per corner.
-/// Cost: O(faces).
+/// Errors: mesh_error for no parts, and for more than 2^20 that are more than there are faces. Cost: O(faces).
 template <class Point, class Index>
 partition block_partition(const basic_mesh<Point, Index>& mesh, std::size_t parts)
 {
-    detail::require_parts(parts);
+    detail::require_parts(parts, mesh.face_count());
     partition result{std::vector<std::uint32_t>(mesh.face_count()), parts};
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         result.part_of[f] = std::uint32_t(
@@ -49,15 +54,18 @@ partition block_partition(const basic_mesh<Point, Index>& mesh, std::size_t part
     return result;
 }
 
-/// One number per face, as METIS's programs write them. Errors: mesh_error for anything else.
+/// One number per face, below the number of faces, as METIS's programs write them. Parts may be empty. Errors: mesh_error
+/// for anything else.
 template <class Point, class Index>
 partition read_partition(std::istream& in, const basic_mesh<Point, Index>& mesh)
 {
     partition result;
+    const auto faces = std::min<std::uint64_t>(mesh.face_count(), UINT32_MAX);
     for (std::int64_t part; in >> part;) {
-        if (part < 0 or part > UINT32_MAX - 1)
+        if (part < 0 or std::uint64_t(part) >= faces)
             throw mesh_error("the partition file gives face " + std::to_string(result.part_of.size()) + " part " +
-                             std::to_string(part) + "; number the parts from 0");
+                             std::to_string(part) + ", the mesh has " + std::to_string(mesh.face_count()) +
+                             " faces; number the parts from 0, below the number of faces");
         result.part_of.push_back(std::uint32_t(part));
         result.parts = std::max(result.parts, std::size_t(part) + 1);
     }

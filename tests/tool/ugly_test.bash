@@ -348,4 +348,16 @@ run refine in.off -s catmull-clark -n 2147483647 -o out.vtu --tiles 2
 exits 1
 says '2147483647 levels were asked for; no surface has so many, ask for at most 1000'
 only_input_left in.off
+for partitioner in metis block; do
+    run refine in.off -s catmull-clark -n 1 -o out.vtu --tiles 4294967295 --partitioner $partitioner
+    exits 1
+    says '4294967295 parts were asked for, and the mesh has 6 faces; ask for at most 1048576'
+    only_input_left in.off
+done
+printf '0 1 4294967294 3 4 5\n' >in.part
+run refine in.off -s catmull-clark -n 1 -o out.vtu --partitioner file:in.part
+exits 1
+says 'in.part: the partition file gives face 2 part 4294967294, the mesh has 6 faces; number the parts from 0, below'
+rm in.part
+only_input_left in.off
 finish
