@@ -144,16 +144,18 @@ private:
     {
         std::array<std::optional<place>, 3> found;
         int elements = 0, face_properties = 0; // so far
-        bool has_corners = false;
+        bool has_format = false, has_corners = false;
         std::string line;
         require(bool(std::getline(in_, line)) and line.starts_with("ply"), "is no PLY file that can be read");
         while (std::getline(in_, line) and not line.starts_with("end_header")) {
             std::istringstream words(line);
             std::string word, type, name;
             words >> word >> type >> name;
-            if (word == "format")
+            if (word == "format") {
                 require(type == "binary_little_endian",
                         "is not binary_little_endian; only such files are read in slices");
+                has_format = true;
+            }
             if (word == "element") {
                 ++elements;
                 require((type == "vertex") == (elements == 1) and (type == "face") == (elements == 2),
@@ -172,15 +174,18 @@ private:
                     }
                 vertex_bytes_ += size;
             } else if (word == "property" and elements == 2) {
-                std::string index;
-                words >> index;
+                std::string index, list;
+                words >> index >> list;
                 ++face_properties;
                 has_corners = type == "list" and size_of(name) == 1 and size_of(index) == 4 and
-                              index.find("int") != index.npos;
+                              index.find("int") != index.npos and (list == "vertex_indices" or list == "vertex_index");
             }
         }
-        require(bool(in_) and found[0] and found[1] and found[2] and has_corners and face_properties == 1,
-                "needs vertices with x, y, z and faces with one list of uchar and int, and nothing else");
+        require(has_format, "has no line 'format' in its header; only binary_little_endian files are read in slices");
+        require(
+            bool(in_) and found[0] and found[1] and found[2] and has_corners and face_properties == 1,
+            "needs vertices with x, y, z and faces with one list 'vertex_indices' of uchar and int, and nothing else");
+        require(faces_ != 0, "has no faces; nothing can be refined");
         places_ = {*found[0], *found[1], *found[2]};
         find_places();
     }
@@ -197,9 +202,9 @@ private:
         require(vertices_ <= left / vertex_bytes_, too_short());
         left -= vertices_ * vertex_bytes_;
         faces_at_ = vertices_at_ + std::streamoff(vertices_ * vertex_bytes_);
-        require(faces_ == 0 or left > 0, too_short());
+        require(left > 0, too_short());
         in_.seekg(faces_at_);
-        degree_ = faces_ == 0 ? 3 : in_.get();
+        degree_ = in_.get();
         require(degree_ == 3 or degree_ == 4,
                 "has faces of " + std::to_string(degree_) +
                     " vertices; files of triangles or of quads can be read in slices");

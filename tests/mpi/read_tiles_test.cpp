@@ -161,7 +161,13 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
         EXPECT_NE(text.find(part), std::string::npos) << text;
     };
     for (const char* list : {"list uint8 short", "list uchar int16", "list int int", "list uchar float", "uint"})
-        expect(with("list uchar int", list), "faces with one list of uchar and int");
+        expect(with("list uchar int", list), "faces with one list 'vertex_indices' of uchar and int");
+    for (const char* name : {"corners", "", "vertex_indices_2"})
+        expect(with("vertex_indices", name), "faces with one list 'vertex_indices' of uchar and int");
+    EXPECT_EQ(with("vertex_indices", "vertex_index"), "no error");
+    expect(with("format binary_little_endian 1.0\n", ""), "has no line 'format' in its header");
+    expect(with("format binary_little_endian 1.0", "comment binary"), "has no line 'format' in its header");
+    expect(with("element face 6", "element face 0"), "has no faces; nothing can be refined");
     expect(with("element vertex 8", "element vertex -5"), "has '-5' for the number of element vertex");
     expect(with("element face 6", "element face"), "has '' for the number of element face");
     expect(with("element face 6", "element face 6x"), "has '6x' for the number of element face");
