@@ -15,6 +15,7 @@
 
 #include <kith/refine.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -76,8 +77,9 @@ public:
         });
     }
 
-    /// Collective. From tiles of level 0 that have `rings_per_step` rings of shadows, wherever they come from: read_tiles
-    /// makes them of a file that is too large for one rank. Errors: phase_error for what the scheme cannot take.
+    /// Collective. From tiles of level 0, all of one generation, that have `rings_per_step` rings of shadows, wherever they
+    /// come from: read_tiles makes them of a file that is too large for one rank. Errors: phase_error for what the scheme
+    /// cannot take.
     exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                           const Scheme& scheme, int rings_per_step)
         : comm_(comm), scheme_(scheme), rings_(rings_per_step), counts_(counts), tiles_(std::move(tiles))
@@ -87,6 +89,10 @@ public:
             require_rings();
             require_tiles<Scheme>(tiles_);
         });
+        double generation = 0; // of a rank without tiles, which others tell
+        for (const auto& [number, part] : tiles_)
+            generation = std::max(generation, double(part.mesh.generation()));
+        generation_ = int(comm.maximum(std::array{generation})[0]);
     }
 
     /// Local.

@@ -28,12 +28,9 @@ struct unknown_reach {
 static_assert(not kith::reaching_scheme<unknown_reach<kith::catmull_clark>>);
 
 /// Refines level by level and compares every element of every tile with the mesh that was refined as one.
-template <class Scheme>
-void expect_same(const mesh3d& control, const Scheme& scheme, int levels, const kith::partition& parts)
+template <class Refinement, class Scheme>
+void expect_same_levels(Refinement refinement, mesh3d whole, const Scheme& scheme, int levels)
 {
-    kith::mpi::exchanging_refinement refinement(
-        world(), control, unknown_reach<Scheme>{scheme}, parts, scheme.reach(1));
-    auto whole = control;
     for (int level = 0; level <= levels; ++level) {
         if (level > 0) {
             refinement.refine();
@@ -51,6 +48,16 @@ void expect_same(const mesh3d& control, const Scheme& scheme, int levels, const 
             for (const auto n : world().sum(std::vector<std::uint64_t>(owners->begin(), owners->end())))
                 EXPECT_EQ(n, 1U) << level;
     }
+}
+
+template <class Scheme>
+void expect_same(const mesh3d& control, const Scheme& scheme, int levels, const kith::partition& parts)
+{
+    expect_same_levels(
+        kith::mpi::exchanging_refinement(world(), control, unknown_reach<Scheme>{scheme}, parts, scheme.reach(1)),
+        control,
+        scheme,
+        levels);
 }
 
 /// Shadows that grew from one ring are those that a tile keeps which was refined with more rings from the beginning.
@@ -107,6 +114,28 @@ TEST(exchanging_refinement, equals_the_whole_mesh_bit_for_bit)
     }
     expect_same(torus, kith::butterfly{}, 2, in_blocks(torus, 3));
     expect_same(grid, kith::sqrt3{}, 4, in_blocks(grid, 2));
+}
+
+TEST(exchanging_refinement, takes_tiles_of_any_generation)
+{
+    const kith::sqrt3 scheme; // cuts the edges of the boundary in every second step
+    const auto grid = native(shapes::shaken(shapes::triangulated(shapes::grid(4, 5))));
+    for (const int generation : {1, 2}) {
+        const auto control = kith::refine(grid, scheme, generation);
+        for (const std::size_t parts : {1, 4}) { // of one part, most ranks have no tile to tell them
+            const auto partition = scattered(control, parts, 1);
+            kith::tile_cutter cutter(control, scheme, partition.part_of, partition.parts);
+            tiles3d tiles;
+            for (auto t = std::size_t(world().rank()); t < parts; t += std::size_t(world().size()))
+                tiles.push_back({t, cutter.cut(t, scheme.reach(1)).part});
+            expect_same_levels(
+                kith::mpi::exchanging_refinement(
+                    world(), std::move(tiles), cutter.counts(), unknown_reach<kith::sqrt3>{scheme}, scheme.reach(1)),
+                control,
+                scheme,
+                2);
+        }
+    }
 }
 
 TEST(exchanging_refinement, says_when_a_step_needs_more_rings)
