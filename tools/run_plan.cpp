@@ -79,8 +79,8 @@ void print_json(const planned_ranks& plan)
 
 void print_ranks(const po::variables_map& values, const any_scheme& scheme, const basic_mesh<>& control, int levels)
 {
-    const std::uint64_t ranks = count_from(values, "ranks", UINT32_MAX);
-    const std::uint64_t tiles = ranks * count_from(values, "tiles-per-rank", UINT32_MAX);
+    const std::uint64_t ranks = count_from(values, "ranks", most_ranks);
+    const std::uint64_t tiles = ranks * count_from(values, "tiles-per-rank", most_tiles_per_rank);
     const partition parts = make_partition(partitioner_from(values), control, tiles);
     const planned_ranks plan = plan_ranks(scheme, control, levels, parts, ranks);
     if (values.count("json") != 0)

@@ -71,7 +71,7 @@ po::options_description options_of_refine()
     add_option<std::string>(
         options, "memory-limit", "BYTES", "refuse what needs more, e.g. 500M or 4G; else all memory of the machine");
 #if defined(_OPENMP)
-    add_option<int>(options, "threads", "N", "run on so many threads");
+    add_option<std::int64_t>(options, "threads", "N", "run on so many threads");
 #endif
     add_flag(options, "json", "print the result line as JSON");
     return options;
@@ -80,12 +80,8 @@ po::options_description options_of_refine()
 void set_threads([[maybe_unused]] const po::variables_map& values)
 {
 #if defined(_OPENMP)
-    if (values.count("threads") == 0)
-        return;
-    const int threads = values["threads"].as<int>();
-    if (threads < 1)
-        throw usage_error("--threads: " + std::to_string(threads) + " were asked for; ask for 1 or more");
-    omp_set_num_threads(threads);
+    if (values.count("threads") != 0)
+        omp_set_num_threads(int(count_from(values, "threads", most_threads)));
 #endif
 }
 

@@ -24,6 +24,17 @@ one_message
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --mode some
 exits 2
 says "'some' is not one of spmd, manager"
+on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --tiles-per-rank 9223372036854775807
+exits 2
+says 'tiles-per-rank: 9223372036854775807 were asked for; ask for 1 or more, up to 4294967295'
+one_message
+on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --tiles-per-rank 4294967295
+exits 1
+says '12884901885 parts were asked for, and the mesh has 6 faces; ask for at most 1048576'
+one_message
+on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --threads 4294967297
+exits 2
+says 'threads: 4294967297 were asked for; ask for 1 or more, up to 4096'
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --partitioner some
 exits 2
 says "'some' is not one of metis, block, file:PATH"

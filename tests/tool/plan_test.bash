@@ -99,6 +99,12 @@ says '--ranks: unified has no reach, so no tiles; plan without ranks'
 run plan cube.off -s catmull-clark -n 2 --ranks 0
 exits 2
 says '0 were asked for; ask for 1 or more'
+run plan cube.off -s catmull-clark -n 2 --ranks 1048577
+exits 2
+says '.-ranks: 1048577 were asked for; ask for 1 or more, up to 1048576'
+run plan cube.off -s catmull-clark -n 2 --ranks 2 --tiles-per-rank 4294967296
+exits 2
+says '.-tiles-per-rank: 4294967296 were asked for; ask for 1 or more, up to 4294967295'
 run plan cube.off -s catmull-clark -n 2 --tiles-per-rank 2
 exits 2
 says '--tiles-per-rank: say with --ranks how many there are'

@@ -295,7 +295,10 @@ if "$kith" refine --help | grep -q -- --threads; then
         exits 0
     done
     same threads1.off threads2.off
-    run refine cube.off -s catmull-clark -n 1 -o refused.off --threads 0
-    exits 2
+    for threads in 0 -1 4097 4294967297; do
+        run refine cube.off -s catmull-clark -n 1 -o refused.off --threads=$threads
+        exits 2
+        says "threads: $threads were asked for; ask for 1 or more, up to 4096"
+    done
 fi
 finish
