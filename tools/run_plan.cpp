@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
 #include "errors.hpp"
+#include "holes.hpp"
 #include "json.hpp"
 #include "mesh_input.hpp"
 #include "partition_options.hpp"
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
+#include <utility>
 #include <variant>
 
 namespace kith::tool {
@@ -103,11 +105,16 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     if (not values)
         return 0;
     const int levels = levels_of(*values);
-    const any_scheme scheme = make_scheme(required(*values, "scheme"), scheme_words_of(*values));
+    const scheme_words words = scheme_words_of(*values);
+    any_scheme scheme = make_scheme(required(*values, "scheme"), words);
     for (const char* option : {"tiles-per-rank", "partitioner"})
         if (values->count(option) != 0 and values->count("ranks") == 0)
             throw usage_error("--" + std::string(option) + ": say with --ranks how many there are");
-    const basic_mesh<> control = prepared(scheme, read_mesh(required(*values, "IN")).mesh);
+    control_mesh input = read_mesh(required(*values, "IN"));
+    give_creases(scheme, input, words);
+    if (values->count("ranks") != 0)
+        require_no_holes(input);
+    const basic_mesh<> control = prepared(scheme, std::move(input.mesh));
     if (values->count("ranks") != 0) {
         print_ranks(*values, scheme, control, levels);
         return 0;

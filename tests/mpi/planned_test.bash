@@ -6,10 +6,11 @@ run refine cube.off -s catmull-clark -n 2 -o control.off
 
 # of NAME RANK FILE: a number out of JSON, a rank to a line.
 of() { sed -n "$(($2 + 1))s/.*\"$1\":\([0-9]*\).*/\1/p" "$3"; }
-for scheme in catmull-clark kobbelt; do
+for scheme in catmull-clark kobbelt 'catmull-clark --crease-angle 10'; do
     run plan control.off -s $scheme -n 3 --ranks 3 --tiles-per-rank 2 --json
     exits 0
     sed 's/},{/\n/g' "$results/out" >plan
+    test "$scheme" = catmull-clark && cp plan smooth.plan
     on 3 refine control.off -s $scheme -n 3 -o out.vtu --tiles-per-rank 2 --stats stats
     exits 0
     bytes=0
@@ -24,6 +25,8 @@ for scheme in catmull-clark kobbelt; do
     head=$((8 * 6 + $(grep -abo '^_' out.vtu | head -n 1 | cut -d: -f1) + 32))
     check "bytes of the file" test $(($(stat -c %s out.vtu) - head - bytes)) -lt 12 -a $((head + bytes - $(stat -c %s out.vtu))) -lt 12
 done
+
+check "creases are sent, too" test "$(of message_bytes 1 plan)" -gt "$(of message_bytes 1 smooth.plan)"
 
 run refine control.off -s doo-sabin -n 3 -o one.pvtu --tiles 4
 exits 0

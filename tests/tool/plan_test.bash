@@ -96,6 +96,27 @@ prints '^ +7 +1 +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+$'
 run plan cube.off -s unified -n 2 --ranks 2
 exits 2
 says '--ranks: unified has no reach, so no tiles; plan without ranks'
+# Creases, holes and schemes without rules for them are what `refine` says of them.
+run plan cube.off -s doo-sabin -n 2 --crease-angle 30
+plan_code=$code
+cp "$results/err" plan.err
+run refine cube.off -s doo-sabin -n 2 --crease-angle 30 -o out.off
+exits "$plan_code"
+same plan.err "$results/err"
+says 'crease-angle'
+run refine cube.off -s linear -n 0 -o cube.obj
+(cat cube.obj; echo; echo 't crease 2/1/0 0 1 2') >creased.obj
+(cat cube.obj; echo; echo 't hole 1/0/0 1') >holes.obj
+run plan creased.obj -s doo-sabin -n 2
+exits 1
+says 'doo-sabin has no rules for the creases, corners or holes of the file; catmull-clark and loop have'
+run plan creased.obj -s doo-sabin -n 2 --ignore-tags
+exits 0
+run plan holes.obj -s catmull-clark -n 2
+exits 0
+run plan holes.obj -s catmull-clark -n 2 --ranks 2
+exits 1
+says 'the file has holes, which are not left out of tiles'
 run plan cube.off -s catmull-clark -n 2 --ranks 0
 exits 2
 says '0 were asked for; ask for 1 or more'
