@@ -8,7 +8,10 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <vector>
 
 /// Every corner becomes a quad and nothing is smoothed.
 struct linear_split {
@@ -51,27 +54,46 @@ struct mid_edge {
     }
 };
 
-template <class Mesh, class Scheme>
-bool try_on(const char* mesh_name, const char* scheme_name, std::size_t vertices)
+template <class Mesh>
+Mesh cube()
 {
     using traits = kith::mesh_traits<Mesh>;
     const std::vector<typename traits::point> points{
         {-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
     const std::vector<std::vector<int>> faces{
         {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-    const Mesh cube = traits::build(kith::make_mesh(points, faces));
+    return traits::build(kith::make_mesh(points, faces));
+}
 
-    kith::hierarchy<Mesh, Scheme> levels(cube); // every level on the user's own mesh
+/// The points of two levels are the same, as far as a mesh with coordinates of type float can tell.
+template <class Level, class OtherLevel>
+bool same_points(const Level& a, const OtherLevel& b)
+{
+    bool same = a.vertex_count() == b.vertex_count();
+    for (std::size_t v = 0; same and v < a.vertex_count(); ++v)
+        for (int x = 0; x < 3; ++x)
+            same = same and std::abs(double(a.vertices()[v].point()[x]) - double(b.vertices()[v].point()[x])) < 1e-6;
+    return same;
+}
+
+template <class Mesh, class Scheme>
+bool try_on(const char* mesh_name, const char* scheme_name, std::size_t vertices)
+{
+    const Mesh control = cube<Mesh>();
+    const kith::basic_mesh<> native_control = cube<kith::basic_mesh<>>();
+    kith::hierarchy<Mesh, Scheme> levels(control); // every level on the user's own mesh
     levels.refine(2);
+    kith::hierarchy<kith::basic_mesh<>, Scheme> native_levels(native_control);
+    native_levels.refine(2);
     const auto& coarse = levels.elements(1);
     const auto& fine = levels.elements(2);
     std::printf("%-9s %-7s %zu -> %zu -> %zu vertices\n",
                 scheme_name,
                 mesh_name,
-                points.size(),
+                levels.elements(0).vertex_count(),
                 coarse.vertex_count(),
                 fine.vertex_count());
-    return fine.vertex_count() == vertices;
+    return fine.vertex_count() == vertices and same_points(fine, native_levels.elements(2));
 }
 
 template <class Mesh>
