@@ -56,16 +56,12 @@ void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
     }
     fine.vertices = vertex_from.size();
     fine.vertex_corner = storage<Index>(fine.vertices, none);
-    const auto before = [&](Index c) {
-        const Index f = detail::face_of_corner(fine, c);
-        return c == fine.first_corner(f) ? Index(fine.first_corner(std::size_t(f) + 1) - 1) : Index(c - 1);
-    };
     for (const Index start : starts) {
         Index v = fine.corner_vertex[start];
         while (fine.vertex_corner[v] != none)
             ++v;
         fine.vertex_corner[v] = start;
-        for (Index c = start; c != none; c = fine.halfedge_corner[fine.corner_halfedge[before(c)] ^ 1])
+        for (Index c = start; c != none; c = fine.halfedge_corner[fine.corner_halfedge[prev_corner(fine, c)] ^ 1])
             fine.corner_vertex[c] = v;
     }
 }
@@ -108,7 +104,7 @@ public:
                                 face_[f] = 0;
                                 faces.push_back(f);
                             }
-                            c = t.halfedge_corner[t.corner_halfedge[prev(c)] ^ 1];
+                            c = t.halfedge_corner[t.corner_halfedge[detail::prev_corner(t, c)] ^ 1];
                         } while (c != none and c != t.vertex_corner[v]);
                     }
         }
@@ -196,12 +192,6 @@ public:
 private:
     static constexpr Index none = connectivity<Index>::none;
 
-    [[nodiscard]] Index prev(Index c) const
-    {
-        const auto& t = mesh_.topology();
-        const Index f = detail::face_of_corner(t, c);
-        return c == t.first_corner(f) ? Index(t.first_corner(std::size_t(f) + 1) - 1) : Index(c - 1);
-    }
     [[nodiscard]] bool is_here(Index corner) const
     {
         return corner != none and face_[detail::face_of_corner(mesh_.topology(), corner)] != none;

@@ -27,6 +27,13 @@ Index face_of_corner(const connectivity<Index>& t, Index c)
     return t.degree != 0 ? Index(c / t.degree) : t.corner_face[c];
 }
 
+template <std::unsigned_integral Index>
+Index prev_corner(const connectivity<Index>& t, Index c)
+{
+    const Index f = face_of_corner(t, c);
+    return c == t.first_corner(f) ? Index(t.first_corner(std::size_t(f) + 1) - 1) : Index(c - 1);
+}
+
 /// Numbers the edges in the order of (smaller vertex, larger vertex) and pairs their corners.
 template <std::unsigned_integral Index>
 void pair_corners(connectivity<Index>& t, mesh_report& report)
