@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
 #include "errors.hpp"
+#include "word_list.hpp"
 
 #include <array>
 #include <csignal>
@@ -58,7 +59,7 @@ int run(const std::vector<std::string>& arguments)
             return verb.run(verb, {arguments.begin() + 1, arguments.end()});
     std::string known;
     for (const auto& verb : verbs)
-        known += (known.empty() ? "" : ", ") + std::string(verb.name);
+        append_to_list(known, verb.name);
     throw usage_error("'" + arguments[0] + "' is no verb; there are " + known);
 }
 

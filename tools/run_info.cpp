@@ -3,6 +3,7 @@
 #include "json.hpp"
 #include "mesh_facts.hpp"
 #include "mesh_file.hpp"
+#include "word_list.hpp"
 
 #include <iomanip>
 #include <iostream>
@@ -17,7 +18,7 @@ std::string histogram_text(const std::map<std::size_t, std::size_t>& histogram)
 {
     std::string result;
     for (const auto& [value, times] : histogram)
-        result += (result.empty() ? "" : ", ") + std::to_string(times) + " of " + std::to_string(value);
+        append_to_list(result, std::to_string(times) + " of " + std::to_string(value));
     return histogram.empty() ? "none"
                              : std::to_string(histogram.begin()->first) + " to " +
                                    std::to_string(histogram.rbegin()->first) + " (" + result + ")";

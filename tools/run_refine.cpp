@@ -10,6 +10,7 @@
 #include "run_refine_tiles.hpp"
 #include "scheme_options.hpp"
 #include "tile_options.hpp"
+#include "word_list.hpp"
 
 #include <array>
 #include <cstdint>
@@ -43,7 +44,7 @@ std::string back_end_names()
 {
     std::string result;
     for (const auto& known : back_ends)
-        result += (result.empty() ? "" : ", ") + std::string(known.name);
+        append_to_list(result, known.name);
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "errors.hpp"
+#include "word_list.hpp"
 
 #include <kith/boundary.hpp>
 #include <kith/creases.hpp>
@@ -60,7 +61,7 @@ std::string all_words()
 {
     std::string result;
     for (const auto& [word, choice] : words_for(Choice{}))
-        result += (result.empty() ? "" : ", ") + std::string(word);
+        append_to_list(result, word);
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "holes.hpp"
 #include "scheme_words.hpp"
+#include "word_list.hpp"
 
 #include <kith/limit.hpp>
 #include <kith/make_creases.hpp>
@@ -128,7 +129,7 @@ std::string names_of(const Wanted& wanted)
     std::string result;
     const auto add = [&]<class Scheme>(const scheme_entry<Scheme>& entry) {
         if (wanted(entry))
-            result += (result.empty() ? "" : ", ") + std::string(scheme_name<Scheme>());
+            append_to_list(result, scheme_name<Scheme>());
     };
     std::apply([&](const auto&... entry) { (add(entry), ...); }, known_schemes);
     return result;
