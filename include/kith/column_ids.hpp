@@ -122,6 +122,7 @@ private:
                 ++x;
             return x;
         };
+        // Where it is no run that shows early: at the first boundary, in the first faces.
         const std::size_t first = run_from(0, false), last = run_from(first, true);
         if (run_from(last, false) == elements.size()) {
             start_[i] = base_[i] - each * first;

@@ -86,7 +86,8 @@ public:
     }
 
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
-    /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary. Cost: O(1), O(valence) for pairs without their edge.
+    /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary. Cost:
+    /// O(1), O(valence) for pairs without their edge.
     template <class X, class Target>
         requires(not std::integral<X>)
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const

@@ -45,8 +45,8 @@ std::vector<planned_level> plan(const counts& control, const S& scheme, int leve
     std::vector<planned_level> result{plan_level(control, 0, point_bytes, index_bytes)};
     for (int level = 1; level <= levels; ++level) {
         const counts& last = result.back().counts;
-        constexpr std::uint64_t countable = std::uint64_t(1)
-                                            << 50; // a step multiplies by 16 at most, and bytes are more
+        // A step multiplies by 16 at most, and there are more bytes than elements.
+        constexpr std::uint64_t countable = std::uint64_t(1) << 50;
         const bool too_many = std::max({last.vertices, last.edges, last.faces, last.boundary_corners}) > countable;
         if (too_many)
             throw mesh_error(name + ": level " + std::to_string(level) + " has more elements than 64 bits can count; " +

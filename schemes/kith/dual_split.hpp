@@ -9,8 +9,7 @@ namespace kith {
 
 /// The dual split: every corner gives birth to a vertex; every face, inner edge and inner vertex to a face. A boundary
 /// vertex with three or more faces gets a face, too, when `cap_boundary` is set: the new boundary is then the
-/// corner-cut polygon of the old one, two points per vertex. Used by Doo-Sabin and unified
-/// of even degree.
+/// corner-cut polygon of the old one, two points per vertex. Used by Doo-Sabin and unified of even degree.
 struct dual_split {
     bool cap_boundary = true;
 

@@ -6,8 +6,7 @@
 namespace kith {
 
 /// The primal quad split: every vertex, edge and face gives birth to a vertex, every corner to a quad. Any polygons in,
-/// quads out. Used by Catmull-Clark, Kobbelt, the linear split and unified of odd
-/// degree.
+/// quads out. Used by Catmull-Clark, Kobbelt, the linear split and unified of odd degree.
 struct quad_split {
     static constexpr auto columns()
     {
