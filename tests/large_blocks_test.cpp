@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <vector>
 
 using kith::large_blocks;
 
@@ -103,6 +104,18 @@ TEST_F(large_blocks_test, what_no_machine_has_is_refused_and_forgotten)
     blocks.free(more, 16 * mebibyte);
 }
 #endif
+
+TEST(advise_large_pages, what_has_been_written_stays)
+{
+    std::vector<unsigned char> bytes(5 * mebibyte);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        bytes[i] = static_cast<unsigned char>(i % 251);
+    kith::advise_large_pages(bytes.data(), bytes.size());
+    kith::advise_large_pages(bytes.data(), 1);
+    kith::advise_large_pages(bytes.data(), 0);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        ASSERT_EQ(bytes[i], i % 251);
+}
 
 TEST(storage_in_large_blocks, a_large_array_is_given_back)
 {

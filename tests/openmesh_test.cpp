@@ -140,6 +140,15 @@ TEST(openmesh, a_mesh_of_triangles_refuses_to_become_one_of_quads)
               "OpenMesh's TriMesh holds triangles only, face 0 has 4 vertices; refine a PolyMesh instead");
 }
 
+TEST(openmesh, more_half_edges_than_it_can_number_are_refused)
+{
+    poly_mesh mesh;
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([&] { kith::mesh_traits<poly_mesh>::make_room(mesh, {}, std::size_t(1) << 30); }),
+        "OpenMesh numbers half-edges with int, the next level has 1073741824 edges; refine fewer times");
+    EXPECT_EQ(mesh.n_edges(), 0U);
+}
+
 TEST(openmesh, edges_without_a_face_are_refused)
 {
     auto mesh = make(shapes::cube());

@@ -4,13 +4,12 @@
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
 #include <kith/basic_mesh.hpp>
-#include <kith/for_parts.hpp>
+#include <kith/foreign_level.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <ranges>
-#include <type_traits>
-#include <vector>
+#include <utility>
 
 namespace kith {
 
@@ -68,37 +67,35 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     static bool is_isolated(const mesh_type& m, vertex v) { return m.is_isolated(v); }
     static const Point& point_of(const mesh_type& m, vertex v) { return m.point(v); }
 
-    /// In bulk, through the half-edge primitives: half-edge 2e+s of the one mesh is half-edge 2e+s of the other.
-    static mesh_type build(basic_mesh<Point, std::uint32_t>&& fine)
+    static mesh_type build(basic_mesh<Point, std::uint32_t>&& fine) { return fill<mesh_type>(std::move(fine)); }
+
+    static void make_room(mesh_type& m, const connectivity<std::uint32_t>& level, std::size_t edges)
     {
-        using size = typename mesh_type::size_type;
-        const auto& t = fine.topology();
-        mesh_type m;
-        m.resize(size(t.vertices), size(t.edges()), size(t.faces));
-        detail::for_parts(t.vertices, std::is_trivially_copyable_v<Point>, [&](std::size_t begin, std::size_t last) {
-            for (std::size_t v = begin; v < last; ++v) {
-                m.point(vertex(size(v))) = fine.point(v);
-                m.set_halfedge(vertex(size(v)), halfedge(t.corner_halfedge[t.vertex_corner[v]] ^ 1));
-            }
-        });
-        detail::for_parts(t.faces, true, [&](std::size_t begin, std::size_t last) {
-            for (std::size_t f = begin; f < last; ++f) {
-                const std::size_t first = t.first_corner(f), end = t.first_corner(f + 1);
-                m.set_halfedge(face(size(f)), halfedge(t.corner_halfedge[first]));
-                for (std::size_t c = first; c < end; ++c) {
-                    const std::size_t next = c + 1 == end ? first : c + 1;
-                    const halfedge h(t.corner_halfedge[c]);
-                    m.set_face(h, face(size(f)));
-                    m.set_target(h, vertex(t.corner_vertex[next]));
-                    m.set_next(h, halfedge(t.corner_halfedge[next]));
-                }
-            }
-        });
-        close_boundary(m, t);
-        // Only a boundary between two steps of sqrt(3) or 4-8 needs this to be remembered.
-        if (fine.generation() % 2 != 0 and not m.is_empty() and t.corners() != 2 * t.edges())
-            m.template add_property_map<face, std::uint8_t>(odd_generation, 1);
-        return m;
+        m.resize(size(level.vertices), size(edges), size(level.faces));
+    }
+    static Point* points(mesh_type& m) { return m.is_empty() ? nullptr : &m.point(vertex(0)); }
+    template <class Handle>
+    static Handle at(std::size_t i)
+    {
+        return Handle(size(i));
+    }
+    static vertex target(const mesh_type& m, halfedge h) { return m.target(h); }
+    static void set_side(mesh_type& m, halfedge h, face f, vertex target, halfedge next)
+    {
+        m.set_face(h, f);
+        m.set_target(h, target);
+        m.set_next(h, next);
+    }
+    static void set_boundary_side(mesh_type& m, halfedge h, vertex target, halfedge next)
+    {
+        m.set_target(h, target);
+        m.set_next(h, next);
+    }
+    static void set_start(mesh_type& m, face f, halfedge h) { m.set_halfedge(f, h); }
+    static void set_start(mesh_type& m, vertex v, halfedge leaving) { m.set_halfedge(v, m.opposite(leaving)); }
+    static void mark_odd_generation(mesh_type& m)
+    {
+        m.template add_property_map<face, std::uint8_t>(odd_generation, 1);
     }
     static int generation(const mesh_type& m)
     {
@@ -110,32 +107,15 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     }
 
 private:
+    using size = typename mesh_type::size_type;
+
     static constexpr const char* odd_generation = "f:kith:odd_generation";
 
     template <class Handle>
     static auto alive(const mesh_type& m, std::size_t bound)
     {
-        using size = typename mesh_type::size_type;
         return std::views::iota(size(0), size(bound)) | std::views::transform([](size i) { return Handle(i); }) |
                std::views::filter([&m](Handle x) { return not m.is_removed(x); });
-    }
-    /// Half-edges without a face run along the boundary the other way; each boundary vertex has one that leaves it.
-    static void close_boundary(mesh_type& m, const connectivity<std::uint32_t>& t)
-    {
-        std::vector<halfedge> boundary;
-        for (std::size_t h = 1; h < 2 * t.edges(); h += 2)
-            if (t.halfedge_corner[h] == t.none)
-                boundary.push_back(halfedge(typename mesh_type::size_type(h)));
-        if (boundary.empty())
-            return;
-        std::vector<halfedge> leaving(t.vertices);
-        for (const halfedge h : boundary) {
-            m.set_face(h, mesh_type::null_face());
-            m.set_target(h, vertex(t.corner_vertex[t.halfedge_corner[h ^ 1]]));
-            leaving[m.target(m.opposite(h))] = h;
-        }
-        for (const halfedge h : boundary)
-            m.set_next(h, leaving[m.target(h)]);
     }
 };
 

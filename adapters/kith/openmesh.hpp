@@ -6,15 +6,16 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include <kith/basic_mesh.hpp>
-#include <kith/for_parts.hpp>
+#include <kith/foreign_level.hpp>
+#include <kith/large_blocks.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <ranges>
 #include <string>
-#include <type_traits>
-#include <vector>
+#include <utility>
 
 namespace kith {
 
@@ -75,45 +76,57 @@ struct mesh_traits<M> {
     static bool is_isolated(const M& m, vertex v) { return m.is_isolated(v); }
     static const point& point_of(const M& m, vertex v) { return m.point(v); }
 
-    /// In bulk, through the kernel's primitives: half-edge 2e+s of the one mesh is half-edge 2e+s of the other.
-    static M build(basic_mesh<point, std::uint32_t>&& fine)
+    static M build(basic_mesh<point, std::uint32_t>&& fine) { return fill<M>(std::move(fine)); }
+
+    static void make_room(M& m, const connectivity<std::uint32_t>& level, std::size_t edges)
     {
-        const auto& t = fine.topology();
         if constexpr (M::is_trimesh())
-            for (std::size_t f = 0; f < t.faces; ++f)
-                if (t.first_corner(f + 1) - t.first_corner(f) != 3)
+            for (std::size_t f = 0; f < level.faces; ++f)
+                if (level.first_corner(f + 1) - level.first_corner(f) != 3)
                     throw mesh_error("OpenMesh's TriMesh holds triangles only, face " + std::to_string(f) + " has " +
-                                     std::to_string(t.first_corner(f + 1) - t.first_corner(f)) +
+                                     std::to_string(level.first_corner(f + 1) - level.first_corner(f)) +
                                      " vertices; refine a PolyMesh instead");
-        M m;
-        m.resize(t.vertices, t.edges(), t.faces);
-        detail::for_parts(t.vertices, std::is_trivially_copyable_v<point>, [&](std::size_t begin, std::size_t last) {
-            for (std::size_t v = begin; v < last; ++v) {
-                m.set_point(vertex(int(v)), fine.point(v));
-                m.set_halfedge_handle(vertex(int(v)), halfedge(int(t.corner_halfedge[t.vertex_corner[v]])));
-            }
-        });
-        detail::for_parts(t.faces, true, [&](std::size_t begin, std::size_t last) {
-            for (std::size_t f = begin; f < last; ++f) {
-                const std::size_t first = t.first_corner(f), end = t.first_corner(f + 1);
-                m.set_halfedge_handle(face(int(f)), halfedge(int(t.corner_halfedge[first])));
-                for (std::size_t c = first; c < end; ++c) {
-                    const std::size_t next = c + 1 == end ? first : c + 1;
-                    const halfedge h(int(t.corner_halfedge[c]));
-                    m.set_face_handle(h, face(int(f)));
-                    m.set_vertex_handle(h, vertex(int(t.corner_vertex[next])));
-                    m.set_next_halfedge_handle(h, halfedge(int(t.corner_halfedge[next])));
-                }
-            }
-        });
-        close_boundary(m, t);
-        // Only a boundary between two steps of sqrt(3) or 4-8 needs this to be remembered.
-        if (fine.generation() % 2 != 0 and t.corners() != 2 * t.edges()) {
-            OpenMesh::MPropHandleT<bool> odd;
-            m.add_property(odd, odd_generation);
-            m.property(odd) = true;
+        if (edges > std::size_t(std::numeric_limits<int>::max()) / 2)
+            throw mesh_error("OpenMesh numbers half-edges with int, the next level has " + std::to_string(edges) +
+                             " edges; refine fewer times");
+        if (level.faces != 0) {
+            m.reserve(level.vertices, edges, level.faces);
+            m.resize(1, 1, 1); // so that the arrays can be seen before their pages are touched
+            advise_large_pages(&m.vertex(vertex(0)), level.vertices);
+            advise_large_pages(&m.edge(edge(0)), edges);
+            advise_large_pages(&m.face(face(0)), level.faces);
+            advise_large_pages(points(m), level.vertices);
         }
-        return m;
+        m.resize(level.vertices, edges, level.faces);
+    }
+    static point* points(M& m) { return m.property(m.points_pph()).data_vector().data(); }
+    template <class Handle>
+    static Handle at(std::size_t i)
+    {
+        return Handle(int(i));
+    }
+    static vertex target(const M& m, halfedge h) { return m.to_vertex_handle(h); }
+    static void set_side(M& m, halfedge h, face f, vertex target, halfedge next)
+    {
+        m.set_face_handle(h, f);
+        m.set_vertex_handle(h, target);
+        m.set_next_halfedge_handle(h, next);
+    }
+    /// A boundary vertex must name the half-edge without face that leaves it.
+    static void set_boundary_side(M& m, halfedge h, vertex target, halfedge next)
+    {
+        m.set_boundary(h);
+        m.set_vertex_handle(h, target);
+        m.set_next_halfedge_handle(h, next);
+        m.set_halfedge_handle(m.to_vertex_handle(m.opposite_halfedge_handle(h)), h);
+    }
+    static void set_start(M& m, face f, halfedge h) { m.set_halfedge_handle(f, h); }
+    static void set_start(M& m, vertex v, halfedge leaving) { m.set_halfedge_handle(v, leaving); }
+    static void mark_odd_generation(M& m)
+    {
+        OpenMesh::MPropHandleT<bool> odd;
+        m.add_property(odd, odd_generation);
+        m.property(odd) = true;
     }
     static int generation(const M& m)
     {
@@ -129,21 +142,6 @@ private:
     {
         return std::views::iota(0, int(bound)) | std::views::transform([](int i) { return Handle(i); }) |
                std::views::filter([&m, has_status](Handle x) { return not has_status or not m.status(x).deleted(); });
-    }
-    /// Half-edges without a face run along the boundary the other way. A boundary vertex must name the one that leaves it.
-    static void close_boundary(M& m, const connectivity<std::uint32_t>& t)
-    {
-        std::vector<halfedge> boundary;
-        for (std::size_t h = 1; h < 2 * t.edges(); h += 2)
-            if (t.halfedge_corner[h] == t.none)
-                boundary.push_back(halfedge(int(h)));
-        for (const halfedge h : boundary) {
-            m.set_boundary(h);
-            m.set_vertex_handle(h, vertex(int(t.corner_vertex[t.halfedge_corner[std::size_t(h.idx()) ^ 1]])));
-            m.set_halfedge_handle(m.to_vertex_handle(m.opposite_halfedge_handle(h)), h);
-        }
-        for (const halfedge h : boundary)
-            m.set_next_halfedge_handle(h, m.halfedge_handle(m.to_vertex_handle(h)));
     }
 };
 

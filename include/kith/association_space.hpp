@@ -18,14 +18,15 @@ template <class Level, class Numbering, class Values, bool Checked> class pass_s
 
 /// The association space of one refinement step: `assoc(f, V)`, `assoc(v, e, E)`, `assoc(c, F)`. Thesis 4.1.
 /// A tuple is an index, and the new element's id is the base of its column plus that index; a table is needed only where a
-/// column leaves tuples out here and there. What is written goes straight into the arrays of the new level.
-template <class Level, class Numbering, class Values, connect Connect, bool Checked>
+/// column leaves tuples out here and there. What is written goes straight into the arrays of the new level, native or not.
+template <class Level, class Numbering, class Values, connect Connect, bool Checked,
+          class Fine = connectivity<typename Numbering::index_type>>
 class association_space {
 public:
     using index_type = typename Numbering::index_type;
     static constexpr index_type none = connectivity<index_type>::none;
 
-    association_space(const Level& coarse, const Numbering& ids, Values& values, connectivity<index_type>& fine)
+    association_space(const Level& coarse, const Numbering& ids, Values& values, Fine& fine)
         : coarse_(&coarse), ids_(ids), values_(&values), fine_(&fine)
     {
         if constexpr (Checked) {
@@ -226,6 +227,11 @@ private:
             if constexpr (Checked)
                 if (std::atomic_ref(face_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
                     faults::refuse(*coarse_, Kind, tuple, faults::face_set_twice);
+            if constexpr (requires { fine_->set_face(id, lines); }) {
+                static_assert(not Checked, "what is checked is looked up in a native level");
+                fine_->set_face(id, lines);
+                return;
+            }
             const index_type first = first_corner(id);
             index_type corner = first;
             for (const face_line<index_type>& line : lines) {
@@ -291,7 +297,7 @@ private:
     const Level* coarse_;
     const Numbering& ids_;
     Values* values_;
-    connectivity<index_type>* fine_;
+    Fine* fine_;
     mutable std::vector<unsigned char> vertex_is_set_, face_is_set_; // Checked only
     mutable vertex_dictionary<index_type> dictionary_;
 };

@@ -43,7 +43,8 @@ public:
         if constexpr (requires { detail::with_edges(control); })
             control = detail::with_edges(control);
         generation_ = generation_of(control);
-        levels_.push_back(std::make_unique<entry>(std::move(control), std::move(scheme)));
+        levels_.push_back(
+            std::make_unique<entry>([&] { return std::move(control); }, [&] { return std::move(scheme); }));
         require_input<Scheme>(elements(0), generation_);
     }
 
@@ -61,10 +62,12 @@ public:
                                                                  {connect::everything, options_.memory_limit});
         for (int i = 0; i < n; ++i) {
             entry& last = *levels_.back();
-            auto fine = refine_last(last);
-            Scheme next = last.scheme;
-            advance(next, elements(depth()), last.ids);
-            levels_.push_back(std::make_unique<entry>(traits::build(std::move(fine)), std::move(next)));
+            levels_.push_back(std::make_unique<entry>([&] { return refine_last(last); },
+                                                      [&] {
+                                                          Scheme next = last.scheme;
+                                                          advance(next, elements(depth()), last.ids);
+                                                          return next;
+                                                      }));
         }
     }
 
@@ -157,7 +160,11 @@ public:
 
 private:
     struct entry {
-        entry(M mesh, Scheme scheme) : mesh(std::move(mesh)), scheme(std::move(scheme)) {}
+        /// Made in place: meshes of OpenMesh cannot be moved.
+        template <class MakeMesh, class MakeScheme>
+        entry(const MakeMesh& make_mesh, const MakeScheme& make_scheme) : mesh(make_mesh()), scheme(make_scheme())
+        {
+        }
 
         M mesh;
         Scheme scheme;                        ///< of the step to the next level
@@ -166,12 +173,12 @@ private:
         mutable std::once_flag viewed;
     };
 
-    auto refine_last(entry& last)
+    M refine_last(entry& last)
     {
         if constexpr (requires { last.mesh.topology(); })
             return refine_mesh<connect::everything>(last.mesh, last.scheme, last.ids);
         else
-            return refine_level<connect::everything>(elements(depth()), last.scheme, generation_ + depth(), last.ids);
+            return refine_level_into<M>(elements(depth()), last.scheme, generation_ + depth(), last.ids);
     }
 
     [[nodiscard]] auto at(int level, typename traits::vertex v) const { return vertex<level_type>(elements(level), v); }

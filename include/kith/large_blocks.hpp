@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <mutex>
 #include <new>
@@ -16,6 +17,22 @@
 
 namespace kith {
 
+/// Of Linux on most processors, in bytes.
+inline constexpr std::size_t huge_page = std::size_t(2) << 20;
+
+/// Asks for huge pages where an array that has not been touched yet covers whole ones: with 4 KiB pages the page faults of a
+/// large array take longer than writing it. Advice: a refusal costs speed only.
+template <class T>
+void advise_large_pages([[maybe_unused]] T* array, [[maybe_unused]] std::size_t size)
+{
+#if defined(__linux__)
+    const auto begin = (reinterpret_cast<std::uintptr_t>(array) + huge_page - 1) / huge_page * huge_page;
+    const auto end = reinterpret_cast<std::uintptr_t>(array + size) / huge_page * huge_page;
+    if (begin < end)
+        madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
 /// The large blocks of memory of all `storage`: in 2 MiB pages, and kept when they are freed for the next block of about
 /// that size. The kernel clears every fresh page, which is a quarter of the time of a refinement (docs/design.md, Speed);
 /// whoever refines again, or tile after tile, is spared it. What is in use and what is kept come to an eighth more than was
@@ -23,8 +40,7 @@ namespace kith {
 /// block, and before `refine` builds a mesh of another library. Safe on several threads.
 class large_blocks {
 public:
-    /// A huge page of Linux on most processors.
-    static constexpr std::size_t page = std::size_t(2) << 20;
+    static constexpr std::size_t page = huge_page;
     /// Smaller blocks are not for here.
     static constexpr std::size_t smallest = 2 * page;
 
@@ -51,9 +67,7 @@ public:
             throw std::bad_alloc();
         in_use_ = now;
         most_in_use_ = std::max(most_in_use_, now);
-#if defined(__linux__)
-        madvise(block, bytes, MADV_HUGEPAGE); // advice: a refusal costs speed only
-#endif
+        advise_large_pages(static_cast<std::byte*>(block), bytes);
         return block;
     }
 

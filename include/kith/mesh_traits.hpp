@@ -35,6 +35,19 @@ class basic_mesh;
 ///   build(basic_mesh<point, uint32_t>&&) -> M     the mesh with these elements, in this order and direction (optional:
 ///                                  without it a mesh can be read, not written)
 ///
+///   For meshes that several threads may write; `fill` is their `build` then, and `refine` makes the last level in them:
+///
+///   make_room(m, level, edges)     gives an empty m the vertices and faces of a `connectivity` and so many edges, not joined
+///                                  yet and without faces; throws mesh_error for what it cannot hold
+///   points(m)                      the array of all points
+///   at<Handle>(i)                  the vertex, half-edge or face whose index is i; half-edges 2i and 2i+1 are an edge
+///   set_side(m, h, f, v, next)     h lies in face f, leads to v and is followed by `next`
+///   set_boundary_side(m, h, v, next)   the same for a half-edge without face
+///   set_start(m, f, h)             f starts at h
+///   set_start(m, v, h)             v starts at h, which leaves it; comes before the boundary sides
+///   target(m, h)                   where h was told to lead
+///   mark_odd_generation(m)         for `generation` to remember
+///
 ///   generation(m)                  how many steps `build` was told the mesh is away from its control mesh (optional; 0)
 ///
 /// The order in which a mesh starts its vertices, edges and faces is the order of the operands of a mask, so it is

@@ -48,18 +48,27 @@ void require_room(const counts& control, const Scheme& scheme, int levels, int g
     }
 }
 
+/// Refines with all connectivity and makes the scheme that of the last level.
 template <class Scheme, class Point, class Index>
-basic_mesh<Point, Index> refine_native(basic_mesh<Point, Index> mesh, Scheme scheme, int levels, connect last)
+basic_mesh<Point, Index> refine_on(basic_mesh<Point, Index> mesh, Scheme& scheme, int levels)
 {
     numbering_of<Scheme, Index> ids;
     for (int level = 1; level <= levels; ++level) {
-        auto fine = level == levels and last == connect::faces ? refine_mesh<connect::faces>(mesh, scheme, ids)
-                                                               : refine_mesh<connect::everything>(mesh, scheme, ids);
-        if (level < levels)
-            advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), ids);
+        auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
+        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), ids);
         mesh = std::move(fine);
     }
     return mesh;
+}
+
+/// Refuses what `refine` cannot do with a valid mesh.
+template <class Point, class Index, class Scheme>
+void require_refinable(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
+                       const refine_options& options)
+{
+    require_levels<Scheme>(levels);
+    require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(control), control.generation());
+    require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
 /// A copy whose edges are known; a copy made with face-vertex lists only gets them by matching.
@@ -78,8 +87,8 @@ basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
 } // namespace detail
 
 /// Refines a mesh `levels` times and returns a mesh of the same type; the input is not touched.
-/// A foreign mesh is lifted to the native one, refined there, and built once at the end: the same bits as refining on
-/// the mesh itself, level by level, which is what `hierarchy` does.
+/// A foreign mesh is lifted to the native one and refined there, the last level straight into a mesh of its type: the
+/// same bits as refining on the mesh itself, level by level, which is what `hierarchy` does.
 /// Errors: mesh_error for everything `validate` finds, for faces the scheme does not take, for negative levels and for
 /// levels that no index can number or no memory holds; association_error for faults of the scheme.
 /// Cost: that of the last level, times 4/3 for a scheme that quadruples faces.
@@ -87,24 +96,31 @@ template <class Point, class Index, class Scheme>
 basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                                 const refine_options& options = {})
 {
-    detail::require_levels<Scheme>(levels);
     validate(mesh).require_ok();
     auto control = detail::with_edges(mesh);
-    require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(control), mesh.generation());
-    detail::require_room<Point, Index>(count(control.topology()), scheme, levels, mesh.generation(), false, options);
-    return detail::refine_native(std::move(control), scheme, levels, options.last_level);
+    detail::require_refinable(control, scheme, levels, options);
+    if (levels == 0)
+        return control;
+    Scheme last = scheme;
+    const auto coarse = detail::refine_on(std::move(control), last, levels - 1);
+    numbering_of<Scheme, Index> ids;
+    return options.last_level == connect::faces ? refine_mesh<connect::faces>(coarse, last, ids)
+                                                : refine_mesh<connect::everything>(coarse, last, ids);
 }
 
 template <refinable_mesh M, class Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
-    detail::require_levels<Scheme>(levels);
     validate(mesh).require_ok();
-    auto native = lift(mesh);
-    auto fine = refine(native, scheme, levels, {connect::everything, options.memory_limit});
-    native = {};
-    shared_blocks.give_back(); // the other library takes its memory elsewhere
-    return mesh_traits<M>::build(std::move(fine));
+    auto control = lift(mesh);
+    detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
+    if (levels == 0)
+        return mesh_traits<M>::build(std::move(control));
+    Scheme last = scheme;
+    const auto coarse = detail::refine_on(std::move(control), last, levels - 1);
+    numbering_of<Scheme, std::uint32_t> ids;
+    return with_native_level<Scheme>(
+        coarse, [&](const auto& level) { return refine_level_into<M>(level, last, coarse.generation(), ids); });
 }
 
 /// Takes what the others do not, to say in one sentence what the type lacks.

@@ -3,6 +3,7 @@
 
 #include "choose.hpp"
 #include "for_each.hpp"
+#include "foreign_level.hpp"
 #include "match.hpp"
 #include "pass_space.hpp"
 #include "polygon.hpp"
@@ -73,34 +74,48 @@ int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& colu
     return common == 3 or common == 4 ? int(common) : 0;
 }
 
+/// The counts of the next level and where the corners of its faces start, as the numbering tells them; each corner will
+/// need so many numbers.
+template <class Level, class Numbering, class Columns>
+auto number_corners(const Level& coarse, const Numbering& ids, const Columns& columns, std::size_t numbers_of_each = 1)
+{
+    using index = typename Numbering::index_type;
+    connectivity<index> fine;
+    fine.vertices = ids.vertices.total();
+    fine.faces = ids.faces.total();
+    fine.degree = int(Numbering::common_degree);
+    std::size_t corners = fine.faces * Numbering::common_degree;
+    if constexpr (Numbering::common_degree == 0) {
+        fine.degree = degree_of_all(coarse, ids, columns);
+        corners = fine.faces * std::size_t(fine.degree);
+        if (fine.degree == 0) {
+            fine.face_corner = storage<index>(fine.faces + 1);
+            fine.face_corner[0] = 0;
+            for_new_faces(coarse, ids, columns, [&](std::size_t id, const auto& degree) {
+                fine.face_corner[id + 1] = index(degree());
+            });
+            for (std::size_t id = 0; id < fine.faces; ++id)
+                fine.face_corner[id + 1] = index(corners += fine.face_corner[id + 1]);
+        }
+    }
+    require_numbers<index>(corners, numbers_of_each, "corners");
+    if (fine.degree == 0)
+        fine.corner_face = storage<index>(corners);
+    return fine;
+}
+
 /// Allocates the connectivity of the next level as far as its numbering tells it.
 template <connect Connect, bool Checked, class Level, class Numbering, class Columns>
 auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& columns)
 {
     using index = typename Numbering::index_type;
-    connectivity<index> fine;
-    if constexpr (Connect != connect::nothing) {
-        fine.vertices = ids.vertices.total();
-        fine.faces = ids.faces.total();
-        fine.degree = int(Numbering::common_degree);
-        std::size_t corners = fine.faces * Numbering::common_degree;
-        if constexpr (Numbering::common_degree == 0) {
-            fine.degree = degree_of_all(coarse, ids, columns);
-            corners = fine.faces * std::size_t(fine.degree);
-            if (fine.degree == 0) {
-                fine.face_corner = storage<index>(fine.faces + 1);
-                fine.face_corner[0] = 0;
-                for_new_faces(coarse, ids, columns, [&](std::size_t id, const auto& degree) {
-                    fine.face_corner[id + 1] = index(degree());
-                });
-                for (std::size_t id = 0; id < fine.faces; ++id)
-                    fine.face_corner[id + 1] = index(corners += fine.face_corner[id + 1]);
-            }
-        }
+    if constexpr (Connect == connect::nothing) {
+        return connectivity<index>();
+    } else {
         // Where edges are matched there may be two half-edges for each corner.
-        require_numbers<index>(corners, Connect == connect::everything and not Numbering::has_edges ? 2 : 1, "corners");
-        if (fine.degree == 0)
-            fine.corner_face = storage<index>(corners);
+        constexpr bool matched = Connect == connect::everything and not Numbering::has_edges;
+        auto fine = number_corners(coarse, ids, columns, matched ? 2 : 1);
+        const std::size_t corners = fine.first_corner(fine.faces);
         fine.corner_vertex = storage<index>(corners);
         if constexpr (Connect == connect::everything and Numbering::has_edges) {
             const bool clear = Checked or not coarse.is_closed(); // the far sides of boundary edges are never written
@@ -109,8 +124,8 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
                                          : storage<index>(2 * ids.edges.total());
             fine.vertex_corner = Checked ? storage<index>(fine.vertices, fine.none) : storage<index>(fine.vertices);
         }
+        return fine;
     }
-    return fine;
 }
 
 /// At the boundary a fan has to start where nothing lies clockwise: behind the boundary edge that leaves the vertex.
@@ -122,6 +137,16 @@ void turn_boundary_fans(connectivity<Index>& fine)
             const Index c = fine.halfedge_corner[2 * e];
             fine.vertex_corner[fine.corner_vertex[c]] = c;
         }
+}
+
+/// Errors: association_error when vertices that no column has were made by a scheme whose edges are numbered.
+template <class Values>
+void require_none_listed(const Values& values)
+{
+    if (values.listed_count() != 0)
+        throw association_error(
+            "a scheme that declares edges cannot make vertices under tuples that it does not declare; "
+            "declare a column for them, or leave edges to be matched");
 }
 
 /// What cannot be seen while a scheme runs: elements that were never made, and faces that form no manifold.
@@ -180,10 +205,7 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
         detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set());
     if constexpr (Connect != connect::nothing) {
         if constexpr (Numbering::has_edges)
-            if (values.listed_count() != 0)
-                throw association_error(
-                    "a scheme that declares edges cannot make vertices under tuples that it does not "
-                    "declare; declare a column for them, or leave edges to be matched");
+            detail::require_none_listed(values);
         fine.vertices += values.listed_count();
     }
     if constexpr (Connect == connect::everything) {
@@ -198,6 +220,25 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
         }
     }
     return fine;
+}
+
+/// The same with the next level written straight into a mesh of another library. Precondition: the scheme is trusted and
+/// declares its edges.
+template <fillable_mesh M, class Level, class Scheme, class Numbering, class Columns>
+M run_scheme_into(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids,
+                  const Columns& columns)
+{
+    M result; // not moved from here on: meshes of OpenMesh copy instead
+    foreign_level<M> fine(result, detail::number_corners(coarse, ids, columns), ids.edges.total(), coarse.is_closed());
+    point_values<Level> values;
+    values.allocate_at(fine.points());
+    using space =
+        association_space<Level, Numbering, point_values<Level>, connect::everything, false, foreign_level<M>>;
+    const space assoc(coarse, ids, values, fine);
+    scheme(refinement<Level, space, typename point_values<Level>::scalar>{coarse, assoc, generation});
+    detail::require_none_listed(values);
+    fine.finish(generation + 1);
+    return result;
 }
 
 } // namespace kith

@@ -59,6 +59,21 @@ auto refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, num
         mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
 }
 
+/// One step to a mesh of any type: written straight into it where it is fillable and the scheme is trusted and declares
+/// its edges. Errors: as `refine_level`, and those of `make_room` or `build`.
+template <class M, class Level, class Scheme>
+M refine_level_into(const Level& coarse, const Scheme& scheme, int generation,
+                    numbering_of<Scheme, typename Level::index_type>& ids)
+{
+    if constexpr (fillable_mesh<M> and is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
+        const auto columns = columns_of(scheme, generation);
+        ids = {coarse, columns};
+        return run_scheme_into<M>(coarse, scheme, generation, ids, columns);
+    } else {
+        return mesh_traits<M>::build(refine_level<connect::everything>(coarse, scheme, generation, ids));
+    }
+}
+
 /// Makes a scheme that carries state of its level (creases) the scheme of the next level: `scheme.after(level, numbering)`.
 template <class Scheme, class Level, class Numbering>
 void advance(Scheme& scheme, const Level& coarse, const Numbering& ids)

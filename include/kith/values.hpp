@@ -25,7 +25,17 @@ public:
     static void add(sum& total, const sum& more) { affine<T>::add(total, more); }
     static void scale(sum& total, const scalar& weight) { affine<T>::scale(total, weight); }
 
-    void allocate(std::size_t size) { fine_ = storage<T>(size); }
+    fine_values() = default;
+    fine_values(const fine_values&) = delete;
+    fine_values& operator=(const fine_values&) = delete;
+
+    void allocate(std::size_t size)
+    {
+        own_ = storage<T>(size);
+        fine_ = own_.data();
+    }
+    /// They are made in an array of somebody else, who keeps them.
+    void allocate_at(T* array) { fine_ = array; }
     [[nodiscard]] decltype(auto) fine(std::size_t id) const { return affine<T>::load(fine_[id]); }
     void assign(std::size_t id, const sum& total) { fine_[id] = affine<T>::store(total); }
 
@@ -34,23 +44,24 @@ public:
     void append(const sum& total) { listed_.push_back(affine<T>::store(total)); }
     [[nodiscard]] sum listed(std::size_t id) const
     {
-        return affine<T>::load(id < fine_.size() ? fine_[id] : listed_[id - fine_.size()]);
+        return affine<T>::load(id < own_.size() ? own_[id] : listed_[id - own_.size()]);
     }
 
     /// All values of the fine level; this object is empty then.
     [[nodiscard]] storage<T> take()
     {
         if (not listed_.empty()) {
-            storage<T> all(fine_.size() + listed_.size());
-            std::move(listed_.begin(), listed_.end(), std::move(fine_.begin(), fine_.end(), all.begin()));
+            storage<T> all(own_.size() + listed_.size());
+            std::move(listed_.begin(), listed_.end(), std::move(own_.begin(), own_.end(), all.begin()));
             listed_.clear();
-            fine_ = std::move(all);
+            own_ = std::move(all);
         }
-        return std::move(fine_);
+        return std::move(own_);
     }
 
 private:
-    storage<T> fine_;
+    storage<T> own_;
+    T* fine_ = nullptr;
     std::vector<T> listed_;
 };
 
