@@ -51,7 +51,9 @@ void add_contests(std::vector<contest>& list, const course_settings& settings)
             };
         };
         const auto ours = [=, levels = levels]() -> work {
-            return [=, input = make()] { return std::make_shared<mesh>(refine(*input, scheme, levels)); };
+            return [=, input = make()] { // made in place: a mesh of OpenMesh cannot be moved, only copied
+                return std::shared_ptr<mesh>(new mesh(refine(*input, scheme, levels)));
+            };
         };
         list.push_back({std::string(scheme_name<Scheme>()),
                         name,

@@ -114,3 +114,33 @@ TEST(edge_errors, sides_of_one_edge_that_do_not_join_the_same_vertices)
                     }),
               "assoc(e 0) -> E: its two sides do not join the same vertices");
 }
+
+TEST(edge_errors, a_fan_that_starts_at_the_corner_of_another_vertex)
+{
+    EXPECT_EQ(fault(shapes::cube(),
+                    new_edges(kith::per_edge),
+                    [](const auto& coarse, const auto& assoc) {
+                        copy_vertices(coarse, assoc);
+                        copy_faces_and_edges(coarse, assoc);
+                        const auto c = coarse.vertices()[3].first_corner();
+                        const auto e = c.next_edge();
+                        assoc(coarse.vertices()[3], V)
+                            .starts_at(assoc(c.f(), F).corner((c.index() + 1) % 4), assoc(e, E).along(e));
+                    }),
+              "assoc(v 3) -> V starts at a corner that is not its own, or at another side there");
+}
+
+TEST(edge_errors, a_fan_that_starts_at_the_side_of_another_corner)
+{
+    EXPECT_EQ(
+        fault(shapes::cube(),
+              new_edges(kith::per_edge),
+              [](const auto& coarse, const auto& assoc) {
+                  copy_vertices(coarse, assoc);
+                  copy_faces_and_edges(coarse, assoc);
+                  const auto c = coarse.vertices()[3].first_corner();
+                  const auto e = c.prev_edge();
+                  assoc(coarse.vertices()[3], V).starts_at(assoc(c.f(), F).corner(c.index() % 4), assoc(e, E).along(e));
+              }),
+        "assoc(v 3) -> V starts at a corner that is not its own, or at another side there");
+}

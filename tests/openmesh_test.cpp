@@ -143,9 +143,9 @@ TEST(openmesh, a_mesh_of_triangles_refuses_to_become_one_of_quads)
 TEST(openmesh, more_half_edges_than_it_can_number_are_refused)
 {
     poly_mesh mesh;
-    EXPECT_EQ(
-        error_text<kith::mesh_error>([&] { kith::mesh_traits<poly_mesh>::make_room(mesh, {}, std::size_t(1) << 30); }),
-        "OpenMesh numbers half-edges with int, the next level has 1073741824 edges; refine fewer times");
+    EXPECT_EQ(error_text<kith::mesh_error>(
+                  [&] { kith::mesh_traits<poly_mesh>::make_room(mesh, 1, std::size_t(1) << 30, 1); }),
+              "OpenMesh numbers half-edges with int, the next level has 1073741824 edges; refine fewer times");
     EXPECT_EQ(mesh.n_edges(), 0U);
 }
 

@@ -65,7 +65,9 @@ struct copy_with_starts : copy_with_edges {
         copy_with_edges::operator()(r);
         for (auto v : r.coarse.vertices()) {
             const auto c = v.first_corner();
-            r.assoc(v, V).starts_at(r.assoc(c.f(), F).corner(c.index() - c.f().first_corner().index()));
+            const auto e = c.next_edge();
+            r.assoc(v, V).starts_at(r.assoc(c.f(), F).corner(c.index() - c.f().first_corner().index()),
+                                    r.assoc(e, E).along(e));
         }
     }
 };

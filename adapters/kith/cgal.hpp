@@ -69,9 +69,9 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
 
     static mesh_type build(basic_mesh<Point, std::uint32_t>&& fine) { return fill<mesh_type>(std::move(fine)); }
 
-    static void make_room(mesh_type& m, const connectivity<std::uint32_t>& level, std::size_t edges)
+    static void make_room(mesh_type& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {
-        m.resize(size(level.vertices), size(edges), size(level.faces));
+        m.resize(size(vertices), size(edges), size(faces));
     }
     static Point* points(mesh_type& m) { return m.is_empty() ? nullptr : &m.point(vertex(0)); }
     template <class Handle>
@@ -91,7 +91,7 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
         m.set_target(h, target);
         m.set_next(h, next);
     }
-    static void set_start(mesh_type& m, face f, halfedge h) { m.set_halfedge(f, h); }
+    static void set_start(mesh_type& m, face f, halfedge h, std::size_t) { m.set_halfedge(f, h); }
     static void set_start(mesh_type& m, vertex v, halfedge leaving) { m.set_halfedge(v, m.opposite(leaving)); }
     static void mark_odd_generation(mesh_type& m)
     {

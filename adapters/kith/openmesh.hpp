@@ -78,26 +78,20 @@ struct mesh_traits<M> {
 
     static M build(basic_mesh<point, std::uint32_t>&& fine) { return fill<M>(std::move(fine)); }
 
-    static void make_room(M& m, const connectivity<std::uint32_t>& level, std::size_t edges)
+    static void make_room(M& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {
-        if constexpr (M::is_trimesh())
-            for (std::size_t f = 0; f < level.faces; ++f)
-                if (level.first_corner(f + 1) - level.first_corner(f) != 3)
-                    throw mesh_error("OpenMesh's TriMesh holds triangles only, face " + std::to_string(f) + " has " +
-                                     std::to_string(level.first_corner(f + 1) - level.first_corner(f)) +
-                                     " vertices; refine a PolyMesh instead");
         if (edges > std::size_t(std::numeric_limits<int>::max()) / 2)
             throw mesh_error("OpenMesh numbers half-edges with int, the next level has " + std::to_string(edges) +
                              " edges; refine fewer times");
-        if (level.faces != 0) {
-            m.reserve(level.vertices, edges, level.faces);
+        if (faces != 0) {
+            m.reserve(vertices, edges, faces);
             m.resize(1, 1, 1); // so that the arrays can be seen before their pages are touched
-            advise_large_pages(&m.vertex(vertex(0)), level.vertices);
+            advise_large_pages(&m.vertex(vertex(0)), vertices);
             advise_large_pages(&m.edge(edge(0)), edges);
-            advise_large_pages(&m.face(face(0)), level.faces);
-            advise_large_pages(points(m), level.vertices);
+            advise_large_pages(&m.face(face(0)), faces);
+            advise_large_pages(points(m), vertices);
         }
-        m.resize(level.vertices, edges, level.faces);
+        m.resize(vertices, edges, faces);
     }
     static point* points(M& m) { return m.property(m.points_pph()).data_vector().data(); }
     template <class Handle>
@@ -120,7 +114,13 @@ struct mesh_traits<M> {
         m.set_next_halfedge_handle(h, next);
         m.set_halfedge_handle(m.to_vertex_handle(m.opposite_halfedge_handle(h)), h);
     }
-    static void set_start(M& m, face f, halfedge h) { m.set_halfedge_handle(f, h); }
+    static void set_start(M& m, face f, halfedge h, std::size_t degree)
+    {
+        if (M::is_trimesh() and degree != 3)
+            throw mesh_error("OpenMesh's TriMesh holds triangles only, face " + std::to_string(f.idx()) + " has " +
+                             std::to_string(degree) + " vertices; refine a PolyMesh instead");
+        m.set_halfedge_handle(f, h);
+    }
     static void set_start(M& m, vertex v, halfedge leaving) { m.set_halfedge_handle(v, leaving); }
     static void mark_odd_generation(M& m)
     {

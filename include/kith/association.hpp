@@ -89,8 +89,9 @@ public:
     [[nodiscard]] new_vertex<index> vertex() const { return {id()}; }
     [[nodiscard]] face_line<index> operator>>(new_side<index> side) const { return vertex() >> side; }
     operator face_line<index>() const { return {id(), Space::none}; }
-    /// Says at which corner of a new face the fan of this vertex starts (at the boundary the library turns it).
-    void starts_at(index corner) const { space_->start_fan(id(), corner); }
+    /// Says at which corner of a new face the fan of this vertex starts, and the side that leaves the vertex there: what
+    /// the line of that face says. At the boundary the library turns the fan, it may be left out.
+    void starts_at(index corner, new_side<index> side) const { space_->start_fan(id(), corner, side.halfedge); }
 
 private:
     Space* space_;

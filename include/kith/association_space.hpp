@@ -8,6 +8,7 @@
 #include "vertex_dictionary.hpp"
 
 #include <atomic>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -32,54 +33,25 @@ public:
         if constexpr (Checked) {
             vertex_is_set_.assign(ids.vertices.total(), 0);
             face_is_set_.assign(ids.faces.total(), 0);
+            vertex_start_.assign(ids.vertices.total(), none);
         }
     }
 
     /// assoc(elements..., target): the elements in any order.
-    template <element X>
-    auto operator()(const X& x, targets::to_vertex) const
+    template <element X, class Target>
+    auto operator()(const X& x, Target target) const
     {
-        return vertex(x);
+        return associate(target, x);
     }
-    template <element X, element Y>
-    auto operator()(const X& x, const Y& y, targets::to_vertex) const
+    template <element X, element Y, class Target>
+    auto operator()(const X& x, const Y& y, Target target) const
     {
-        return vertex(x, y);
+        return associate(target, x, y);
     }
-    template <element X, element Y, element Z>
-    auto operator()(const X& x, const Y& y, const Z& z, targets::to_vertex) const
+    template <element X, element Y, element Z, class Target>
+    auto operator()(const X& x, const Y& y, const Z& z, Target target) const
     {
-        return vertex(x, y, z);
-    }
-    template <element X>
-    auto operator()(const X& x, targets::to_edge) const
-    {
-        return edge(x);
-    }
-    template <element X, element Y>
-    auto operator()(const X& x, const Y& y, targets::to_edge) const
-    {
-        return edge(x, y);
-    }
-    template <element X, element Y, element Z>
-    auto operator()(const X& x, const Y& y, const Z& z, targets::to_edge) const
-    {
-        return edge(x, y, z);
-    }
-    template <element X>
-    auto operator()(const X& x, targets::to_face) const
-    {
-        return face(x);
-    }
-    template <element X, element Y>
-    auto operator()(const X& x, const Y& y, targets::to_face) const
-    {
-        return face(x, y);
-    }
-    template <element X, element Y, element Z>
-    auto operator()(const X& x, const Y& y, const Z& z, targets::to_face) const
-    {
-        return face(x, y, z);
+        return associate(target, x, y, z);
     }
     /// List forms, lazy: assoc(v.faces(), V) and assoc(f, f.vertices(), V).
     template <class Range, class Target>
@@ -107,6 +79,8 @@ public:
     /// Which elements have been made; empty unless Checked.
     [[nodiscard]] const std::vector<unsigned char>& vertex_is_set() const { return vertex_is_set_; }
     [[nodiscard]] const std::vector<unsigned char>& face_is_set() const { return face_is_set_; }
+    /// The sides at which the vertices have been told to start; empty unless Checked.
+    [[nodiscard]] const std::vector<index_type>& vertex_start() const { return vertex_start_; }
 
 protected:
     void forget_what_is_set() const
@@ -120,6 +94,8 @@ private:
     template <class, tuple_kind> friend class edge_association;
     template <class, tuple_kind> friend class face_association;
     template <class> friend class dictionary_association;
+
+    static constexpr bool is_foreign = not std::same_as<Fine, connectivity<index_type>>;
 
     template <element... X>
     static constexpr tuple_kind kind_of = decltype(index_tuple(std::declval<const X&>()...))::kind;
@@ -136,7 +112,7 @@ private:
     }
 
     template <element... X>
-    auto vertex(const X&... x) const
+    auto associate(targets::to_vertex, const X&... x) const
     {
         // Two elements of one kind may be neighbours or not, which only running tells, so they always have the
         // general form.
@@ -155,12 +131,12 @@ private:
         }
     }
     template <element... X>
-    auto edge(const X&... x) const
+    auto associate(targets::to_edge, const X&... x) const
     {
         return edge_association<const association_space, kind_of<X...>>(*this, incident("E", x...));
     }
     template <element... X>
-    auto face(const X&... x) const
+    auto associate(targets::to_face, const X&... x) const
     {
         return face_association<const association_space, kind_of<X...>>(*this, incident("F", x...));
     }
@@ -227,44 +203,55 @@ private:
             if constexpr (Checked)
                 if (std::atomic_ref(face_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
                     faults::refuse(*coarse_, Kind, tuple, faults::face_set_twice);
-            if constexpr (requires { fine_->set_face(id, lines); }) {
+            if constexpr (is_foreign) {
                 static_assert(not Checked, "what is checked is looked up in a native level");
                 fine_->set_face(id, lines);
-                return;
+            } else {
+                write_face<Kind>(tuple, id, lines);
             }
-            const index_type first = first_corner(id);
-            index_type corner = first;
-            for (const face_line<index_type>& line : lines) {
-                if constexpr (Checked)
-                    check_line(Kind, tuple, id, corner, line);
-                fine_->corner_vertex[corner] = line.vertex;
-                if constexpr (Connect == connect::everything and Numbering::has_edges) {
-                    fine_->corner_halfedge[corner] = line.halfedge;
-                    fine_->halfedge_corner[line.halfedge] = corner;
-                }
-                if constexpr (Numbering::common_degree == 0)
-                    if (fine_->degree == 0)
-                        fine_->corner_face[corner] = id;
-                ++corner;
-            }
-            if constexpr (Checked)
-                if (corner != first_corner(id + 1))
-                    faults::wrong_degree(*coarse_, Kind, tuple, corner - first, first_corner(id + 1) - first);
         }
+    }
+    template <tuple_kind Kind, class Lines>
+    void write_face(std::size_t tuple, index_type id, const Lines& lines) const
+    {
+        const index_type first = first_corner(id);
+        index_type corner = first;
+        for (const face_line<index_type>& line : lines) {
+            if constexpr (Checked)
+                check_line(Kind, tuple, id, corner, line);
+            fine_->corner_vertex[corner] = line.vertex;
+            if constexpr (Connect == connect::everything and Numbering::has_edges) {
+                fine_->corner_halfedge[corner] = line.halfedge;
+                fine_->halfedge_corner[line.halfedge] = corner;
+            }
+            if constexpr (Numbering::common_degree == 0)
+                if (fine_->degree == 0)
+                    fine_->corner_face[corner] = id;
+            ++corner;
+        }
+        if constexpr (Checked)
+            if (corner != first_corner(id + 1))
+                faults::wrong_degree(*coarse_, Kind, tuple, corner - first, first_corner(id + 1) - first);
     }
     [[nodiscard]] index_type first_corner(std::size_t face) const
     {
-        if constexpr (Numbering::common_degree != 0)
-            return index_type(face * Numbering::common_degree);
-        else if constexpr (Connect == connect::nothing)
+        if constexpr (Connect == connect::nothing or is_foreign) // where corners have no numbers
             return 0;
+        else if constexpr (Numbering::common_degree != 0)
+            return index_type(face * Numbering::common_degree);
         else
             return fine_->first_corner(face);
     }
-    void start_fan(index_type vertex, index_type corner) const
+    void start_fan(index_type vertex, index_type corner, index_type halfedge) const
     {
-        if constexpr (Connect == connect::everything and Numbering::has_edges)
-            fine_->vertex_corner[vertex] = corner;
+        if constexpr (Connect == connect::everything and Numbering::has_edges) {
+            if constexpr (is_foreign)
+                fine_->set_start(vertex, halfedge);
+            else
+                fine_->vertex_corner[vertex] = corner;
+            if constexpr (Checked)
+                vertex_start_[vertex] = halfedge;
+        }
     }
 
     // The dictionary.
@@ -299,6 +286,7 @@ private:
     Values* values_;
     Fine* fine_;
     mutable std::vector<unsigned char> vertex_is_set_, face_is_set_; // Checked only
+    mutable std::vector<index_type> vertex_start_;                   // Checked only
     mutable vertex_dictionary<index_type> dictionary_;
 };
 

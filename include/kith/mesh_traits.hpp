@@ -37,13 +37,13 @@ class basic_mesh;
 ///
 ///   For meshes that several threads may write; `fill` is their `build` then, and `refine` makes the last level in them:
 ///
-///   make_room(m, level, edges)     gives an empty m the vertices and faces of a `connectivity` and so many edges, not joined
-///                                  yet and without faces; throws mesh_error for what it cannot hold
+///   make_room(m, vertices, edges, faces)   gives an empty m so many elements, not joined yet; throws mesh_error for more
+///                                  than it can number
 ///   points(m)                      the array of all points
 ///   at<Handle>(i)                  the vertex, half-edge or face whose index is i; half-edges 2i and 2i+1 are an edge
 ///   set_side(m, h, f, v, next)     h lies in face f, leads to v and is followed by `next`
 ///   set_boundary_side(m, h, v, next)   the same for a half-edge without face
-///   set_start(m, f, h)             f starts at h
+///   set_start(m, f, h, degree)     f starts at h; throws mesh_error for faces of a degree that it cannot hold
 ///   set_start(m, v, h)             v starts at h, which leaves it; comes before the boundary sides
 ///   target(m, h)                   where h was told to lead
 ///   mark_odd_generation(m)         for `generation` to remember

@@ -74,48 +74,34 @@ int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& colu
     return common == 3 or common == 4 ? int(common) : 0;
 }
 
-/// The counts of the next level and where the corners of its faces start, as the numbering tells them; each corner will
-/// need so many numbers.
-template <class Level, class Numbering, class Columns>
-auto number_corners(const Level& coarse, const Numbering& ids, const Columns& columns, std::size_t numbers_of_each = 1)
-{
-    using index = typename Numbering::index_type;
-    connectivity<index> fine;
-    fine.vertices = ids.vertices.total();
-    fine.faces = ids.faces.total();
-    fine.degree = int(Numbering::common_degree);
-    std::size_t corners = fine.faces * Numbering::common_degree;
-    if constexpr (Numbering::common_degree == 0) {
-        fine.degree = degree_of_all(coarse, ids, columns);
-        corners = fine.faces * std::size_t(fine.degree);
-        if (fine.degree == 0) {
-            fine.face_corner = storage<index>(fine.faces + 1);
-            fine.face_corner[0] = 0;
-            for_new_faces(coarse, ids, columns, [&](std::size_t id, const auto& degree) {
-                fine.face_corner[id + 1] = index(degree());
-            });
-            for (std::size_t id = 0; id < fine.faces; ++id)
-                fine.face_corner[id + 1] = index(corners += fine.face_corner[id + 1]);
-        }
-    }
-    require_numbers<index>(corners, numbers_of_each, "corners");
-    if (fine.degree == 0)
-        fine.corner_face = storage<index>(corners);
-    return fine;
-}
-
 /// Allocates the connectivity of the next level as far as its numbering tells it.
 template <connect Connect, bool Checked, class Level, class Numbering, class Columns>
 auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& columns)
 {
     using index = typename Numbering::index_type;
-    if constexpr (Connect == connect::nothing) {
-        return connectivity<index>();
-    } else {
+    connectivity<index> fine;
+    if constexpr (Connect != connect::nothing) {
+        fine.vertices = ids.vertices.total();
+        fine.faces = ids.faces.total();
+        fine.degree = int(Numbering::common_degree);
+        std::size_t corners = fine.faces * Numbering::common_degree;
+        if constexpr (Numbering::common_degree == 0) {
+            fine.degree = degree_of_all(coarse, ids, columns);
+            corners = fine.faces * std::size_t(fine.degree);
+            if (fine.degree == 0) {
+                fine.face_corner = storage<index>(fine.faces + 1);
+                fine.face_corner[0] = 0;
+                for_new_faces(coarse, ids, columns, [&](std::size_t id, const auto& degree) {
+                    fine.face_corner[id + 1] = index(degree());
+                });
+                for (std::size_t id = 0; id < fine.faces; ++id)
+                    fine.face_corner[id + 1] = index(corners += fine.face_corner[id + 1]);
+            }
+        }
         // Where edges are matched there may be two half-edges for each corner.
-        constexpr bool matched = Connect == connect::everything and not Numbering::has_edges;
-        auto fine = number_corners(coarse, ids, columns, matched ? 2 : 1);
-        const std::size_t corners = fine.first_corner(fine.faces);
+        require_numbers<index>(corners, Connect == connect::everything and not Numbering::has_edges ? 2 : 1, "corners");
+        if (fine.degree == 0)
+            fine.corner_face = storage<index>(corners);
         fine.corner_vertex = storage<index>(corners);
         if constexpr (Connect == connect::everything and Numbering::has_edges) {
             const bool clear = Checked or not coarse.is_closed(); // the far sides of boundary edges are never written
@@ -124,8 +110,8 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
                                          : storage<index>(2 * ids.edges.total());
             fine.vertex_corner = Checked ? storage<index>(fine.vertices, fine.none) : storage<index>(fine.vertices);
         }
-        return fine;
     }
+    return fine;
 }
 
 /// At the boundary a fan has to start where nothing lies clockwise: behind the boundary edge that leaves the vertex.
@@ -152,7 +138,8 @@ void require_none_listed(const Values& values)
 /// What cannot be seen while a scheme runs: elements that were never made, and faces that form no manifold.
 template <class Level, class Numbering, class Index>
 void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine,
-                 const std::vector<unsigned char>& vertex_is_set, const std::vector<unsigned char>& face_is_set)
+                 const std::vector<unsigned char>& vertex_is_set, const std::vector<unsigned char>& face_is_set,
+                 const std::vector<Index>& vertex_start)
 {
     const auto require_all = [&](const auto& column_ids, const auto& is_set, const char* why) {
         for (std::size_t id = 0; id < is_set.size(); ++id)
@@ -178,6 +165,13 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
     }
     if (fine.vertex_corner.empty())
         return;
+    for (std::size_t v = 0; v < vertex_start.size(); ++v)
+        if (const Index c = fine.vertex_corner[v];
+            c != fine.none and (fine.corner_vertex[c] != v or fine.corner_halfedge[c] != vertex_start[v])) {
+            const auto [kind, index] = ids.vertices.origin(v);
+            faults::refuse(
+                coarse, kind, index, " -> V starts at a corner that is not its own, or at another side there");
+        }
     for (std::size_t c = 0; c < fine.corners(); ++c) // vertices for which the scheme named no start
         if (Index& start = fine.vertex_corner[fine.corner_vertex[c]]; start == fine.none)
             start = Index(c);
@@ -202,7 +196,7 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     const space assoc(coarse, ids, values, fine);
     scheme(refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
     if constexpr (Checked and Connect != connect::nothing)
-        detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set());
+        detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set(), assoc.vertex_start());
     if constexpr (Connect != connect::nothing) {
         if constexpr (Numbering::has_edges)
             detail::require_none_listed(values);
@@ -224,12 +218,11 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
 
 /// The same with the next level written straight into a mesh of another library. Precondition: the scheme is trusted and
 /// declares its edges.
-template <fillable_mesh M, class Level, class Scheme, class Numbering, class Columns>
-M run_scheme_into(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids,
-                  const Columns& columns)
+template <fillable_mesh M, class Level, class Scheme, class Numbering>
+M run_scheme_into(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
 {
     M result; // not moved from here on: meshes of OpenMesh copy instead
-    foreign_level<M> fine(result, detail::number_corners(coarse, ids, columns), ids.edges.total(), coarse.is_closed());
+    foreign_level<M> fine(result, ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed());
     point_values<Level> values;
     values.allocate_at(fine.points());
     using space =

@@ -66,9 +66,8 @@ M refine_level_into(const Level& coarse, const Scheme& scheme, int generation,
                     numbering_of<Scheme, typename Level::index_type>& ids)
 {
     if constexpr (fillable_mesh<M> and is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
-        const auto columns = columns_of(scheme, generation);
-        ids = {coarse, columns};
-        return run_scheme_into<M>(coarse, scheme, generation, ids, columns);
+        ids = {coarse, columns_of(scheme, generation)};
+        return run_scheme_into<M>(coarse, scheme, generation, ids);
     } else {
         return mesh_traits<M>::build(refine_level<connect::everything>(coarse, scheme, generation, ids));
     }

@@ -119,13 +119,15 @@ struct bisection_split {
         for_each(coarse.vertices(), [&](auto v) {
             const auto c = v.first_corner();
             const auto a = c.f().first_corner();
-            assoc(v, V).starts_at(c == a          ? assoc(a, F).corner(1)
-                                  : c == a.next() ? assoc(c, F).corner(0)
-                                                  : assoc(a, F).corner(0));
+            const auto en = c.next_edge();
+            if (c == a)
+                assoc(v, V).starts_at(assoc(a, F).corner(1), assoc(v, en, E).along(en));
+            else
+                assoc(v, V).starts_at(assoc(c == a.next() ? c : a, F).corner(0), assoc(en, E).along(en));
         });
         for_each(coarse.edges(), [&](auto e) {
             if (is_marked(e))
-                assoc(e, V).starts_at(assoc(e.lcorner().next(), F).corner(2));
+                assoc(e, V).starts_at(assoc(e.lcorner().next(), F).corner(2), assoc(e.dst(), e, E).left());
         });
     }
 };

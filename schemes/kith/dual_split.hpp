@@ -78,7 +78,8 @@ struct dual_split {
         });
         for_each(coarse.corners(), [&](auto c) {
             const auto f = c.f();
-            assoc(c, V).starts_at(assoc(f, F).corner(c.index() - f.first_corner().index()));
+            assoc(c, V).starts_at(assoc(f, F).corner(c.index() - f.first_corner().index()),
+                                  assoc(c.next_edge(), f, E).left());
         });
     }
 };

@@ -50,7 +50,8 @@ struct mid_edge_split {
         });
         for_each_by_number(coarse.edges(), [&](auto e) {
             const auto c = e.lcorner();
-            assoc(e, V).starts_at(assoc(c.f(), F).corner(c.index() - c.f().first_corner().index()));
+            assoc(e, V).starts_at(assoc(c.f(), F).corner(c.index() - c.f().first_corner().index()),
+                                  assoc(c.next(), E).left());
         });
     }
 };

@@ -37,11 +37,19 @@ struct quad_split {
                                   assoc(f, V) >> assoc(ep, f, E).right(),
                                   assoc(ep, V) >> assoc(v, ep, E).along(ep));
         });
-        for_each_by_number(coarse.vertices(),
-                           [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
-        for_each_by_number(coarse.edges(), [&](auto e) { assoc(e, V).starts_at(assoc(e.lcorner(), F).corner(1)); });
-        for_each_by_number(coarse.faces(),
-                           [&](auto f) { assoc(f, V).starts_at(assoc(f.first_corner(), F).corner(2)); });
+        for_each_by_number(coarse.vertices(), [&](auto v) {
+            const auto c = v.first_corner();
+            const auto en = c.next_edge();
+            assoc(v, V).starts_at(assoc(c, F).corner(0), assoc(v, en, E).along(en));
+        });
+        for_each_by_number(coarse.edges(), [&](auto e) {
+            const auto c = e.lcorner();
+            assoc(e, V).starts_at(assoc(c, F).corner(1), assoc(e, c.f(), E).left());
+        });
+        for_each_by_number(coarse.faces(), [&](auto f) {
+            const auto c = f.first_corner();
+            assoc(f, V).starts_at(assoc(c, F).corner(2), assoc(c.prev_edge(), f, E).right());
+        });
     }
 };
 

@@ -96,12 +96,13 @@ struct sqrt3_split {
         });
         for_each(coarse.vertices(), [&](auto v) {
             const auto c = v.first_corner();
-            assoc(v, V).starts_at(assoc(c.next_edge(), c.f(), F).corner(0));
+            if (not c.is_boundary())
+                assoc(v, V).starts_at(assoc(c.next_edge(), c.f(), F).corner(0), to_end(c.across()));
         });
         for_each(coarse.faces(), [&](auto f) {
             const auto c = f.first_corner();
             if (not cut(c))
-                assoc(f, V).starts_at(assoc(c.next_edge(), c.f(), F).corner(2));
+                assoc(f, V).starts_at(assoc(c.next_edge(), c.f(), F).corner(2), from_start(c));
         });
     }
 };

@@ -47,14 +47,17 @@ struct ternary_split {
                                   assoc(v, en, V) >> assoc(c, en, E).left(),
                                   assoc(c, V) >> assoc(c, ep, E).right(),
                                   assoc(v, ep, V) >> assoc(v, ep, E).along(ep));
-            assoc(c, V).starts_at(assoc(c, F).corner(2));
+            assoc(c, V).starts_at(assoc(c, F).corner(2), assoc(c, ep, E).right());
         });
-        for_each_by_number(coarse.vertices(),
-                           [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
+        for_each_by_number(coarse.vertices(), [&](auto v) {
+            const auto c = v.first_corner();
+            const auto en = c.next_edge();
+            assoc(v, V).starts_at(assoc(c, F).corner(0), assoc(v, en, E).along(en));
+        });
         for_each(coarse.edges(), [&](auto e) {
             const auto c = e.lcorner();
-            assoc(e.org(), e, V).starts_at(assoc(c, F).corner(1));
-            assoc(e.dst(), e, V).starts_at(assoc(c.next(), F).corner(3));
+            assoc(e.org(), e, V).starts_at(assoc(c, F).corner(1), assoc(c, e, E).left());
+            assoc(e.dst(), e, V).starts_at(assoc(c.next(), F).corner(3), assoc(e.dst(), e, E).left());
         });
     }
 };

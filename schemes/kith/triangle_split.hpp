@@ -41,9 +41,15 @@ struct triangle_split {
                 return assoc(c.prev_edge(), V) >> assoc(c, E).right();
             });
         });
-        for_each_by_number(coarse.vertices(),
-                           [&](auto v) { assoc(v, V).starts_at(assoc(v.first_corner(), F).corner(0)); });
-        for_each_by_number(coarse.edges(), [&](auto e) { assoc(e, V).starts_at(assoc(e.lcorner(), F).corner(1)); });
+        for_each_by_number(coarse.vertices(), [&](auto v) {
+            const auto c = v.first_corner();
+            const auto en = c.next_edge();
+            assoc(v, V).starts_at(assoc(c, F).corner(0), assoc(v, en, E).along(en));
+        });
+        for_each_by_number(coarse.edges(), [&](auto e) {
+            const auto c = e.lcorner();
+            assoc(e, V).starts_at(assoc(c, F).corner(1), assoc(c, E).left());
+        });
     }
 };
 
