@@ -2,6 +2,7 @@
 #pragma once
 
 #include "basic_mesh.hpp"
+#include "bulk_reader.hpp"
 #include "error.hpp"
 #include "level_elements.hpp"
 #include "mesh_level.hpp"
@@ -92,6 +93,8 @@ auto lift(const level_elements<mesh_level<M>>& level, int generation = 0)
 template <mesh M>
 auto lift(const M& mesh)
 {
+    if (auto native = detail::bulk_reader<M>(mesh).read(generation_of(mesh)))
+        return *std::move(native);
     return lift(level_elements<mesh_level<M>>(mesh), generation_of(mesh));
 }
 

@@ -15,21 +15,25 @@ namespace kith {
 namespace detail {
 
 template <std::unsigned_integral Index>
-Index next_corner(const connectivity<Index>& t, Index c)
-{
-    const Index f = t.degree != 0 ? Index(c / t.degree) : t.corner_face[c];
-    return c + 1 == t.first_corner(f + 1) ? t.first_corner(f) : Index(c + 1);
-}
-
-template <std::unsigned_integral Index>
 Index face_of_corner(const connectivity<Index>& t, Index c)
 {
     return t.degree != 0 ? Index(c / t.degree) : t.corner_face[c];
 }
 
 template <std::unsigned_integral Index>
+Index next_corner(const connectivity<Index>& t, Index c)
+{
+    if (t.degree == 4) // spares a division
+        return (c & ~Index(3)) | ((c + 1) & 3);
+    const Index f = face_of_corner(t, c);
+    return c + 1 == t.first_corner(std::size_t(f) + 1) ? t.first_corner(f) : Index(c + 1);
+}
+
+template <std::unsigned_integral Index>
 Index prev_corner(const connectivity<Index>& t, Index c)
 {
+    if (t.degree == 4)
+        return (c & ~Index(3)) | ((c + 3) & 3);
     const Index f = face_of_corner(t, c);
     return c == t.first_corner(f) ? Index(t.first_corner(std::size_t(f) + 1) - 1) : Index(c - 1);
 }

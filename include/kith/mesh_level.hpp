@@ -2,6 +2,7 @@
 #pragma once
 
 #include "basic_mesh.hpp"
+#include "dense_numbers.hpp"
 #include "mesh_report.hpp"
 #include "mesh_traits.hpp"
 
@@ -40,13 +41,15 @@ public:
 
     /// The mesh must outlive the view. Errors: mesh_error when the handles do not form a mesh, e.g. isolated vertices.
     /// Cost: O(elements) time and memory.
-    explicit mesh_level(const M& mesh) : mesh_(&mesh)
+    explicit mesh_level(const M& mesh)
+        : mesh_(&mesh)
+        , vertices_(mesh, traits::vertices(mesh), traits::vertex_bound(mesh))
+        , edges_(mesh, traits::edges(mesh), traits::edge_bound(mesh))
+        , faces_(mesh, traits::faces(mesh), traits::face_bound(mesh))
     {
-        number(traits::vertices(mesh), traits::vertex_bound(mesh), vertices_, vertex_number_);
-        number(traits::edges(mesh), traits::edge_bound(mesh), edges_, edge_number_);
-        number(traits::faces(mesh), traits::face_bound(mesh), faces_, face_number_);
         corner_number_.assign(traits::halfedge_bound(mesh), none);
-        for (const auto f : faces_) {
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            const auto f = faces_[i];
             const auto first_halfedge = traits::halfedge_of(mesh, f);
             auto h = first_halfedge;
             do {
@@ -60,13 +63,15 @@ public:
         }
         fan_start_.reserve(vertices_.size());
         mesh_report report;
-        for (const auto v : vertices_)
+        for (std::size_t i = 0; i < vertices_.size(); ++i) {
+            const auto v = vertices_[i];
             if (traits::is_isolated(mesh, v)) {
                 report.add_isolated(std::size_t(traits::index(mesh, v)));
                 fan_start_.push_back(typename traits::halfedge{});
             } else {
                 fan_start_.push_back(start_of_fan(traits::halfedge_of(mesh, v)));
             }
+        }
         report.require_ok();
     }
 
@@ -79,7 +84,8 @@ public:
     {
         kith::counts result{.vertices = vertex_count(), .edges = edge_count(), .faces = face_count()};
         result.boundary_edges = 2 * edge_count() - corner_count();
-        for (const auto v : vertices_) {
+        for (std::size_t i = 0; i < vertices_.size(); ++i) {
+            const vertex_handle v = vertices_[i];
             if (across(first(v)) != no_corner)
                 continue;
             std::uint64_t fan = 0;
@@ -97,9 +103,9 @@ public:
     [[nodiscard]] face_handle face_at(std::size_t i) const { return faces_[i]; }
     [[nodiscard]] corner_handle corner_at(std::size_t i) const { return {corners_[i]}; }
 
-    [[nodiscard]] std::size_t index(vertex_handle v) const { return dense(traits::index(*mesh_, v), vertex_number_); }
-    [[nodiscard]] std::size_t index(edge_handle e) const { return dense(traits::index(*mesh_, e), edge_number_); }
-    [[nodiscard]] std::size_t index(face_handle f) const { return dense(traits::index(*mesh_, f), face_number_); }
+    [[nodiscard]] std::size_t index(vertex_handle v) const { return vertices_.number(*mesh_, v); }
+    [[nodiscard]] std::size_t index(edge_handle e) const { return edges_.number(*mesh_, e); }
+    [[nodiscard]] std::size_t index(face_handle f) const { return faces_.number(*mesh_, f); }
     [[nodiscard]] std::size_t index(corner_handle c) const { return corner_number_[traits::index(*mesh_, c.halfedge)]; }
     [[nodiscard]] std::size_t halfedge(corner_handle c) const
     {
@@ -141,27 +147,6 @@ public:
 private:
     static constexpr index_type none = std::numeric_limits<index_type>::max();
 
-    template <class Range, class Handle>
-    void number(Range&& range, std::size_t bound, std::vector<Handle>& handles, std::vector<index_type>& numbers)
-    {
-        if (bound >= none / 2)
-            throw mesh_error("the mesh has more elements than a 32-bit index can number");
-        handles.reserve(bound);
-        bool has_gaps = false;
-        for (const Handle x : range) {
-            has_gaps |= std::size_t(traits::index(*mesh_, x)) != handles.size();
-            handles.push_back(x);
-        }
-        if (not has_gaps)
-            return;
-        numbers.assign(bound, none);
-        for (std::size_t i = 0; i < handles.size(); ++i)
-            numbers[traits::index(*mesh_, handles[i])] = index_type(i);
-    }
-    static std::size_t dense(std::size_t index, const std::vector<index_type>& numbers)
-    {
-        return numbers.empty() ? index : numbers[index];
-    }
     /// At the boundary a fan starts at the half-edge whose opposite has no face; inside, where the mesh says.
     typename traits::halfedge start_of_fan(typename traits::halfedge out) const
     {
@@ -182,11 +167,10 @@ private:
     }
 
     const M* mesh_;
-    std::vector<vertex_handle> vertices_;
-    std::vector<edge_handle> edges_;
-    std::vector<face_handle> faces_;
+    dense_numbers<M, vertex_handle> vertices_;
+    dense_numbers<M, edge_handle> edges_;
+    dense_numbers<M, face_handle> faces_;
     std::vector<typename traits::halfedge> corners_;
-    std::vector<index_type> vertex_number_, edge_number_, face_number_; // empty where the handles have no gaps
     std::vector<index_type> corner_number_;
     std::vector<typename traits::halfedge> fan_start_;
 };

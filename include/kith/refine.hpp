@@ -111,8 +111,7 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
 template <refinable_mesh M, class Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
-    validate(mesh).require_ok();
-    auto control = lift(mesh);
+    auto control = lift_valid(mesh);
     detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
     if (levels == 0)
         return mesh_traits<M>::build(std::move(control));

@@ -77,6 +77,16 @@ mesh_report validate(const M& mesh)
     return report;
 }
 
+/// `lift` of a mesh that can be refined. Errors: mesh_error with everything that `validate` finds. Cost: as `lift`.
+template <mesh M>
+auto lift_valid(const M& mesh)
+{
+    if (auto native = detail::bulk_reader<M>(mesh).read(generation_of(mesh)))
+        return *std::move(native);
+    validate(mesh).require_ok();
+    return lift(level_elements<mesh_level<M>>(mesh), generation_of(mesh));
+}
+
 /// The native mesh cannot be made with bad connectivity, so only its points and loose vertices are looked at.
 template <class Point, class Index>
 mesh_report validate(const basic_mesh<Point, Index>& mesh)
