@@ -59,6 +59,13 @@ TEST(cgal, removed_elements_are_left_out)
                           kith::refine(make(shapes::cube()), kith::catmull_clark(), 2)));
 }
 
+TEST(cgal, faces_of_removed_vertices_are_refused)
+{
+    auto cube = make(shapes::cube());
+    cube.remove_vertex(mesh::Vertex_index(7));
+    EXPECT_EQ(refusal(cube), "face 1: one of its vertices has been removed; repair the mesh");
+}
+
 TEST(cgal, collecting_garbage_changes_no_more_than_numbers)
 {
     auto m = cube_after_removed_tetrahedron();

@@ -14,6 +14,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace kith::detail {
 
@@ -114,6 +115,8 @@ private:
                 const std::size_t number = number_of(h);
                 const auto from = traits::source(mesh_, h);
                 const std::size_t v = vertices_.number(mesh_, from);
+                if (number >= t_.halfedge_corner.size() or v >= t_.vertices) // it has been removed
+                    return false;
                 t_.corner_vertex[c] = index(v);
                 t_.corner_halfedge[c] = index(number);
                 store(t_.halfedge_corner[number], index(c)); // faces of a bad mesh may share it
@@ -128,10 +131,15 @@ private:
     }
     [[nodiscard]] bool comes_to_no_vertex_twice(std::size_t first, std::size_t end) const
     {
-        for (std::size_t c = first; c < end; ++c)
-            for (std::size_t d = c + 1; d < end; ++d)
-                if (t_.corner_vertex[c] == t_.corner_vertex[d])
-                    return false;
+        const auto begin = t_.corner_vertex.begin();
+        if (end - first > 16) {
+            std::vector<index> sorted(begin + first, begin + end);
+            std::ranges::sort(sorted);
+            return std::ranges::adjacent_find(sorted) == sorted.end();
+        }
+        for (std::size_t c = first + 1; c < end; ++c)
+            if (std::find(begin + first, begin + c, begin[c]) != begin + c)
+                return false;
         return true;
     }
     /// 2 * edge + side; side 0 is the one that directs the edge and has a face.

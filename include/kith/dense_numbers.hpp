@@ -29,6 +29,7 @@ public:
         bool has_gaps = false;
         for (const Handle x : range)
             has_gaps |= std::size_t(traits::index(mesh, x)) != size_++;
+        has_gaps |= size_ != bound;
         if constexpr (can_be_made)
             if (not has_gaps)
                 return;
@@ -50,6 +51,7 @@ public:
                 return traits::template at<Handle>(i);
         return handles_[i];
     }
+    /// `none` for elements that have been removed.
     [[nodiscard]] std::size_t number(const M& mesh, Handle x) const
     {
         const auto index = std::size_t(traits::index(mesh, x));

@@ -37,7 +37,7 @@ void advise_large_pages([[maybe_unused]] T* array, [[maybe_unused]] std::size_t 
 /// that size. The kernel clears every fresh page, which is a quarter of the time of a refinement (docs/design.md, Speed);
 /// whoever refines again, or tile after tile, is spared it. What is in use and what is kept come to an eighth more than was
 /// ever in use at most; all that is kept goes back when more than ever is needed, when there is no memory for a large
-/// block, and before `refine` builds a mesh of another library. Safe on several threads.
+/// block, and before a mesh of another library is made. Safe on several threads.
 class large_blocks {
 public:
     static constexpr std::size_t page = huge_page;
