@@ -40,7 +40,7 @@ class basic_mesh;
 ///   make_room(m, vertices, edges, faces)   gives an empty m so many elements, not joined yet; throws mesh_error for more
 ///                                  than it can number
 ///   points(m)                      the array of all points
-///   at<Handle>(i)                  the vertex, half-edge or face whose index is i; half-edges 2i and 2i+1 are an edge
+///   at<Handle>(i)                  the vertex, edge, half-edge or face whose index is i; half-edges 2i and 2i+1 are edge i
 ///   set_side(m, h, f, v, next)     h lies in face f, leads to v and is followed by `next`
 ///   set_boundary_side(m, h, v, next)   the same for a half-edge without face
 ///   set_start(m, f, h, degree)     f starts at h; throws mesh_error for faces of a degree that it cannot hold
