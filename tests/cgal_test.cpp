@@ -66,6 +66,14 @@ TEST(cgal, faces_of_removed_vertices_are_refused)
     EXPECT_EQ(refusal(cube), "face 1: one of its vertices has been removed; repair the mesh");
 }
 
+TEST(cgal, half_edges_that_lead_elsewhere_are_refused)
+{
+    auto cube = make(shapes::cube());
+    const auto h = cube.halfedge(mesh::Vertex_index(7), mesh::Vertex_index(6));
+    cube.set_target(h, mesh::Vertex_index(0));
+    EXPECT_NE(refusal(cube).find("faces form several fans"), std::string::npos);
+}
+
 TEST(cgal, collecting_garbage_changes_no_more_than_numbers)
 {
     auto m = cube_after_removed_tetrahedron();

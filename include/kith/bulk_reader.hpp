@@ -169,16 +169,17 @@ private:
             std::size_t count = 0, size = 0;
             for (std::size_t c = begin; c < end; ++c) {
                 const bool at_boundary = not is_closed_ and across(index(c)) == t_.none;
-                index& start = t_.vertex_corner[t_.corner_vertex[c]];
+                const index v = t_.corner_vertex[c];
+                index& start = t_.vertex_corner[v];
                 if (at_boundary)
                     store(start, index(c));
                 else if (std::atomic_ref(start).load(std::memory_order_relaxed) != c)
                     continue;
                 std::size_t met = 1;
                 index o = across(prev_corner(t_, index(c)));
-                for (; o != t_.none and o != c; o = across(prev_corner(t_, o)))
+                for (; o != t_.none and o != c and t_.corner_vertex[o] == v; o = across(prev_corner(t_, o)))
                     ++met;
-                if (at_boundary or o == c) { // else it is met where it starts
+                if (o == (at_boundary ? t_.none : index(c))) { // else it is met where it starts, or is no fan of v
                     ++count;
                     size += met;
                 }
