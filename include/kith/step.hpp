@@ -69,7 +69,9 @@ M refine_level_into(const Level& coarse, const Scheme& scheme, int generation,
         ids = {coarse, columns_of(scheme, generation)};
         return run_scheme_into<M>(coarse, scheme, generation, ids);
     } else {
-        return mesh_traits<M>::build(refine_level<connect::everything>(coarse, scheme, generation, ids));
+        auto fine = refine_level<connect::everything>(coarse, scheme, generation, ids);
+        shared_blocks.give_back(); // the other library takes its memory elsewhere
+        return mesh_traits<M>::build(std::move(fine));
     }
 }
 
