@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "large_blocks.hpp"
 #include "lift.hpp"
 #include "refinement.hpp"
 #include "scheme.hpp"
