@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contests.hpp"
 
-#include <kith/catmull_clark.hpp>
-#include <kith/doo_sabin.hpp>
-#include <kith/four_eight.hpp>
-#include <kith/kobbelt.hpp>
 #include <kith/make_creases.hpp>
-#include <kith/mid_edge.hpp>
-#include <kith/nasri_hasbini.hpp>
-#include <kith/sqrt3.hpp>
 
 #include <algorithm>
 #include <array>

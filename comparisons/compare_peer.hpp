@@ -3,6 +3,7 @@
 
 #include "compare_files.hpp"
 
+#include <kith/compiled_schemes.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/refine.hpp>
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/butterfly.hpp>
+#include <kith/compiled_schemes.hpp>
 #include <kith/figures.hpp>
-#include <kith/four_eight.hpp>
-#include <kith/loop.hpp>
 #include <kith/make_mesh.hpp>
 #include <kith/plan.hpp>
 

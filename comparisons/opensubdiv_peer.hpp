@@ -3,8 +3,7 @@
 
 #include "../tools/polygon_soup.hpp"
 
-#include <kith/catmull_clark.hpp>
-#include <kith/loop.hpp>
+#include <kith/compiled_schemes.hpp>
 
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>

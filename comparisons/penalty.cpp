@@ -4,8 +4,6 @@
 #include "contests.hpp"
 #include "exit_code.hpp"
 
-#include <kith/catmull_clark.hpp>
-
 #include <boost/program_options.hpp>
 
 #include <cstring>

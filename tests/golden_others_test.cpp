@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "golden_suite.hpp"
 
-#include <kith/butterfly.hpp>
-#include <kith/four_eight.hpp>
-#include <kith/kobbelt.hpp>
-#include <kith/linear.hpp>
-#include <kith/mid_edge.hpp>
-#include <kith/nasri_hasbini.hpp>
-#include <kith/tri_quad.hpp>
+#include <kith/compiled_schemes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,7 @@
 #include "golden.hpp"
 #include "user_mesh.hpp"
 
-#include <kith/catmull_clark.hpp>
-#include <kith/doo_sabin.hpp>
-#include <kith/loop.hpp>
-#include <kith/sqrt3.hpp>
-#include <kith/unified.hpp>
+#include <kith/compiled_schemes.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,16 +3,7 @@
 
 #include "native_shape.hpp"
 
-#include <kith/butterfly.hpp>
-#include <kith/catmull_clark.hpp>
-#include <kith/doo_sabin.hpp>
-#include <kith/four_eight.hpp>
-#include <kith/kobbelt.hpp>
-#include <kith/linear.hpp>
-#include <kith/loop.hpp>
-#include <kith/nasri_hasbini.hpp>
-#include <kith/sqrt3.hpp>
-#include <kith/tri_quad.hpp>
+#include <kith/compiled_schemes.hpp>
 
 #include <gtest/gtest.h>
 

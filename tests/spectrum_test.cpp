@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "local_matrix.hpp"
 
-#include <kith/butterfly.hpp>
-#include <kith/catmull_clark.hpp>
+#include <kith/compiled_schemes.hpp>
 #include <kith/cos_turn.hpp>
-#include <kith/doo_sabin.hpp>
-#include <kith/four_eight.hpp>
-#include <kith/kobbelt.hpp>
-#include <kith/linear.hpp>
-#include <kith/loop.hpp>
-#include <kith/mid_edge.hpp>
-#include <kith/nasri_hasbini.hpp>
-#include <kith/sqrt3.hpp>
-#include <kith/tri_quad.hpp>
 
 #include <gtest/gtest.h>
 

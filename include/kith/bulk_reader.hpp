@@ -12,9 +12,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace kith::detail {
 
@@ -132,11 +132,8 @@ private:
     [[nodiscard]] bool comes_to_no_vertex_twice(std::size_t first, std::size_t end) const
     {
         const auto begin = t_.corner_vertex.begin();
-        if (end - first > 16) {
-            std::vector<index> sorted(begin + first, begin + end);
-            std::ranges::sort(sorted);
-            return std::ranges::adjacent_find(sorted) == sorted.end();
-        }
+        if (end - first > 16)
+            return std::set<index>(begin + first, begin + end).size() == end - first;
         for (std::size_t c = first + 1; c < end; ++c)
             if (std::find(begin + first, begin + c, begin[c]) != begin + c)
                 return false;

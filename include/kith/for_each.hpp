@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 namespace kith {
 
@@ -25,6 +26,13 @@ template <class Level, class Element>
 inline constexpr bool met_by_faces = ordered_by_faces<Level> and
                                      (std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>);
 
+/// Whether a mask is worth being inlined into the loop as a whole: it is a tree of small functions, and one that stays a
+/// call in the innermost loop costs more than the arithmetic. Not for the walks through the traits of other meshes, nor
+/// for numbers that are classes with memory of their own, which would make very large functions.
+template <class Level>
+inline constexpr bool inlines_masks = ordered_by_faces<Level> and
+                                      std::is_trivially_copyable_v<typename Level::point_type>;
+
 /// Calls f on the elements with these numbers.
 template <class Level, class Element, class F>
 void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
@@ -33,9 +41,7 @@ void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, s
         f(range[i]);
 }
 
-/// The same with all that f calls inlined: a mask is a tree of small functions, and one that stays a call in the innermost
-/// loop costs more than the arithmetic. For native levels only, whose walks are short: those through the traits of other
-/// meshes would make very large functions.
+/// The same with all that f calls inlined.
 template <class Level, class Element, class F>
 [[gnu::flatten]] void for_numbers_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
                                           const F& f)
@@ -43,16 +49,23 @@ template <class Level, class Element, class F>
     for_numbers(range, begin, end, f);
 }
 
-/// Calls f on the elements that belong to the faces [begin, end), inlined as well.
+/// Calls f on the elements that belong to the faces [begin, end).
 template <class Level, class Element, class F>
-[[gnu::flatten]] void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
-                                const F& f)
+void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
 {
     const Level& level = range.level();
     if constexpr (std::same_as<Element, vertex<Level>>)
         level.for_vertices_of(begin, end, [&](auto v) { f(vertex<Level>(level, v)); });
     else
         level.for_edges_of(begin, end, [&](auto e, auto left) { f(edge<Level>(level, e, left, left)); });
+}
+
+/// The same with all that f calls inlined.
+template <class Level, class Element, class F>
+[[gnu::flatten]] void for_faces_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
+                                        const F& f)
+{
+    for_faces(range, begin, end, f);
 }
 
 } // namespace detail
@@ -63,7 +76,7 @@ template <class Level, class Element, class F>
 void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 {
     detail::for_parts(range.size(), Level::parallel, [&](std::size_t begin, std::size_t end) {
-        if constexpr (detail::ordered_by_faces<Level>)
+        if constexpr (detail::inlines_masks<Level>)
             detail::for_numbers_inlined(range, begin, end, f);
         else
             detail::for_numbers(range, begin, end, f);
@@ -77,7 +90,10 @@ void for_each(const all_elements<Level, Element>& range, const F& f)
 {
     if constexpr (detail::met_by_faces<Level, Element>)
         detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
-            detail::for_faces(range, begin, end, f);
+            if constexpr (detail::inlines_masks<Level>)
+                detail::for_faces_inlined(range, begin, end, f);
+            else
+                detail::for_faces(range, begin, end, f);
         });
     else
         for_each_by_number(range, f);

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <ranges>
 #include <type_traits>
 #include <utility>
@@ -102,15 +103,21 @@ private:
     {
         std::vector<std::pair<halfedge, vertex>> boundary; // with where it leads to
         std::vector<halfedge> leaving(vertex_count_);
-        for (std::size_t e = 0; e < edge_count_; ++e) {
-            const auto inner = at<halfedge>(2 * e), outer = at<halfedge>(2 * e + 1);
-            if (not traits::is_boundary(*mesh_, outer))
-                continue;
-            const vertex to = traits::target(*mesh_, traits::prev(*mesh_, inner));
-            traits::set_start(*mesh_, to, inner);
-            leaving[traits::index(*mesh_, traits::target(*mesh_, inner))] = outer;
-            boundary.emplace_back(outer, to);
-        }
+        std::mutex adding;
+        detail::for_parts(edge_count_, true, [&](std::size_t begin, std::size_t end) {
+            std::vector<std::pair<halfedge, vertex>> found;
+            for (std::size_t e = begin; e < end; ++e) {
+                const auto inner = at<halfedge>(2 * e), outer = at<halfedge>(2 * e + 1);
+                if (not traits::is_boundary(*mesh_, outer))
+                    continue;
+                const vertex to = traits::target(*mesh_, traits::prev(*mesh_, inner));
+                traits::set_start(*mesh_, to, inner);
+                leaving[traits::index(*mesh_, traits::target(*mesh_, inner))] = outer;
+                found.emplace_back(outer, to);
+            }
+            const std::lock_guard lock(adding);
+            boundary.insert(boundary.end(), found.begin(), found.end());
+        });
         for (const auto& [h, to] : boundary)
             traits::set_boundary_side(*mesh_, h, to, leaving[traits::index(*mesh_, to)]);
     }

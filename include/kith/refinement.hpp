@@ -3,12 +3,14 @@
 
 #include "choose.hpp"
 #include "for_each.hpp"
+#include "for_parts.hpp"
 #include "foreign_level.hpp"
 #include "match.hpp"
 #include "pass_space.hpp"
 #include "polygon.hpp"
 #include "values.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <limits>
@@ -74,6 +76,17 @@ int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& colu
     return common == 3 or common == 4 ? int(common) : 0;
 }
 
+/// As many `none`, written by all threads.
+template <class Index>
+storage<Index> none_yet(std::size_t size)
+{
+    storage<Index> result(size);
+    for_parts(size, true, [&](std::size_t begin, std::size_t end) {
+        std::fill(result.begin() + begin, result.begin() + end, connectivity<Index>::none);
+    });
+    return result;
+}
+
 /// Allocates the connectivity of the next level as far as its numbering tells it.
 template <connect Connect, bool Checked, class Level, class Numbering, class Columns>
 auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& columns)
@@ -106,9 +119,9 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
         if constexpr (Connect == connect::everything and Numbering::has_edges) {
             const bool clear = Checked or not coarse.is_closed(); // the far sides of boundary edges are never written
             fine.corner_halfedge = storage<index>(corners);
-            fine.halfedge_corner = clear ? storage<index>(2 * ids.edges.total(), fine.none)
+            fine.halfedge_corner = clear ? none_yet<index>(2 * ids.edges.total())
                                          : storage<index>(2 * ids.edges.total());
-            fine.vertex_corner = Checked ? storage<index>(fine.vertices, fine.none) : storage<index>(fine.vertices);
+            fine.vertex_corner = Checked ? none_yet<index>(fine.vertices) : storage<index>(fine.vertices);
         }
     }
     return fine;
@@ -118,11 +131,13 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
 template <class Index>
 void turn_boundary_fans(connectivity<Index>& fine)
 {
-    for (std::size_t e = 0; e < fine.edges(); ++e)
-        if (fine.halfedge_corner[2 * e + 1] == fine.none) {
-            const Index c = fine.halfedge_corner[2 * e];
-            fine.vertex_corner[fine.corner_vertex[c]] = c;
-        }
+    for_parts(fine.edges(), true, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e)
+            if (fine.halfedge_corner[2 * e + 1] == fine.none) {
+                const Index c = fine.halfedge_corner[2 * e];
+                fine.vertex_corner[fine.corner_vertex[c]] = c;
+            }
+    });
 }
 
 /// Errors: association_error when vertices that no column has were made by a scheme whose edges are numbered.

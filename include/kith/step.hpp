@@ -54,7 +54,8 @@ decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& 
 /// One step from a native mesh. Precondition: it has its edges. Errors: as `refine_level`, and for faces that the scheme
 /// does not take.
 template <connect Connect, class Scheme, class Point, class Index>
-auto refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, numbering_of<Scheme, Index>& ids)
+basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                                     numbering_of<Scheme, Index>& ids)
 {
     return with_native_level<Scheme>(
         mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
