@@ -3,16 +3,13 @@
 
 #include "every_scheme.hpp"
 #include "hashes.hpp"
+#include "thread_count.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 #include <set>
-
-#if defined(_OPENMP)
-#include <omp.h>
-#endif
 
 using kith::hash_value;
 
@@ -86,24 +83,18 @@ TEST(hash_value, the_order_of_faces_and_of_their_corners_changes_no_operation)
     same(shapes::triangle_shapes(), kith::loop(), kith::sqrt3());
 }
 
-#if defined(_OPENMP)
 TEST(hash_value, the_number_of_threads_changes_no_operation)
 {
-    const int before = omp_get_max_threads();
     const auto mesh = native(shapes::shaken(shapes::grid(40, 50)));
     const auto triangles = native(shapes::triangulated(shapes::shaken(shapes::grid(40, 50))));
-    const auto all = [&] {
+    const auto all = [&](int count) {
+        const thread_count here(count);
         return std::vector{hashes(mesh, kith::catmull_clark(), 2),
                            hashes(mesh, kith::doo_sabin(), 2),
                            hashes(triangles, kith::loop(), 2),
                            hashes(triangles, kith::sqrt3(), 2)};
     };
-    omp_set_num_threads(1);
-    const auto one = all();
-    for (const int threads : {2, 3, 7}) {
-        omp_set_num_threads(threads);
-        EXPECT_EQ(all(), one);
-    }
-    omp_set_num_threads(before);
+    const auto by_one = all(1);
+    for (const int count : {2, 3, 7})
+        EXPECT_EQ(all(count), by_one);
 }
-#endif

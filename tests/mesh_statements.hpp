@@ -6,6 +6,7 @@
 #include "hashes.hpp"
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
+#include "thread_count.hpp"
 #include "user_mesh.hpp"
 
 #include <kith/catmull_clark.hpp>
@@ -137,6 +138,22 @@ TYPED_TEST_P(mesh_statements, the_refined_mesh_is_sound)
     }
 }
 
+TYPED_TEST_P(mesh_statements, the_number_of_threads_changes_no_bit)
+{
+    const auto bounded = shapes::shaken(shapes::grid(40, 50)); // large enough for threads
+    const auto mesh = TestFixture::make(TestFixture::triangles_only ? shapes::triangulated(bounded) : bounded);
+    const auto refined = [&](int count) {
+        const thread_count here(count);
+        return kith::refine(mesh, typename TestFixture::scheme(), 2);
+    };
+    const auto by_one = refined(1);
+    for (const int count : {2, 3, 7}) {
+        const auto by_many = refined(count);
+        EXPECT_TRUE(same_bits(by_many, by_one));
+        EXPECT_EQ(user_mesh<TypeParam>::complaints(by_many), "");
+    }
+}
+
 TYPED_TEST_P(mesh_statements, the_input_is_left_as_it_was)
 {
     const auto mesh = TestFixture::make(shapes::umbrella(5));
@@ -241,9 +258,9 @@ REGISTER_TYPED_TEST_SUITE_P(mesh_statements, is_a_refinable_mesh, the_users_mesh
                             what_is_built_is_read_back_unchanged, reading_in_bulk_is_reading_element_by_element,
                             refining_through_the_native_mesh_changes_no_operation,
                             a_native_mesh_is_refined_by_the_same_operations_there, checking_changes_no_bit,
-                            the_refined_mesh_is_sound, the_input_is_left_as_it_was, good_meshes_are_valid,
-                            a_mesh_without_faces_is_refused, vertices_without_faces_are_refused,
-                            fans_that_only_meet_in_a_vertex_are_refused,
+                            the_refined_mesh_is_sound, the_number_of_threads_changes_no_bit,
+                            the_input_is_left_as_it_was, good_meshes_are_valid, a_mesh_without_faces_is_refused,
+                            vertices_without_faces_are_refused, fans_that_only_meet_in_a_vertex_are_refused,
                             closed_fans_that_only_meet_in_a_vertex_are_refused, sqrt3_twice_once_is_once_twice,
                             vertices_have_the_types_that_creases_give_them, negative_levels_are_refused,
                             too_much_memory_is_refused);
