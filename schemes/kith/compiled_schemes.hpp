@@ -20,8 +20,8 @@
 #include <cstdint>
 
 /// All schemes, and their steps on native meshes of doubles compiled once: where this is included they are left to the
-/// one file of the program that says `#define KITH_COMPILE_SCHEMES` before. Programs with several files that refine
-/// compile in half the time; the results are the same bits. Nothing else in kith needs it.
+/// one file of the program that says `#define KITH_COMPILE_SCHEMES` before. Files that refine by many schemes then compile
+/// in half the time; the results are the same bits. Nothing else in kith needs it.
 
 namespace kith {
 
