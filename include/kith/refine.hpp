@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plan.hpp"
-#include "step.hpp"
+#include "refine_in_surface_order.hpp"
 #include "validate.hpp"
 
 #include <cstddef>
@@ -33,10 +33,11 @@ void require_levels(int levels)
                          " levels were asked for; ask for 0 or more");
 }
 
-/// Refuses what cannot be numbered or does not fit; schemes that cannot say their counts are checked step by step.
+/// Refuses what cannot be numbered or does not fit and returns how many bytes are left; schemes that cannot say their
+/// counts are checked step by step.
 template <class Point, class Index, class Scheme>
-void require_room(const counts& control, const Scheme& scheme, int levels, int generation, bool keep_levels,
-                  const refine_options& options)
+std::uint64_t require_room(const counts& control, const Scheme& scheme, int levels, int generation, bool keep_levels,
+                           const refine_options& options)
 {
     if constexpr (countable_scheme<Scheme>) {
         const auto levels_planned = plan(control, scheme, levels, generation, sizeof(Point), sizeof(Index));
@@ -45,7 +46,18 @@ void require_room(const counts& control, const Scheme& scheme, int levels, int g
             throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(levels) + " levels need " +
                              std::to_string(need) + " bytes at once, the limit is " +
                              std::to_string(options.memory_limit) + "; refine fewer times");
+        return options.memory_limit - need;
+    } else {
+        return options.memory_limit;
     }
+}
+
+/// The bytes that the numbers of another order take in the last step.
+template <class Index, countable_scheme Scheme>
+std::uint64_t bytes_of_numbers(const counts& control, const Scheme& scheme, int levels, int generation)
+{
+    const counts coarse = plan(control, scheme, levels - 1, generation).back().counts;
+    return (coarse.vertices + coarse.edges + coarse.faces) * sizeof(Index);
 }
 
 /// Refines with all connectivity and makes the scheme that of the last level.
@@ -61,14 +73,14 @@ basic_mesh<Point, Index> refine_on(basic_mesh<Point, Index> mesh, Scheme& scheme
     return mesh;
 }
 
-/// Refuses what `refine` cannot do with a valid mesh.
+/// Refuses what `refine` cannot do with a valid mesh and returns how many bytes are left.
 template <class Point, class Index, class Scheme>
-void require_refinable(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
-                       const refine_options& options)
+std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
+                                const refine_options& options)
 {
     require_levels<Scheme>(levels);
     require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(control), control.generation());
-    require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
+    return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
 /// A copy whose edges are known; a copy made with face-vertex lists only gets them by matching.
@@ -98,9 +110,14 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
 {
     validate(mesh).require_ok();
     auto control = detail::with_edges(mesh);
-    detail::require_refinable(control, scheme, levels, options);
+    const std::uint64_t bytes_left = detail::require_refinable(control, scheme, levels, options);
     if (levels == 0)
         return control;
+    if constexpr (orderable_scheme<Scheme, Index>)
+        if (options.last_level == connect::faces and is_worth_ordering(control.topology(), scheme, levels) and
+            detail::bytes_of_numbers<Index>(count(control.topology()), scheme, levels, control.generation()) <=
+                bytes_left)
+            return refine_in_surface_order(control, scheme, levels);
     Scheme last = scheme;
     const auto coarse = detail::refine_on(std::move(control), last, levels - 1);
     numbering_of<Scheme, Index> ids;

@@ -28,6 +28,8 @@ namespace kith {
 ///   static bool is_marked(edge)                       for tiles, where columns pick edges by marks
 ///   S after(level, numbering)                         the scheme of the next level, when it carries state of its level
 ///   static constexpr bool trusted = true              its associations need no check at every access
+///   bool ignores_numbers() const                      it keeps nothing by the numbers of elements, so that it may be
+///                                                     given levels whose elements are in another order
 template <class S>
 concept scheme = requires(const S& s) { columns_of(s, 0); };
 

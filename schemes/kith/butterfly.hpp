@@ -22,6 +22,7 @@ struct butterfly {
     static constexpr std::string_view name = "butterfly";
     static constexpr bool triangles_only = true;
     static constexpr bool trusted = true;
+    static constexpr bool ignores_numbers() { return true; }
     static constexpr int reach(int rings) { return (rings + 1) / 2 + 1; }
     static constexpr auto columns() { return triangle_split::columns(); }
     static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }

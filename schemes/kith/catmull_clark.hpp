@@ -26,6 +26,7 @@ struct catmull_clark {
 
     static constexpr std::string_view name = "catmull-clark";
     static constexpr bool trusted = true;
+    [[nodiscard]] bool ignores_numbers() const { return sharpness.empty(); }
     /// Chaikin's sharpness of an edge, and with it its point, depends on the edges around both of its ends.
     [[nodiscard]] int reach(int rings) const
     {

@@ -15,7 +15,7 @@
 #include "tri_quad.hpp"
 #include "unified.hpp"
 
-#include <kith/step.hpp>
+#include <kith/refine_in_surface_order.hpp>
 
 #include <cstdint>
 
@@ -53,6 +53,17 @@ KITH_STEPS(detail::centroid_split)
 KITH_STEPS(detail::diagonal_split)
 
 #undef KITH_STEPS
+
+#define KITH_ORDERED_LEVELS(Scheme) KITH_STEP basic_mesh<> refine_in_surface_order(const basic_mesh<>&, Scheme, int);
+
+KITH_ORDERED_LEVELS(butterfly)
+KITH_ORDERED_LEVELS(catmull_clark)
+KITH_ORDERED_LEVELS(interpolatory_sqrt3)
+KITH_ORDERED_LEVELS(kobbelt)
+KITH_ORDERED_LEVELS(loop)
+KITH_ORDERED_LEVELS(sqrt3)
+
+#undef KITH_ORDERED_LEVELS
 #undef KITH_STEP
 
 } // namespace kith

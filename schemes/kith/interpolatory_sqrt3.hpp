@@ -22,6 +22,7 @@ struct interpolatory_sqrt3 {
     static constexpr bool triangles_only = true;
     static constexpr bool closed_only = true;
     static constexpr bool trusted = true;
+    static constexpr bool ignores_numbers() { return true; }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
     static constexpr counts next(const counts& c, int generation) { return sqrt3_split::next(c, generation); }
 

@@ -23,6 +23,7 @@ struct kobbelt {
     static constexpr std::string_view name = "kobbelt";
     static constexpr bool quads_only = true;
     static constexpr bool trusted = true;
+    static constexpr bool ignores_numbers() { return true; }
     static constexpr int reach(int rings) { return (rings + 1) / 2 + 2; }
     static constexpr auto columns() { return quad_split::columns(); }
     static constexpr counts next(const counts& c, int) { return quad_split::next(c); }

@@ -32,6 +32,7 @@ struct loop {
     static constexpr std::string_view name = "loop";
     static constexpr bool triangles_only = true;
     static constexpr bool trusted = true;
+    [[nodiscard]] bool ignores_numbers() const { return sharpness.empty(); }
     /// Chaikin's sharpness of an edge, and with it its point, depends on the edges around both of its ends.
     [[nodiscard]] int reach(int rings) const
     {

@@ -22,6 +22,7 @@ struct sqrt3 {
     static constexpr std::string_view name = "sqrt3";
     static constexpr bool triangles_only = true;
     static constexpr bool trusted = true;
+    static constexpr bool ignores_numbers() { return true; }
     /// The centre of a triangle beside an owned one is on the rim of its children, and odd steps need the triangles around
     /// one to know that it does not lie at the boundary: one ring more than for the masks alone.
     static constexpr int reach(int rings) { return rings / 2 + 2; }

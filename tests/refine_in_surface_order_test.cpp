@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/refine_in_surface_order.hpp>
+
+#include <kith/refine.hpp>
+
+#include "every_scheme.hpp"
+#include "same_mesh.hpp"
+#include "thread_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace {
+
+using kith::connect;
+
+template <class Scheme>
+constexpr bool is_orderable = kith::orderable_scheme<Scheme, std::uint32_t>;
+
+/// Level by level in the given order.
+template <class Scheme>
+mesh3d refined_as_given(mesh3d mesh, Scheme scheme, int levels)
+{
+    kith::numbering_of<Scheme, std::uint32_t> ids;
+    for (int level = 1; level < levels; ++level) {
+        auto fine = kith::refine_mesh<connect::everything>(mesh, scheme, ids);
+        advance(scheme, kith::level_of<mesh3d>(mesh), ids);
+        mesh = std::move(fine);
+    }
+    return kith::refine_mesh<connect::faces>(mesh, scheme, ids);
+}
+
+/// Large enough to be scattered.
+mesh3d scattered_torus()
+{
+    return native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::torus(40, 40)), 7)));
+}
+mesh3d scattered_grid()
+{
+    return native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(40, 40)), 7)));
+}
+
+TEST(refine_in_surface_order, makes_the_same_bits)
+{
+    std::size_t compared = 0;
+    for_each_of_all_schemes_and_shape([&](const auto& scheme, const mesh3d& mesh) {
+        using scheme_type = std::remove_cvref_t<decltype(scheme)>;
+        if constexpr (is_orderable<scheme_type>) {
+            const bool closed = count(mesh.topology()).boundary_edges == 0;
+            if (not kith::detail::is_free_of_order<scheme_type>(closed))
+                return;
+            for (const int levels : {2, 3})
+                EXPECT_TRUE(
+                    same_bits(refine_in_surface_order(mesh, scheme, levels), refined_as_given(mesh, scheme, levels)))
+                    << levels;
+            ++compared;
+        }
+    });
+    EXPECT_GT(compared, 50U);
+}
+
+TEST(refine_in_surface_order, is_what_refine_does_with_a_scattered_mesh)
+{
+    const auto expect_same = [](const mesh3d& mesh, const auto& scheme) {
+        ASSERT_TRUE(is_worth_ordering(mesh.topology(), scheme, 2));
+        const auto given = refined_as_given(mesh, scheme, 2);
+        for (const int threads : {1, 2, 3, 7}) {
+            const thread_count count(threads);
+            EXPECT_TRUE(same_bits(refine(mesh, scheme, 2, {.last_level = connect::faces}), given)) << threads;
+        }
+    };
+    expect_same(scattered_torus(), kith::catmull_clark{});
+    expect_same(scattered_torus(), kith::sqrt3{});
+    expect_same(scattered_torus(), kith::butterfly{});
+    expect_same(scattered_grid(), kith::loop{});
+    expect_same(scattered_grid(), kith::catmull_clark{.corners = kith::boundary_corner::smoothed, .sharpness = {}});
+}
+
+TEST(refine_in_surface_order, is_left_out_where_it_would_be_wrong_or_of_no_use)
+{
+    const auto torus = scattered_torus(), grid = scattered_grid();
+    EXPECT_FALSE(is_worth_ordering(torus.topology(), kith::loop{}, 1));
+    EXPECT_FALSE(is_worth_ordering(native(shapes::torus(60, 60)).topology(), kith::catmull_clark{}, 2));
+    // The columns of sqrt(3) ask where the boundary is, and creases are kept by the numbers of edges.
+    EXPECT_FALSE(is_worth_ordering(grid.topology(), kith::sqrt3{}, 2));
+    kith::loop creased;
+    creased.sharpness.sharpen_edge(0, 2.);
+    EXPECT_FALSE(is_worth_ordering(torus.topology(), creased, 2));
+    EXPECT_TRUE(
+        same_bits(refine(torus, creased, 2, {.last_level = connect::faces}), refined_as_given(torus, creased, 2)));
+    // Faces of several degrees; marks of edges; a scheme that only says nothing.
+    static_assert(not is_orderable<kith::doo_sabin> and not is_orderable<kith::four_eight>);
+    static_assert(not is_orderable<kith::linear>);
+}
+
+TEST(refine_in_surface_order, is_left_out_where_memory_is_short)
+{
+    const auto mesh = scattered_torus();
+    const auto levels = plan(count(mesh.topology()), kith::loop{}, 2);
+    const std::uint64_t least = peak_bytes(levels, false, true);
+    const auto given = refined_as_given(mesh, kith::loop{}, 2);
+    for (const std::uint64_t limit : {least, 2 * least})
+        EXPECT_TRUE(same_bits(refine(mesh, kith::loop{}, 2, {connect::faces, limit}), given));
+}
+
+} // namespace
