@@ -6,10 +6,7 @@
 #include "step.hpp"
 
 #include <concepts>
-#include <cstddef>
-#include <limits>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 
 namespace kith {

@@ -23,8 +23,6 @@ struct element_numbers {
     storage<Index> corners; ///< where faces have several degrees; else they follow from the faces
     std::size_t degree = 0; ///< of all faces where they have one
 
-    [[nodiscard]] bool empty() const { return faces.empty(); }
-
     /// The index of a tuple in the other mesh.
     template <tuple_kind Kind>
     [[nodiscard]] std::size_t tuple(std::size_t index) const
@@ -52,15 +50,8 @@ private:
 template <class Point, std::unsigned_integral Index>
 struct ordered_mesh {
     basic_mesh<Point, Index> mesh;
-    element_numbers<Index> numbers; ///< empty: the order is the given one
+    element_numbers<Index> numbers;
 };
-
-namespace detail {
-
-/// A face further away in the order than this is likely to have left the cache.
-inline constexpr std::size_t far_face = 1024;
-
-} // namespace detail
 
 /// Whether faces that share an edge often lie far apart in the order of the faces, as in many files from scanners and
 /// remeshing: more than a quarter of the edges joins faces that are further than 1024 apart. Then most of what a step reads
@@ -68,12 +59,13 @@ inline constexpr std::size_t far_face = 1024;
 template <std::unsigned_integral Index>
 bool is_scattered(const connectivity<Index>& mesh)
 {
+    constexpr std::size_t faces_in_cache = 1024; // with what a step reads and writes of them
     std::size_t far = 0;
     for (std::size_t e = 0; e < mesh.edges(); ++e)
         if (const Index right = mesh.halfedge_corner[2 * e + 1]; right != mesh.none) {
             const std::size_t a = detail::face_of_corner(mesh, mesh.halfedge_corner[2 * e]);
             const std::size_t b = detail::face_of_corner(mesh, right);
-            far += std::max(a, b) - std::min(a, b) > detail::far_face;
+            far += std::max(a, b) - std::min(a, b) > faces_in_cache;
         }
     return far > mesh.edges() / 4;
 }
