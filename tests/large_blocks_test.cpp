@@ -46,6 +46,33 @@ TEST_F(large_blocks_test, all_start_at_a_huge_page_and_can_be_written)
     blocks.free(block, bytes);
 }
 
+TEST_F(large_blocks_test, blocks_below_a_huge_page_are_kept_too)
+{
+    constexpr std::size_t bytes = std::size_t(100) << 10;
+    void* const first = blocks.allocate(bytes);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first) % 64, 0U);
+    blocks.free(first, bytes);
+    EXPECT_GE(blocks.kept(), bytes);
+    EXPECT_LE(blocks.kept(), bytes + bytes / 8);
+    void* const second = blocks.allocate(bytes - 100);
+    EXPECT_EQ(second, first);
+    blocks.free(second, bytes - 100);
+}
+
+TEST_F(large_blocks_test, many_small_blocks_do_not_push_out_a_large_one)
+{
+    void* const large = blocks.allocate(64 * mebibyte);
+    std::vector<void*> small(300);
+    for (void*& block : small)
+        block = blocks.allocate(large_blocks::smallest);
+    for (void* const block : small)
+        blocks.free(block, large_blocks::smallest);
+    blocks.free(large, 64 * mebibyte);
+    void* const again = blocks.allocate(64 * mebibyte);
+    EXPECT_EQ(again, large);
+    blocks.free(again, 64 * mebibyte);
+}
+
 TEST_F(large_blocks_test, another_size_gets_a_block_of_its_own)
 {
     void* const first = blocks.allocate(64 * mebibyte);

@@ -33,18 +33,20 @@ void advise_large_pages([[maybe_unused]] T* array, [[maybe_unused]] std::size_t 
 #endif
 }
 
-/// The large blocks of memory of all `storage`: in 2 MiB pages, and kept when they are freed for the next block of about
-/// that size. The kernel clears every fresh page, which is a quarter of the time of a refinement (docs/design.md, Speed);
-/// whoever refines again, or tile after tile, is spared it. What is in use and what is kept come to an eighth more than was
-/// ever in use at most; all that is kept goes back when more than ever is needed, when there is no memory for a large
-/// block, and before a mesh of another library is made. Safe on several threads.
+/// The blocks of memory of all `storage` from 64 KiB on: kept when they are freed for the next block of about that size, and
+/// from 4 MiB on in 2 MiB pages. The kernel clears every fresh page, which is a quarter of the time of a large refinement and
+/// more than half of that of one to some ten thousand faces, whose arrays malloc hands back to the kernel when they are freed
+/// (docs/design.md, Speed); whoever refines again, or tile after tile, is spared it. What is in use and what is kept come to
+/// an eighth more than was ever in use at most; all that is kept goes back when more than ever is needed, when there is no
+/// memory for a block, and before a mesh of another library is made. Safe on several threads.
 class large_blocks {
 public:
     static constexpr std::size_t page = huge_page;
-    /// Smaller blocks are not for here.
-    static constexpr std::size_t smallest = 2 * page;
+    /// Smaller blocks are not for here: malloc keeps them.
+    static constexpr std::size_t smallest = std::size_t(64) << 10;
 
-    /// A block that starts at a huge page and is not cleared. Errors: std::bad_alloc. Cost: O(kept blocks).
+    /// A block that starts at a cache line, or from two huge pages on at a huge page, and is not cleared.
+    /// Errors: std::bad_alloc. Cost: O(kept blocks).
     [[nodiscard]] void* allocate(std::size_t bytes)
     {
         bytes = rounded(bytes);
@@ -58,16 +60,18 @@ public:
         // Where faces at least triple, a level and the two before it, which a second run allocates in between, come to less
         // than an eighth more; where they double it costs one block.
         keep_only(std::min(limit_, (now > most_in_use_ ? now : most_in_use_ / 8 * 9) - now));
-        void* block = std::aligned_alloc(page, bytes);
+        const std::size_t alignment = is_huge(bytes) ? page : cache_line;
+        void* block = std::aligned_alloc(alignment, bytes);
         if (block == nullptr) {
             keep_only(0);
-            block = std::aligned_alloc(page, bytes);
+            block = std::aligned_alloc(alignment, bytes);
         }
         if (block == nullptr)
             throw std::bad_alloc();
         in_use_ = now;
         most_in_use_ = std::max(most_in_use_, now);
-        advise_large_pages(static_cast<std::byte*>(block), bytes);
+        if (is_huge(bytes))
+            advise_large_pages(static_cast<std::byte*>(block), bytes);
         return block;
     }
 
@@ -77,6 +81,8 @@ public:
         bytes = rounded(bytes);
         const std::lock_guard lock(mutex_);
         in_use_ -= bytes;
+        if (kept_count_ == kept_.size() and smallest_kept()->bytes < bytes)
+            std::free(forget(std::size_t(smallest_kept() - kept_.begin())));
         if (kept_count_ == kept_.size() or bytes > limit_ - std::min(limit_, kept_bytes_)) {
             std::free(block);
             return;
@@ -111,10 +117,13 @@ private:
         std::size_t bytes;
     };
 
+    static constexpr std::size_t cache_line = 64;
+    static constexpr bool is_huge(std::size_t bytes) { return bytes >= 2 * page; }
+
     /// Blocks of nearly one size are of one size. What is added is never touched, so it is address space only.
     static std::size_t rounded(std::size_t bytes)
     {
-        const std::size_t unit = std::max(page, std::bit_floor(bytes) / 16);
+        const std::size_t unit = std::max(is_huge(bytes) ? page : smallest / 16, std::bit_floor(bytes) / 16);
         return (bytes + unit - 1) / unit * unit;
     }
     void* forget(std::size_t i)
@@ -127,16 +136,18 @@ private:
     /// Gives back the smallest blocks, which cost least to clear anew, until no more than these bytes are kept.
     void keep_only(std::size_t bytes)
     {
-        while (kept_bytes_ > bytes) {
-            const auto least = std::min_element(kept_.begin(),
-                                                kept_.begin() + std::ptrdiff_t(kept_count_),
-                                                [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
-            std::free(forget(std::size_t(least - kept_.begin())));
-        }
+        while (kept_bytes_ > bytes)
+            std::free(forget(std::size_t(smallest_kept() - kept_.begin())));
+    }
+    [[nodiscard]] auto smallest_kept() const -> std::array<kept_block, 256>::const_iterator
+    {
+        return std::min_element(kept_.begin(),
+                                kept_.begin() + std::ptrdiff_t(kept_count_),
+                                [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
     }
 
     mutable std::mutex mutex_;
-    std::array<kept_block, 64> kept_{};
+    std::array<kept_block, 256> kept_{};
     std::size_t kept_count_ = 0;
     std::size_t kept_bytes_ = 0;
     std::size_t in_use_ = 0, most_in_use_ = 0;
