@@ -41,14 +41,14 @@ void add(std::vector<contest>& list, const Scheme& scheme, double target, const 
         const auto last = complete ? kith::connect::everything : kith::connect::faces;
         if (not same(by_hand::refine(*course.control, 3, complete, step),
                      kith::refine(*course.control, scheme, 3, {last})))
-            throw std::logic_error(std::string(Scheme::name) + ": by hand something else comes out");
+            throw std::logic_error(std::string(kith::scheme_name<Scheme>()) + ": by hand something else comes out");
         const auto raw = [=]() -> work {
             return [=] {
                 return std::make_shared<by_hand::mesh>(by_hand::refine(*course.control, course.levels, complete, step));
             };
         };
         const std::string what = complete ? "" : ", faces only";
-        list.push_back({std::string(Scheme::name),
+        list.push_back({std::string(kith::scheme_name<Scheme>()),
                         course.name,
                         course.levels,
                         course.faces,

@@ -17,7 +17,12 @@ namespace {
 /// A built-in scheme with every association checked.
 template <class S>
 struct checked : S {
-    static constexpr bool trusted = false;
+    static constexpr auto traits()
+    {
+        auto result = kith::traits_of<S>;
+        result.trusted = false;
+        return result;
+    }
 };
 
 constexpr int levels = 3;

@@ -10,6 +10,12 @@
 
 #include <string>
 
+template <class Scheme>
+std::string name_of(const Scheme&)
+{
+    return std::string(kith::scheme_name<Scheme>());
+}
+
 /// Calls test(scheme, shape) for the schemes of the thesis, with their boundary conventions, and every shape they take.
 template <class Test>
 void for_each_scheme_and_shape(const Test& test)
@@ -17,7 +23,7 @@ void for_each_scheme_and_shape(const Test& test)
     const auto on = [&](const auto& shapes, const auto&... schemes) {
         for (const auto& [name, shape] : shapes) {
             const auto run = [&, &name = name, &shape = shape](const auto& scheme) {
-                SCOPED_TRACE(std::string(scheme.name) + " of " + name);
+                SCOPED_TRACE(name_of(scheme) + " of " + name);
                 test(scheme, native(shape));
             };
             (run(schemes), ...);
@@ -43,7 +49,7 @@ void for_each_other_scheme_and_shape(const Test& test)
 {
     for (const auto& [name, shape] : shapes::all_shapes()) {
         const auto run = [&, &name = name](const auto& scheme, const mesh3d& mesh) {
-            SCOPED_TRACE(std::string(scheme.name) + " of " + name);
+            SCOPED_TRACE(name_of(scheme) + " of " + name);
             test(scheme, mesh);
         };
         const auto mesh = native(shape);

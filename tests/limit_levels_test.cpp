@@ -59,11 +59,11 @@ void expect_upright(const Scheme& scheme)
         levels.refine(3);
         for (const auto& normal : limit_normals(levels.elements(3), levels.scheme(3)))
             if (normal) {
-                EXPECT_NEAR((*normal)[2], 1, 1e-15) << scheme.name << ", valence " << n;
+                EXPECT_NEAR((*normal)[2], 1, 1e-15) << kith::scheme_name<Scheme>() << ", valence " << n;
                 ++known;
             }
     }
-    EXPECT_GT(known, 100U) << scheme.name;
+    EXPECT_GT(known, 100U) << kith::scheme_name<Scheme>();
 }
 
 } // namespace

@@ -31,7 +31,12 @@ protected:
 
     /// Its last level is made in the native mesh and copied; that of a trusted scheme is written straight into an M.
     struct checked : scheme {
-        static constexpr bool trusted = false;
+        static constexpr auto traits()
+        {
+            auto result = scheme::traits();
+            result.trusted = false;
+            return result;
+        }
     };
 
     static M make(const shapes::shape& s) { return user_mesh<M>::make(s.points, s.faces); }

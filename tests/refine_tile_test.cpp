@@ -109,8 +109,9 @@ TEST(refine_tile, takes_parts_of_one_face)
 TEST(refine_tile, needs_no_more_rings_for_more_levels)
 {
     for_each_reaching_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {
-        const int levels = scheme.name == "sqrt3" or scheme.name == "mid-edge" or scheme.name == "4-8" ? 6 : 4;
-        if (mesh.face_count() <= 20 and scheme.name != "nasri-hasbini") {
+        const auto name = name_of(scheme);
+        const int levels = name == "sqrt3" or name == "mid-edge" or name == "4-8" ? 6 : 4;
+        if (mesh.face_count() <= 20 and name != "nasri-hasbini") {
             EXPECT_EQ(tiles_differ(mesh, scheme, levels, partitions::scattered(mesh.face_count(), 3, 4), 3), "");
         }
     });
@@ -134,9 +135,9 @@ TEST(refine_tile, reaches_no_farther_than_it_must)
     const auto polygons = {shaken(torus(11, 13)),
                            with_joins(with_flips(shaken(triangulated(grid(11, 12))), 4, 2000), 5, 3000)};
     const auto run = [](const auto& scheme, const mesh3d& mesh, bool is_here = true) {
-        SCOPED_TRACE(scheme.name);
+        SCOPED_TRACE(name_of(scheme));
         for (int rings = 0; rings <= 3; ++rings)
-            EXPECT_EQ(rings_that_suffice(mesh, scheme, rings, 5) == scheme.reach(rings), is_here) << rings;
+            EXPECT_EQ(rings_that_suffice(mesh, scheme, rings, 5) == reach_of(scheme, rings), is_here) << rings;
     };
     for (const auto& shape : triangles) {
         const auto mesh = native(shape);
@@ -228,7 +229,7 @@ TEST(refine_tile, takes_valences_from_3_to_17_polygons_and_creases)
     EXPECT_EQ(polygons.topology().degree, 0);
 
     const auto run = [](const auto& scheme, const mesh3d& mesh) {
-        SCOPED_TRACE(scheme.name);
+        SCOPED_TRACE(name_of(scheme));
         EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::grown(mesh, 5, 1), 5), "");
         EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::scattered(mesh.face_count(), 3, 1), 3), "");
     };

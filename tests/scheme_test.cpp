@@ -14,12 +14,14 @@ struct nameless {
     static constexpr auto columns() { return kith::columns(new_vertices(per_vertex), new_faces(triangles(per_face))); }
 };
 struct triangles_by_name : nameless {
-    static constexpr std::string_view name = "by-name";
-    static constexpr bool triangles_only = true;
-    static constexpr counts next(const counts& c, int) { return c; }
+    static constexpr auto traits()
+    {
+        return scheme_traits{
+            .name = "by-name", .faces = face_shape::triangles, .next = [](const counts& c, int) { return c; }};
+    }
 };
 struct closed : nameless {
-    static constexpr bool closed_only = true;
+    static constexpr auto traits() { return scheme_traits{.closed_only = true}; }
 };
 struct by_generation {
     static constexpr auto columns(int generation)

@@ -122,7 +122,7 @@ std::size_t marked_edges(const Mesh& mesh)
     if constexpr (kith::marks_edges<Scheme>) {
         const kith::level_of<Mesh> level(mesh);
         for (const auto e : level.edges())
-            result += Scheme::is_marked(e);
+            result += kith::traits_of<Scheme>.is_marked(e);
     }
     return result;
 }
@@ -170,7 +170,7 @@ int rings_that_suffice(const Mesh& mesh, const Scheme& scheme, int last, std::si
     const std::size_t parts = mesh.face_count();
     const auto part_of = partitions::blocks(parts, parts);
     kith::tile_cutter cutter(mesh, scheme, part_of, parts);
-    auto rim = cutter.cut_rim(scheme.reach(std::max(1, last)));
+    auto rim = cutter.cut_rim(reach_of(scheme, std::max(1, last)));
     const kith::whole_levels<Scheme> whole(cutter.counts(), std::move(rim.part), std::move(rim.scheme), 1, last);
     int result = 0;
     for (std::size_t p = 0; p < parts; p += stride) {
@@ -181,7 +181,7 @@ int rings_that_suffice(const Mesh& mesh, const Scheme& scheme, int last, std::si
             job.part.root_of = {};
             return kith::pack(job);
         };
-        int rings = scheme.reach(last);
+        int rings = reach_of(scheme, last);
         const auto right = refined(rings);
         while (rings > 0 and refined(rings - 1) == right)
             --rings;

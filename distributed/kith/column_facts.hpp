@@ -46,7 +46,7 @@ template <class Scheme>
 inline constexpr bool numbers_corners_at_vertices =
     detail::column_facts<decltype(columns_type<Scheme>::faces)>::any_of_faces_at_vertex;
 
-/// A scheme that tells marked edges from others, by `is_marked(edge)`, and whose tiles need `tile::marked_before`: 4-8. Its
+/// A scheme that tells marked edges from others, by `is_marked(edge)` of its traits(), and whose tiles need `tile::marked_before`: 4-8. Its
 /// first column of edges has to be that of the unmarked ones, which are the marked ones of the next level. So marks are
 /// counted on level 0 only, where tiles are cut; from then on the marked edges are those that come first.
 template <class Scheme>

@@ -110,10 +110,13 @@ private:
 
     void count_marks()
     {
+        static_assert(detail::is_said<decltype(traits_of<Scheme>.is_marked)>,
+                      "a scheme whose columns pick edges by marks needs .is_marked = [](const auto& edge) {...} in its "
+                      "traits(), to be refined in tiles");
         const level_of<basic_mesh<Point, Index>> level(mesh_);
         marked_before_.assign(mesh_.edge_count() + 1, 0);
         for (const auto e : level.edges())
-            marked_before_[e.index() + 1] = marked_before_[e.index()] + (Scheme::is_marked(e) ? 1 : 0);
+            marked_before_[e.index() + 1] = marked_before_[e.index()] + (traits_of<Scheme>.is_marked(e) ? 1 : 0);
     }
 
     job_type cut_around(std::span<const Index> seeds, int rings)
@@ -127,8 +130,7 @@ private:
         fill_faces(part, result);
         for (const Index f : seeds)
             is_ours_[f] = 0;
-        auto scheme = detail::scheme_of_part(
-            scheme_, std::span<const Index>(part.vertex_from), std::span<const Index>(part.edge_from));
+        auto scheme = detail::scheme_of_part(scheme_, part.numbers());
         result.mesh = std::move(part.mesh);
         return {std::move(result), std::move(scheme)};
     }

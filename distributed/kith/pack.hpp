@@ -101,37 +101,38 @@ namespace detail {
 template <class Point, class Index>
 constexpr std::uint64_t kind_of_message()
 {
-    constexpr std::uint64_t version = 2;
+    constexpr std::uint64_t version = 3;
     return 0x6b697468'00000000U | version << 16 | sizeof(Point) << 8 | sizeof(Index); // turned round elsewhere
 }
 
-template <class Scheme>
-void pack_scheme(packer& out, const Scheme& scheme)
+template <class State>
+constexpr bool can_be_packed()
 {
-    if constexpr (requires { scheme.sharpness.edges(); }) {
-        out.add(scheme.corners).add(scheme.sharpness.method);
-        for (const auto* list : {&scheme.sharpness.edges(), &scheme.sharpness.vertices()}) {
-            out.add(std::uint64_t(list->size()));
-            for (const auto& [element, sharpness] : *list)
-                out.add(std::uint64_t(element)).add(sharpness);
-        }
-    }
+    constexpr bool can = requires(const State& from, State& to, packer& out, unpacker& in) {
+        from.pack(out);
+        to.unpack(in);
+    };
+    static_assert(
+        can,
+        "the state that a scheme names in its traits() needs pack(out) const and unpack(in), which write it to a "
+        "kith::packer and read it from a kith::unpacker, to be sent to other ranks");
+    return can;
 }
 template <class Scheme>
-void unpack_scheme(unpacker& in, Scheme& scheme)
+void pack_state(packer& out, const Scheme& scheme)
 {
-    if constexpr (requires { scheme.sharpness.edges(); }) {
-        scheme.corners = in.get<decltype(scheme.corners)>();
-        scheme.sharpness = decltype(scheme.sharpness)(in.get<decltype(scheme.sharpness.method)>());
-        for (auto left = in.get<std::uint64_t>(); left > 0; --left) {
-            const auto edge = in.get<std::uint64_t>();
-            scheme.sharpness.sharpen_edge(edge, in.get<double>());
-        }
-        for (auto left = in.get<std::uint64_t>(); left > 0; --left) {
-            const auto vertex = in.get<std::uint64_t>();
-            scheme.sharpness.sharpen_vertex(vertex, in.get<double>());
-        }
-    }
+    for_each_state(scheme, [&]<class State>(const State& state) {
+        if constexpr (can_be_packed<State>())
+            state.pack(out);
+    });
+}
+template <class Scheme>
+void unpack_state(unpacker& in, Scheme& scheme)
+{
+    for_each_state(scheme, [&]<class State>(State& state) {
+        if constexpr (can_be_packed<State>())
+            state.unpack(in);
+    });
 }
 
 /// The sum of the words of a message, with where they are: it tells damage, not malice.
@@ -171,7 +172,7 @@ std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
     out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(part.mesh.generation());
     out.add_array(part.mesh.points());
     detail::for_each_array(t, part, [&](const auto& array) { out.add_array(array); });
-    detail::pack_scheme(out, job.scheme);
+    detail::pack_state(out, job.scheme);
     auto bytes = out.take();
     const std::uint64_t sum = detail::checksum_of_bytes(bytes);
     const auto* tail = reinterpret_cast<const std::byte*>(&sum);
@@ -179,7 +180,7 @@ std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
     return bytes;
 }
 
-/// The inverse; `scheme` is the scheme with the options of the job, which messages do not carry.
+/// The inverse; `scheme` is the scheme with the options of the job, which messages do not carry, and any state.
 /// Errors: pack_error for bytes that are damaged or not such a message, and for a tile whose elements are not in the order
 /// of their numbers in the whole mesh.
 template <class Point, class Index, class Scheme>
@@ -203,7 +204,7 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
     const int generation = in.get<int>();
     auto points = in.get_array<storage<Point>>();
     detail::for_each_array(t, part, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
-    detail::unpack_scheme(in, scheme);
+    detail::unpack_state(in, scheme);
     if (not in.is_at_end())
         throw pack_error("a message is longer than what it holds");
     if (const char* fault = detail::fault_of_tile(t, points.size(), part))

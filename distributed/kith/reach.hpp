@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <concepts>
 #include <string>
 #include <vector>
 
@@ -10,13 +9,18 @@
 
 namespace kith {
 
-/// A scheme that says how far its masks reach: `int reach(int k)`, static where no option of the scheme matters, is the
-/// number of rings of faces (that share a vertex) needed around the owned faces of a level, so that on the next level k
-/// rings around their children are right: points, faces and fans within. The proofs are in docs/distributed.md.
+/// A scheme that says in its traits() how far its masks reach: `reach`, a function of k, is the number of rings of faces
+/// (that share a vertex) needed around the owned faces of a level, so that on the next level k rings around their children
+/// are right: points, faces and fans within. The proofs are in docs/distributed.md.
 template <class S>
-concept reaching_scheme = scheme<S> and requires(const S& s, int rings) {
-    { s.reach(rings) } -> std::convertible_to<int>;
-};
+concept reaching_scheme = scheme<S> and detail::says_reach<S, traits_type<S>>;
+
+/// The rings of faces needed around the owned faces of a level for `rings` rings on the next.
+template <reaching_scheme S>
+constexpr int reach_of(const S& scheme, int rings)
+{
+    return detail::ask(traits_of<S>.reach, scheme, rings);
+}
 
 /// The rings of shadow faces that a tile needs on level 0, 1, ..., `levels`, if it is to have `last` rings at the end.
 /// One coarse ring becomes several refined ones, so that the numbers stay bounded whatever the number of levels.
@@ -33,7 +37,7 @@ std::vector<int> ring_schedule(const S& scheme, int levels, int last = 0)
     std::vector<int> rings(std::size_t(levels) + 1);
     rings.back() = last;
     for (std::size_t level = rings.size() - 1; level > 0; --level)
-        rings[level - 1] = scheme.reach(rings[level]);
+        rings[level - 1] = reach_of(scheme, rings[level]);
     return rings;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/basic_mesh.hpp>
+#include <kith/level_state.hpp>
 #include <kith/match.hpp>
 
 #include <algorithm>
@@ -20,6 +21,7 @@ struct submesh {
     std::vector<unsigned char> edge_is_turned;  ///< its side 0 is the other mesh's side 1
     std::vector<unsigned char> edge_is_new_rim; ///< it has lost a face
 
+    [[nodiscard]] part_numbers<Index> numbers() const { return {vertex_from, edge_from, face_from}; }
     /// Of the vertices that come from one, all but the first are copies.
     [[nodiscard]] bool is_copy(std::size_t vertex) const
     {

@@ -3,11 +3,14 @@
 
 #include "tile.hpp"
 
-#include <span>
+#include <kith/level_state.hpp>
+
+#include <concepts>
+#include <utility>
 
 namespace kith {
 
-/// A tile of level 0 and the scheme for it, whose creases are numbered as the tile is.
+/// A tile of level 0 and the scheme for it, whose state (creases) is numbered as the tile is.
 template <class Tile, class Scheme>
 struct tile_job {
     Tile part;
@@ -16,14 +19,22 @@ struct tile_job {
 
 namespace detail {
 
-/// The part of a scheme's state (creases) that belongs to a submesh.
+/// The scheme of a part of a level: the same, with the state of that part.
 template <class Scheme, class Index>
-Scheme scheme_of_part(const Scheme& scheme, std::span<const Index> vertex_from, std::span<const Index> edge_from)
+Scheme scheme_of_part(Scheme scheme, const part_numbers<Index>& part)
 {
-    if constexpr (requires { scheme.of_part(vertex_from, edge_from); })
-        return scheme.of_part(vertex_from, edge_from);
-    else
-        return scheme;
+    for_each_state(scheme, [&]<class State>(State& state) {
+        constexpr bool parts = requires {
+            { std::as_const(state).of_part(part) } -> std::convertible_to<State>;
+        };
+        static_assert(
+            parts,
+            "the state that a scheme names in its traits() needs of_part(const part_numbers<Index>&) const, which "
+            "returns that of a part of the level, to be refined in tiles");
+        if constexpr (parts)
+            state = std::as_const(state).of_part(part);
+    });
+    return scheme;
 }
 
 } // namespace detail

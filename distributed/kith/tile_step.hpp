@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -66,8 +65,7 @@ public:
             if (is_owned_[f] != 0)
                 owned.push_back(index(f));
         auto part = cutter.cut(cutter.faces_around(owned, rings));
-        scheme = scheme_of_part(
-            scheme_, std::span<const index>(part.vertex_from), std::span<const index>(part.edge_from));
+        scheme = scheme_of_part(scheme_, part.numbers());
 
         Tile result;
         result.vertex_ids = storage<global_id>(part.vertex_from.size());

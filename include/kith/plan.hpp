@@ -52,7 +52,7 @@ std::vector<planned_level> plan(const counts& control, const S& scheme, int leve
             throw mesh_error(name + ": level " + std::to_string(level) + " has more elements than 64 bits can count; " +
                              "refine at most " + std::to_string(level - 1) + " times");
         result.push_back(plan_level(
-            scheme.next(last, generation + level - 1), int(numbers::common_degree), point_bytes, index_bytes));
+            next_counts(scheme, last, generation + level - 1), int(numbers::common_degree), point_bytes, index_bytes));
         const counts& next = result.back().counts;
         if (index_bytes < 8 and
             std::max({next.vertices, 2 * next.edges}) >= (std::uint64_t(1) << (8 * index_bytes)) - 1)

@@ -44,9 +44,8 @@ template <class Scheme, class Index>
 concept orderable_scheme = is_trusted<Scheme> and countable_scheme<Scheme> and
                            numbering_of<Scheme, Index>::has_edges and
                            numbering_of<Scheme, Index>::common_degree != 0 and
-                           detail::is_free_of_order<Scheme>(true) and requires(const Scheme& s) {
-                               { s.ignores_numbers() } -> std::same_as<bool>;
-                           };
+                           detail::is_free_of_order<Scheme>(true) and
+                           detail::says_ignores_numbers<Scheme, traits_type<Scheme>>;
 
 /// Whether a refinement to face-vertex lists gains by the order of the surface: the first level alone is not worth the
 /// sorting, and where edges are asked for, too, writing here and there costs what reading does not. Cost: O(edges).
@@ -55,7 +54,7 @@ template <class Scheme, std::unsigned_integral Index>
 bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme, int levels)
 {
     const bool closed = control.corners() == 2 * control.edges();
-    return levels >= 2 and scheme.ignores_numbers() and detail::is_free_of_order<Scheme>(closed) and
+    return levels >= 2 and ignores_numbers(scheme) and detail::is_free_of_order<Scheme>(closed) and
            is_scattered(control);
 }
 

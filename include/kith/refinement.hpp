@@ -35,11 +35,6 @@ struct refinement {
 template <class Refinement>
 using scalar_type = typename Refinement::scalar;
 
-/// A scheme whose text has been tested with every association checked may say `static constexpr bool trusted = true`;
-/// then reading and setting cost nothing. All others are checked at every access.
-template <class Scheme>
-inline constexpr bool is_trusted = requires { requires Scheme::trusted; };
-
 namespace detail {
 
 /// Calls f(id, degree) for each new face, on threads; `degree()` says how many corners it will have.

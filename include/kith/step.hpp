@@ -2,6 +2,7 @@
 #pragma once
 
 #include "large_blocks.hpp"
+#include "level_state.hpp"
 #include "lift.hpp"
 #include "refinement.hpp"
 #include "scheme.hpp"
@@ -75,14 +76,6 @@ M refine_level_into(const Level& coarse, const Scheme& scheme, int generation,
         shared_blocks.give_back(); // the other library takes its memory elsewhere
         return mesh_traits<M>::build(std::move(fine));
     }
-}
-
-/// Makes a scheme that carries state of its level (creases) the scheme of the next level: `scheme.after(level, numbering)`.
-template <class Scheme, class Level, class Numbering>
-void advance(Scheme& scheme, const Level& coarse, const Numbering& ids)
-{
-    if constexpr (requires { scheme.after(coarse, ids); })
-        static_cast<decltype(scheme.after(coarse, ids))&>(scheme) = scheme.after(coarse, ids);
 }
 
 } // namespace kith

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace kith {
@@ -19,18 +18,21 @@ namespace kith {
 /// An end of an edge is irregular if it lies inside and has not six neighbours. Boundary: the four-point curve; wings
 /// beyond it are reflected. C1. Cost: O(corners + sum of irregular valences).
 struct butterfly {
-    static constexpr std::string_view name = "butterfly";
-    static constexpr bool triangles_only = true;
-    static constexpr bool trusted = true;
-    static constexpr bool ignores_numbers() { return true; }
-    static constexpr int reach(int rings) { return (rings + 1) / 2 + 1; }
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = "butterfly",
+                             .faces = face_shape::triangles,
+                             .trusted = true,
+                             .next = [](const counts& c, int) { return triangle_split::next(c); },
+                             .reach = [](int rings) { return (rings + 1) / 2 + 1; },
+                             .ignores_numbers = [] { return true; }};
+    }
     static constexpr auto columns() { return triangle_split::columns(); }
-    static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }
 
     static butterfly like(library other)
     {
         if (other != library::kith and other != library::openmesh)
-            refuse_preset(name, "kith and OpenMesh");
+            refuse_preset<butterfly>("kith and OpenMesh");
         return {};
     }
 

@@ -11,8 +11,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <span>
-#include <string_view>
 
 namespace kith {
 
@@ -22,40 +20,27 @@ namespace kith {
 /// C2, at extraordinary vertices C1. Cost: O(corners).
 struct catmull_clark {
     boundary_corner corners = boundary_corner::kept;
-    creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level by `after`
+    creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level
 
-    static constexpr std::string_view name = "catmull-clark";
-    static constexpr bool trusted = true;
-    [[nodiscard]] bool ignores_numbers() const { return sharpness.empty(); }
-    /// Chaikin's sharpness of an edge, and with it its point, depends on the edges around both of its ends.
-    [[nodiscard]] int reach(int rings) const
+    static constexpr auto traits()
     {
-        return (sharpness.method == crease_method::chaikin ? rings + 1 : rings) / 2 + 1;
+        return scheme_traits{.name = "catmull-clark",
+                             .trusted = true,
+                             .next = [](const counts& c, int) { return quad_split::next(c); },
+                             .reach = [](const catmull_clark& s, int rings) { return s.sharpness.reach(rings); },
+                             .state = &catmull_clark::sharpness,
+                             .ignores_numbers = [](const catmull_clark& s) { return s.sharpness.empty(); }};
     }
     static constexpr auto columns() { return quad_split::columns(); }
-    static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
 
     /// CGAL and OpenMesh smooth boundary corners. OpenMesh's boundary curve itself, 1/6 4/6 1/6, is not the B-spline and
     /// is not followed: on meshes with a boundary the result differs from OpenMesh's.
     static catmull_clark like(library other)
     {
         if (other == library::libigl)
-            refuse_preset(name, "kith, CGAL, OpenMesh and OpenSubdiv");
+            refuse_preset<catmull_clark>("kith, CGAL, OpenMesh and OpenSubdiv");
         const bool smooth = other == library::cgal or other == library::openmesh;
         return {.corners = smooth ? boundary_corner::smoothed : boundary_corner::kept};
-    }
-
-    /// The scheme for the next level: the same, with the creases of that level.
-    template <class Level, class Numbering>
-    [[nodiscard]] catmull_clark after(const Level& coarse, const Numbering& ids) const
-    {
-        return {.corners = corners, .sharpness = sharpness.after(coarse, ids)};
-    }
-    /// The scheme for a part of the mesh: the same, with the creases of that part.
-    template <class Index>
-    [[nodiscard]] catmull_clark of_part(std::span<const Index> vertices, std::span<const Index> edges) const
-    {
-        return {.corners = corners, .sharpness = sharpness.of_part(vertices, edges)};
     }
 
     /// Halstead, Kass & DeRose 1993; `use(mask)` is called unless no closed mask is known for v.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/level_state.hpp>
 #include <kith/lift.hpp>
 #include <kith/refinement.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
@@ -38,6 +40,10 @@ public:
     /// Pairs of number and sharpness, by number.
     [[nodiscard]] const auto& edges() const { return edges_; }
     [[nodiscard]] const auto& vertices() const { return vertices_; }
+
+    /// The reach of a scheme with creases whose smooth masks reach one ring: Chaikin's sharpness of an edge, and with it its
+    /// point, depends on the edges around both of its ends.
+    [[nodiscard]] int reach(int rings) const { return (method == crease_method::chaikin ? rings + 1 : rings) / 2 + 1; }
 
     /// Boundary edges are sharp by nature.
     template <class Edge>
@@ -79,23 +85,60 @@ public:
         return result;
     }
 
-    /// The creases of a part of the mesh: its vertices and edges by their numbers here, increasing.
+    /// The creases of a part of the level.
     template <class Index>
-    [[nodiscard]] creases of_part(std::span<const Index> vertices, std::span<const Index> edges) const
+    [[nodiscard]] creases of_part(const part_numbers<Index>& part) const
     {
         creases result(method);
-        const auto take = [](const list& all, std::span<const Index> part, list& taken) {
+        const auto take = [](const list& all, std::span<const Index> numbers, list& taken) {
             auto sharp = all.begin();
-            for (std::size_t i = 0; i < part.size() and sharp != all.end(); ++i) {
-                while (sharp != all.end() and sharp->first < part[i])
+            for (std::size_t i = 0; i < numbers.size() and sharp != all.end(); ++i) {
+                while (sharp != all.end() and sharp->first < numbers[i])
                     ++sharp;
-                if (sharp != all.end() and sharp->first == part[i])
+                if (sharp != all.end() and sharp->first == numbers[i])
                     taken.emplace_back(i, sharp->second);
             }
         };
-        take(vertices_, vertices, result.vertices_);
-        take(edges_, edges, result.edges_);
+        take(vertices_, part.vertices, result.vertices_);
+        take(edges_, part.edges, result.edges_);
         return result;
+    }
+    /// Takes over the creases of a part. Cost: O(sharp elements log of them).
+    template <class Index>
+    void add_part(const creases& sharp, const part_numbers<Index>& part)
+    {
+        const auto add = [](const list& more, std::span<const Index> numbers, list& all) {
+            for (const auto& [element, sharpness] : more)
+                all.emplace_back(numbers[element], sharpness);
+            std::ranges::sort(all);
+            const auto twice = std::ranges::unique(all, {}, &list::value_type::first);
+            all.erase(twice.begin(), twice.end());
+        };
+        add(sharp.vertices_, part.vertices, vertices_);
+        add(sharp.edges_, part.edges, edges_);
+    }
+    /// As a message, and from one.
+    template <class Out>
+    void pack(Out& out) const
+    {
+        out.add(method);
+        for (const list* sharp : {&edges_, &vertices_}) {
+            out.add(std::uint64_t(sharp->size()));
+            for (const auto& [element, sharpness] : *sharp)
+                out.add(std::uint64_t(element)).add(sharpness);
+        }
+    }
+    template <class In>
+    void unpack(In& in)
+    {
+        method = in.template get<crease_method>();
+        for (list* sharp : {&edges_, &vertices_}) {
+            sharp->clear();
+            for (auto left = in.template get<std::uint64_t>(); left > 0; --left) {
+                const auto element = in.template get<std::uint64_t>();
+                sharp->emplace_back(element, in.template get<double>());
+            }
+        }
     }
 
 private:

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace kith {
@@ -32,31 +31,29 @@ struct doo_sabin {
     doo_sabin_boundary boundary = doo_sabin_boundary::thesis;
     doo_sabin_weights weights = doo_sabin_weights::cosine;
 
-    static constexpr std::string_view name = "doo-sabin";
-    static constexpr bool trusted = true;
-    /// A point needs its face only; its boundary rule asks what lies across two of the face's edges, or all of them.
-    [[nodiscard]] constexpr int reach(int rings) const
+    /// Reach: a point needs its face only; its boundary rule asks what lies across two of the face's edges, or all of them.
+    static constexpr auto traits()
     {
-        switch (boundary) {
-        case doo_sabin_boundary::drop: return rings / 2 + 1;
-        case doo_sabin_boundary::clamped: return rings / 2 + 2;
-        default: return (rings + 1) / 2 + 1;
-        }
+        return scheme_traits{.name = "doo-sabin",
+                             .trusted = true,
+                             .next = [](const doo_sabin& s, const counts& c, int) { return s.split().next(c); },
+                             .require = [](const auto& level, int) { require_three_faces<doo_sabin>(level); },
+                             .reach =
+                                 [](const doo_sabin& s, int rings) {
+                                     switch (s.boundary) {
+                                     case doo_sabin_boundary::drop: return rings / 2 + 1;
+                                     case doo_sabin_boundary::clamped: return rings / 2 + 2;
+                                     default: return (rings + 1) / 2 + 1;
+                                     }
+                                 }};
     }
     [[nodiscard]] constexpr dual_split split() const { return {.cap_boundary = boundary != doo_sabin_boundary::drop}; }
     [[nodiscard]] constexpr auto columns() const { return split().columns(); }
-    [[nodiscard]] constexpr counts next(const counts& c, int) const { return split().next(c); }
-
-    template <class Level>
-    static void require(const Level& level, int)
-    {
-        require_three_faces(level, name);
-    }
 
     static doo_sabin like(library other)
     {
         if (other != library::kith and other != library::cgal)
-            refuse_preset(name, "kith and CGAL");
+            refuse_preset<doo_sabin>("kith and CGAL");
         return {.boundary = other == library::cgal ? doo_sabin_boundary::drop : doo_sabin_boundary::thesis};
     }
 

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 namespace kith {
 
@@ -18,29 +17,24 @@ namespace kith {
 /// of the box spline of degree six (docs/schemes.md). C4, at extraordinary vertices C1. Takes a tri-quad mesh, which
 /// `tri_quad` makes of any mesh. Cost: O(corners).
 struct four_eight {
-    static constexpr std::string_view name = "4-8";
-    static constexpr bool triangles_only = true;
-    static constexpr bool trusted = true;
-    /// Along unmarked edges a step makes no ring thinner: docs/distributed.md.
-    static constexpr int reach(int rings) { return rings + 1; }
+    /// Reach: along unmarked edges a step makes no ring thinner, docs/distributed.md.
+    static constexpr auto traits()
+    {
+        return scheme_traits{
+            .name = "4-8",
+            .faces = face_shape::triangles,
+            .trusted = true,
+            .next = [](const counts& c, int generation) { return bisection_split::next(c, generation); },
+            .require = [](const auto& level, int) { bisection_split::require_marks(level); },
+            .reach = [](int rings) { return rings + 1; },
+            .is_marked = [](const auto& e) { return bisection_split::is_marked(e); }};
+    }
     static constexpr auto columns() { return bisection_split::columns(); }
-    static constexpr counts next(const counts& c, int generation) { return bisection_split::next(c, generation); }
-
-    template <class Edge>
-    static bool is_marked(const Edge& e)
-    {
-        return bisection_split::is_marked(e);
-    }
-    template <class Level>
-    static void require(const Level& level, int)
-    {
-        bisection_split::require_marks(level);
-    }
 
     static four_eight like(library other)
     {
         if (other != library::kith)
-            refuse_preset(name, "kith alone");
+            refuse_preset<four_eight>("kith alone");
         return {};
     }
 

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace kith {
@@ -18,24 +17,22 @@ namespace kith {
 /// Interpolatory sqrt(3): closed meshes of triangles, three times as many per step, and no point moves. Labsik & Greiner
 /// 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners + sum of irregular valences).
 struct interpolatory_sqrt3 {
-    static constexpr std::string_view name = "interpolatory-sqrt3";
-    static constexpr bool triangles_only = true;
-    static constexpr bool closed_only = true;
-    static constexpr bool trusted = true;
-    static constexpr bool ignores_numbers() { return true; }
-    static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
-    static constexpr counts next(const counts& c, int generation) { return sqrt3_split::next(c, generation); }
-
-    template <class Level>
-    static void require(const Level& level, int)
+    static constexpr auto traits()
     {
-        require_three_faces(level, name);
+        return scheme_traits{.name = "interpolatory-sqrt3",
+                             .faces = face_shape::triangles,
+                             .closed_only = true,
+                             .trusted = true,
+                             .next = [](const counts& c, int generation) { return sqrt3_split::next(c, generation); },
+                             .require = [](const auto& level, int) { require_three_faces<interpolatory_sqrt3>(level); },
+                             .ignores_numbers = [] { return true; }};
     }
+    static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
 
     static interpolatory_sqrt3 like(library other)
     {
         if (other != library::kith and other != library::openmesh)
-            refuse_preset(name, "kith and OpenMesh");
+            refuse_preset<interpolatory_sqrt3>("kith and OpenMesh");
         return {};
     }
 

@@ -7,7 +7,6 @@
 #include <kith/weight_rows.hpp>
 
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 namespace kith {
@@ -20,18 +19,21 @@ struct kobbelt {
     double tension = 1; ///< w, 0 < w < 2 (sqrt 5 - 1)
     double gamma = tension / (8 + tension);
 
-    static constexpr std::string_view name = "kobbelt";
-    static constexpr bool quads_only = true;
-    static constexpr bool trusted = true;
-    static constexpr bool ignores_numbers() { return true; }
-    static constexpr int reach(int rings) { return (rings + 1) / 2 + 2; }
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = "kobbelt",
+                             .faces = face_shape::quads,
+                             .trusted = true,
+                             .next = [](const counts& c, int) { return quad_split::next(c); },
+                             .reach = [](int rings) { return (rings + 1) / 2 + 2; },
+                             .ignores_numbers = [] { return true; }};
+    }
     static constexpr auto columns() { return quad_split::columns(); }
-    static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
 
     static kobbelt like(library other)
     {
         if (other != library::kith)
-            refuse_preset(name, "kith alone");
+            refuse_preset<kobbelt>("kith alone");
         return {};
     }
 

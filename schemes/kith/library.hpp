@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/error.hpp>
+#include <kith/scheme_traits.hpp>
 
 #include <string>
 #include <string_view>
@@ -12,9 +13,11 @@ namespace kith {
 enum class library : unsigned char { kith, cgal, openmesh, opensubdiv, libigl };
 
 /// Thrown by `like` when that library does not have the scheme.
-[[noreturn]] inline void refuse_preset(std::string_view scheme, std::string_view who_has_it)
+template <class Scheme>
+[[noreturn]] void refuse_preset(std::string_view who_has_it)
 {
-    throw mesh_error(std::string(scheme) + ": that library does not have it; it is in " + std::string(who_has_it));
+    throw mesh_error(std::string(scheme_name<Scheme>()) + ": that library does not have it; it is in " +
+                     std::string(who_has_it));
 }
 
 } // namespace kith

@@ -5,18 +5,19 @@
 #include "quad_split.hpp"
 #include "triangle_split.hpp"
 
-#include <string_view>
-
 namespace kith {
 
 /// The linear split of polygons: midpoints and centroids, nothing moves. After one step all faces are quads. C0.
 /// Cost: O(corners).
 struct linear {
-    static constexpr std::string_view name = "linear";
-    static constexpr bool trusted = true;
-    static constexpr int reach(int rings) { return rings / 2 + 1; }
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = "linear",
+                             .trusted = true,
+                             .next = [](const counts& c, int) { return quad_split::next(c); },
+                             .reach = [](int rings) { return rings / 2 + 1; }};
+    }
     static constexpr auto columns() { return quad_split::columns(); }
-    static constexpr counts next(const counts& c, int) { return quad_split::next(c); }
     static linear like(library) { return {}; }
 
     /// Nothing moves.
@@ -40,12 +41,15 @@ struct linear {
 
 /// The linear split of triangles into four. C0. Cost: O(corners).
 struct linear_triangles {
-    static constexpr std::string_view name = "linear-triangles";
-    static constexpr bool triangles_only = true;
-    static constexpr bool trusted = true;
-    static constexpr int reach(int rings) { return rings / 2 + 1; }
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = "linear-triangles",
+                             .faces = face_shape::triangles,
+                             .trusted = true,
+                             .next = [](const counts& c, int) { return triangle_split::next(c); },
+                             .reach = [](int rings) { return rings / 2 + 1; }};
+    }
     static constexpr auto columns() { return triangle_split::columns(); }
-    static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }
     static linear_triangles like(library) { return {}; }
 
     /// Nothing moves.

@@ -12,8 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <string_view>
 
 namespace kith {
 
@@ -27,19 +25,19 @@ enum class loop_weights : unsigned char {
 struct loop {
     loop_weights weights = loop_weights::loop;
     boundary_corner corners = boundary_corner::kept;
-    creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level by `after`
+    creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level
 
-    static constexpr std::string_view name = "loop";
-    static constexpr bool triangles_only = true;
-    static constexpr bool trusted = true;
-    [[nodiscard]] bool ignores_numbers() const { return sharpness.empty(); }
-    /// Chaikin's sharpness of an edge, and with it its point, depends on the edges around both of its ends.
-    [[nodiscard]] int reach(int rings) const
+    static constexpr auto traits()
     {
-        return (sharpness.method == crease_method::chaikin ? rings + 1 : rings) / 2 + 1;
+        return scheme_traits{.name = "loop",
+                             .faces = face_shape::triangles,
+                             .trusted = true,
+                             .next = [](const counts& c, int) { return triangle_split::next(c); },
+                             .reach = [](const loop& s, int rings) { return s.sharpness.reach(rings); },
+                             .state = &loop::sharpness,
+                             .ignores_numbers = [](const loop& s) { return s.sharpness.empty(); }};
     }
     static constexpr auto columns() { return triangle_split::columns(); }
-    static constexpr counts next(const counts& c, int) { return triangle_split::next(c); }
 
     /// CGAL, OpenMesh and libigl smooth boundary corners; libigl takes Warren's weights.
     static loop like(library other)
@@ -47,19 +45,6 @@ struct loop {
         const bool keep = other == library::kith or other == library::opensubdiv;
         return {.weights = other == library::libigl ? loop_weights::warren : loop_weights::loop,
                 .corners = keep ? boundary_corner::kept : boundary_corner::smoothed};
-    }
-
-    /// The scheme for the next level: the same, with the creases of that level.
-    template <class Level, class Numbering>
-    [[nodiscard]] loop after(const Level& coarse, const Numbering& ids) const
-    {
-        return {.weights = weights, .corners = corners, .sharpness = sharpness.after(coarse, ids)};
-    }
-    /// The scheme for a part of the mesh: the same, with the creases of that part.
-    template <class Index>
-    [[nodiscard]] loop of_part(std::span<const Index> vertices, std::span<const Index> edges) const
-    {
-        return {.weights = weights, .corners = corners, .sharpness = sharpness.of_part(vertices, edges)};
     }
 
     /// The weight of each neighbour of a vertex of valence n.

@@ -5,30 +5,26 @@
 #include "mid_edge_split.hpp"
 #include "require_faces.hpp"
 
-#include <string_view>
-
 namespace kith {
 
 /// The mid-edge scheme, the simplest there is: the midpoints of all edges. Peters & Reif 1997. C1 (quadratic box spline in
 /// the regular part; triangles that stay are the weak spot). Meant for closed meshes: a boundary loop keeps its number of
 /// edges and contracts. Cost: O(corners).
 struct mid_edge {
-    static constexpr std::string_view name = "mid-edge";
-    static constexpr bool trusted = true;
-    static constexpr int reach(int rings) { return rings + 1; }
-    static constexpr auto columns() { return mid_edge_split::columns(); }
-    static constexpr counts next(const counts& c, int) { return mid_edge_split::next(c); }
-
-    template <class Level>
-    static void require(const Level& level, int)
+    static constexpr auto traits()
     {
-        require_three_faces(level, name);
+        return scheme_traits{.name = "mid-edge",
+                             .trusted = true,
+                             .next = [](const counts& c, int) { return mid_edge_split::next(c); },
+                             .require = [](const auto& level, int) { require_three_faces<mid_edge>(level); },
+                             .reach = [](int rings) { return rings + 1; }};
     }
+    static constexpr auto columns() { return mid_edge_split::columns(); }
 
     static mid_edge like(library other)
     {
         if (other != library::kith and other != library::openmesh)
-            refuse_preset(name, "kith and, for closed meshes, OpenMesh");
+            refuse_preset<mid_edge>("kith and, for closed meshes, OpenMesh");
         return {};
     }
 

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,16 +21,19 @@ namespace kith {
 /// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(sum of squared valences and face
 /// degrees).
 struct nasri_hasbini {
-    static constexpr std::string_view name = "nasri-hasbini";
-    static constexpr bool trusted = true;
-    static constexpr int reach(int rings) { return (rings + 1) / 3 + 1; }
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = "nasri-hasbini",
+                             .trusted = true,
+                             .next = [](const counts& c, int) { return ternary_split::next(c); },
+                             .reach = [](int rings) { return (rings + 1) / 3 + 1; }};
+    }
     static constexpr auto columns() { return ternary_split::columns(); }
-    static constexpr counts next(const counts& c, int) { return ternary_split::next(c); }
 
     static nasri_hasbini like(library other)
     {
         if (other != library::kith)
-            refuse_preset(name, "kith alone");
+            refuse_preset<nasri_hasbini>("kith alone");
         return {};
     }
 

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 namespace kith {
 
@@ -19,21 +18,34 @@ namespace kith {
 /// The boundary is refined in every second step, by the generation of the mesh: refining once and once more is the same
 /// as refining twice. Two steps make the ternary cubic B-spline of it. Cost: O(corners).
 struct sqrt3 {
-    static constexpr std::string_view name = "sqrt3";
-    static constexpr bool triangles_only = true;
-    static constexpr bool trusted = true;
-    static constexpr bool ignores_numbers() { return true; }
-    /// The centre of a triangle beside an owned one is on the rim of its children, and odd steps need the triangles around
-    /// one to know that it does not lie at the boundary: one ring more than for the masks alone.
-    static constexpr int reach(int rings) { return rings / 2 + 2; }
+    /// Reach: the centre of a triangle beside an owned one is on the rim of its children, and odd steps need the triangles
+    /// around one to know that it does not lie at the boundary: one ring more than for the masks alone.
+    static constexpr auto traits()
+    {
+        return scheme_traits{
+            .name = "sqrt3",
+            .faces = face_shape::triangles,
+            .trusted = true,
+            .next = [](const counts& c, int generation) { return sqrt3_split::next(c, generation); },
+            .require =
+                [](const auto& control, int generation) {
+                    for (const auto f : control.faces())
+                        if (const auto edges = sqrt3_split::boundary_edges(f);
+                            sqrt3_split::is_odd(generation) and edges > 1)
+                            throw mesh_error("sqrt3: face " + std::to_string(f.index()) + " has " +
+                                             std::to_string(edges) +
+                                             " boundary edges in a step that trisects them; start with generation 0");
+                },
+            .reach = [](int rings) { return rings / 2 + 2; },
+            .ignores_numbers = [] { return true; }};
+    }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
-    static constexpr counts next(const counts& c, int generation) { return sqrt3_split::next(c, generation); }
 
     /// CGAL counts its even and odd steps anew in every call; refine there, as here, in one call.
     static sqrt3 like(library other)
     {
         if (other == library::opensubdiv or other == library::libigl)
-            refuse_preset(name, "kith, CGAL and OpenMesh");
+            refuse_preset<sqrt3>("kith, CGAL and OpenMesh");
         return {};
     }
 
@@ -60,15 +72,6 @@ struct sqrt3 {
         if (not v.is_boundary() and not touches_boundary_face(v))
             use(sum(v.neighbors(), [n](std::size_t j) { return cos_turn(std::int64_t(j), n); }),
                 sum(v.neighbors(), [n](std::size_t j) { return sin_turn(std::int64_t(j), n); }));
-    }
-
-    template <class Level>
-    static void require(const Level& control, int generation)
-    {
-        for (const auto f : control.faces())
-            if (const auto edges = sqrt3_split::boundary_edges(f); sqrt3_split::is_odd(generation) and edges > 1)
-                throw mesh_error("sqrt3: face " + std::to_string(f.index()) + " has " + std::to_string(edges) +
-                                 " boundary edges in a step that trisects them; start with generation 0");
     }
 
     template <class R>

@@ -15,7 +15,7 @@ namespace detail {
 
 /// Each quad in two triangles that mark the diagonal.
 struct diagonal_split {
-    static constexpr bool quads_only = true;
+    static constexpr auto traits() { return scheme_traits{.faces = face_shape::quads}; }
     static constexpr auto columns()
     {
         const auto apex = [](const auto& c) { // the second and the fourth corner

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace kith {
 
@@ -20,9 +19,15 @@ namespace kith {
 struct unified {
     int degree = 3;
 
-    static constexpr std::string_view name = "unified";
-    static constexpr bool closed_only = true;
-    static constexpr bool trusted = true;
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = "unified",
+                             .closed_only = true,
+                             .trusted = true,
+                             .next = [](const unified& s, const counts& c, int) {
+                                 return s.is_primal() ? quad_split::next(c) : dual_split().next(c);
+                             }};
+    }
     static constexpr int max_degree = 9; ///< up to which the authors have proved smoothness
 
     [[nodiscard]] constexpr bool is_primal() const { return degree % 2 != 0; }
@@ -42,15 +47,10 @@ struct unified {
                       quads(per_edge.when(not primal)),
                       per_vertex.when(not primal).of_degree(faces_around)));
     }
-    [[nodiscard]] constexpr counts next(const counts& c, int) const
-    {
-        return is_primal() ? quad_split::next(c) : dual_split().next(c);
-    }
-
     static unified like(library other)
     {
         if (other != library::kith)
-            refuse_preset(name, "kith");
+            refuse_preset<unified>("kith");
         return {};
     }
 
@@ -63,7 +63,7 @@ struct unified {
             throw mesh_error("unified: degree " + std::to_string(degree) + " was asked for; ask for 1 to " +
                              std::to_string(max_degree));
         if (not is_primal())
-            require_three_faces(coarse, name);
+            require_three_faces<unified>(coarse);
 
         // The split copies each vertex into its corners, so the first averaging gives centroids, midpoints and the
         // vertices themselves: the mesh of the quad split. The vertices of its dual are the corners, and so on.

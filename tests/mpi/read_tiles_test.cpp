@@ -97,8 +97,9 @@ void expect_same(const shapes::shape& shape, const Scheme& scheme)
         EXPECT_LE(read.bytes_read, file_bytes / std::uint64_t(world().size()) + 100); // a share of it, no more
         EXPECT_EQ(world().sum(std::array{read.bytes_read})[0], file_bytes);
     }
-    auto read = kith::mpi::read_tiles(world(), shared_file::path(), scheme.reach(1));
-    kith::mpi::exchanging_refinement refinement(world(), std::move(read.tiles), read.counts, scheme, scheme.reach(1));
+    auto read = kith::mpi::read_tiles(world(), shared_file::path(), reach_of(scheme, 1));
+    kith::mpi::exchanging_refinement refinement(
+        world(), std::move(read.tiles), read.counts, scheme, reach_of(scheme, 1));
     refinement.refine();
     refinement.refine();
     const auto whole = kith::refine(mesh, scheme, 2);

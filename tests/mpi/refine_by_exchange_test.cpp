@@ -15,8 +15,9 @@ namespace {
 /// A scheme of which nobody knows how far it reaches.
 template <class Scheme>
 struct unknown_reach {
-    static constexpr std::string_view name = "unknown";
     Scheme known;
+
+    static constexpr auto traits() { return kith::scheme_traits{.name = "unknown", .state = &unknown_reach::known}; }
 
     auto columns(int generation = 0) const { return columns_of(known, generation); }
     template <class R>
@@ -54,7 +55,7 @@ template <class Scheme>
 void expect_same(const mesh3d& control, const Scheme& scheme, int levels, const kith::partition& parts)
 {
     expect_same_levels(
-        kith::mpi::exchanging_refinement(world(), control, unknown_reach<Scheme>{scheme}, parts, scheme.reach(1)),
+        kith::mpi::exchanging_refinement(world(), control, unknown_reach<Scheme>{scheme}, parts, reach_of(scheme, 1)),
         control,
         scheme,
         levels);
@@ -127,13 +128,15 @@ TEST(exchanging_refinement, takes_tiles_of_any_generation)
             kith::tile_cutter cutter(control, scheme, partition.part_of, partition.parts);
             tiles3d tiles;
             for (auto t = std::size_t(world().rank()); t < parts; t += std::size_t(world().size()))
-                tiles.push_back({t, cutter.cut(t, scheme.reach(1)).part});
-            expect_same_levels(
-                kith::mpi::exchanging_refinement(
-                    world(), std::move(tiles), cutter.counts(), unknown_reach<kith::sqrt3>{scheme}, scheme.reach(1)),
-                control,
-                scheme,
-                2);
+                tiles.push_back({t, cutter.cut(t, reach_of(scheme, 1)).part});
+            expect_same_levels(kith::mpi::exchanging_refinement(world(),
+                                                                std::move(tiles),
+                                                                cutter.counts(),
+                                                                unknown_reach<kith::sqrt3>{scheme},
+                                                                reach_of(scheme, 1)),
+                               control,
+                               scheme,
+                               2);
         }
     }
 }
