@@ -145,10 +145,11 @@ template <class M, class Scheme>
     requires(not refinable_mesh<M>)
 void refine(const M&, const Scheme&, int, const refine_options& = {})
 {
-    static_assert(mesh<M>,
+    constexpr bool is_mesh = mesh<M>; // asserted itself, the concept would have the compiler tell all that it asks
+    static_assert(is_mesh,
                   "kith::refine: this type is no mesh to kith; include its adapter (<kith/cgal.hpp>, "
                   "<kith/openmesh.hpp>) or specialise kith::mesh_traits for it");
-    static_assert(not mesh<M>, "kith::refine: this mesh can be read, not made; give its kith::mesh_traits a build()");
+    static_assert(not is_mesh, "kith::refine: this mesh can be read, not made; give its kith::mesh_traits a build()");
 }
 
 } // namespace kith
