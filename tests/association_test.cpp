@@ -3,11 +3,17 @@
 
 #include "error_text.hpp"
 #include "own_scheme.hpp"
+#include "same_mesh.hpp"
+#include "thread_count.hpp"
 
+#include <kith/blocks.hpp>
+#include <kith/mesh_level.hpp>
 #include <kith/refine.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -171,6 +177,142 @@ TEST(association, vertices_of_the_dictionary_are_counted_on_a_last_level_of_face
     const auto fine = kith::refine(native(shapes::polygon(4)), scheme, 1, {.last_level = kith::connect::faces});
     EXPECT_EQ(fine.points().size(), 5U);
     EXPECT_EQ(fine.vertex_count(), 5U);
+}
+
+namespace {
+
+/// Every loop in which the order of the bodies is not promised.
+enum class loop { elements, numbers, blocks, refinement };
+
+/// Splits quads in four triangles about a middle, which is under no column.
+struct forgets_its_column {
+    loop where;
+
+    static constexpr auto columns()
+    {
+        return kith::columns(kith::new_vertices(kith::per_vertex), kith::new_faces(triangles(kith::per_corner)));
+    }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        const auto& [coarse, assoc, generation] = r;
+        const auto make = [&](auto f) { assoc(f, V) = average(f.vertices()); };
+        if (where == loop::elements)
+            for_each(coarse.faces(), make);
+        else if (where == loop::numbers)
+            for_each_by_number(coarse.faces(), make);
+        else if (where == loop::blocks)
+            in_blocks(r, [&](const auto& block) { for_each(block.coarse.faces(), make); });
+        else
+            for (auto f : coarse.faces())
+                make(f);
+        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
+        for_each(coarse.corners(),
+                 [&](auto c) { assoc(c, F) = polygon(assoc(c.v(), V), assoc(c.next().v(), V), assoc(c.f(), V)); });
+    }
+};
+
+/// The same, each step in the body of another mesh's loop.
+mesh3d refined_in_a_loop(const mesh3d& mesh, const mesh3d& other)
+{
+    mesh3d fine;
+    for_each(kith::level_of<mesh3d>(other).faces(),
+             [&](auto) { fine = kith::refine(mesh, forgets_its_column{loop::refinement}, 1); });
+    return fine;
+}
+
+constexpr auto of_a_face =
+    "assoc(f 0) -> V is in no column and is written inside for_each or in_blocks, whose order is "
+    "not promised; declare per_face among the new vertices, or write it in a plain loop: for "
+    "(auto f : coarse.faces())";
+
+/// What a text says that is run for every vertex of a cube by for_each.
+template <class Text>
+std::string fault_in_a_loop(const Text& text)
+{
+    return fault([&](const auto& coarse, const auto& assoc) {
+        for_each(coarse.vertices(), [&](auto v) { text(v, coarse, assoc); });
+    });
+}
+
+} // namespace
+
+TEST(association, the_dictionary_refuses_loops_without_order_on_any_number_of_threads)
+{
+    for (const int threads : {1, 2, 4})
+        for (const auto& shape : {shapes::cube(), shapes::torus(100, 100)}) // large enough for threads
+            for (const auto where : {loop::elements, loop::numbers, loop::blocks}) {
+                const thread_count so_many(threads);
+                EXPECT_EQ(error_text<kith::association_error>(
+                              [&] { kith::refine(native(shape), forgets_its_column{where}, 1); }),
+                          of_a_face);
+            }
+    const auto cube = native(shapes::cube());
+    const kith::level_elements<kith::mesh_level<mesh3d>> foreign(cube);
+    kith::numbering_of<forgets_its_column, std::uint32_t> ids;
+    EXPECT_EQ(error_text<kith::association_error>([&] {
+                  kith::refine_level<kith::connect::everything>(foreign, forgets_its_column{loop::blocks}, 0, ids);
+              }),
+              of_a_face);
+}
+
+TEST(association, the_dictionary_is_written_in_plain_loops_whatever_the_threads)
+{
+    const auto torus = native(shapes::torus(100, 100));
+    const auto refine = [&] { return kith::refine(torus, forgets_its_column{loop::refinement}, 1); };
+    const auto one = refine();
+    EXPECT_EQ(faces_of(one)[4 * 4321 + 1][2], 10000U + 4321U);
+    const thread_count four(4);
+    EXPECT_EQ(faces_of(refine()), faces_of(one));
+    EXPECT_TRUE(std::ranges::equal(refine().points(), one.points()));
+    EXPECT_TRUE(std::ranges::equal(refined_in_a_loop(torus, native(shapes::polygon(3))).points(), one.points()));
+}
+
+TEST(association, the_dictionary_names_what_can_be_done_about_each_tuple)
+{
+    const auto remedy = [](const std::string& text) { return text.substr(text.find(';') + 2); };
+    EXPECT_EQ(remedy(fault_in_a_loop(
+                  [](auto v, const auto&, const auto& assoc) { assoc(v, v.first_corner().next_edge(), V) = v; })),
+              "declare per_end among the new vertices, or write it in a plain loop: for (auto e : coarse.edges())");
+    EXPECT_EQ(remedy(fault_in_a_loop([](auto v, const auto&, const auto& assoc) { assoc(v.first_corner(), V) = v; })),
+              "declare per_corner among the new vertices, or write it in a plain loop: for (auto f : coarse.faces())");
+    EXPECT_EQ(remedy(fault_in_a_loop(
+                  [](auto v, const auto&, const auto& assoc) { assoc(v, v.first_corner().next().v(), V) = v; })),
+              "declare per_edge among the new vertices, or write it in a plain loop: for (auto e : coarse.edges())");
+    EXPECT_EQ(fault_in_a_loop([](auto v, const auto& coarse, const auto& assoc) {
+                  assoc(coarse.vertices()[0], coarse.vertices()[6], V).refers_to(assoc(v, V));
+              }),
+              "assoc(v 0, v 6) -> V is in no column and is written inside for_each or in_blocks, whose order is not "
+              "promised; write it in a plain loop: for (auto v : coarse.vertices())");
+}
+
+TEST(association, the_dictionary_of_a_pass_and_the_pass_itself_are_not_changed_in_loops)
+{
+    EXPECT_NE(fault_in_a_loop([](auto v, const auto&, const auto& assoc) {
+                  const auto pass = assoc.pass(new_vertices(kith::per_edge));
+                  pass(v, V) = v;
+              }).find(" -> V is in no column"),
+              std::string::npos);
+    EXPECT_EQ(
+        fault([](const auto& coarse, const auto& assoc) {
+            const auto pass = assoc.pass(new_vertices(kith::per_edge));
+            for_each(coarse.vertices(), [&](auto) { pass.again(); });
+        }),
+        "a pass is to be written again inside for_each or in_blocks, where others may be reading it; call again() "
+        "outside");
+}
+
+TEST(association, the_dictionary_may_be_read_in_any_loop)
+{
+    const auto made = after_the_vertices([](const auto& coarse, const auto& assoc) {
+        const auto pass = assoc.pass(new_vertices(kith::per_vertex));
+        for (auto e : coarse.edges())
+            assoc(e, V) = average(e.org(), e.dst());
+        for_each(coarse.vertices(), [&](auto v) { pass(v, V) = assoc(v.first_corner().next_edge(), V); });
+        assoc(coarse.faces()[0], V) = pass(coarse.vertices()[0], V);
+    });
+    EXPECT_EQ(made.size(), 13U);
+    EXPECT_EQ(made.back(), made[0]);
 }
 
 namespace {

@@ -96,8 +96,8 @@ TEST(edge_errors, a_vertex_under_a_tuple_without_a_column)
     };
     EXPECT_EQ(
         fault(shapes::cube(), new_edges(kith::per_edge), text),
-        "a scheme that declares edges cannot make vertices under tuples that it does not declare; declare a column for "
-        "them, or leave edges to be matched");
+        "assoc(f 0, f 1) -> V: a scheme that declares edges cannot make vertices under tuples that no column declares; "
+        "leave edges to be matched");
 }
 
 TEST(edge_errors, sides_of_one_edge_that_do_not_join_the_same_vertices)

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/for_each.hpp>
 
+#include "error_text.hpp"
 #include "every_level.hpp"
+#include "thread_count.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 TEST(for_each, visits_every_element_once)
@@ -29,6 +32,18 @@ TEST(for_each, an_error_in_a_body_reaches_the_caller)
                                         throw std::runtime_error("here");
                                 }),
                  std::runtime_error);
+}
+
+TEST(for_each, of_several_errors_the_first_in_the_range_is_told)
+{
+    const thread_count four(4);
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(error_text<std::runtime_error>([] {
+                      kith::detail::for_parts(10000, true, [](std::size_t begin, std::size_t) {
+                          throw std::runtime_error(std::to_string(begin));
+                      });
+                  }),
+                  "0");
 }
 
 TEST(for_each, parts_are_ranges_without_gaps)

@@ -122,7 +122,7 @@ private:
 
 /// A vertex of the new level that belongs to two elements of one kind, to elements which do not touch, or to a tuple for
 /// which the scheme declares no column. Two neighbours are their edge; everything else is kept in a dictionary: general,
-/// slower, and not for loops on several threads.
+/// slower, and not to be written in for_each: what is made there has no order, and so no numbers. Errors: association_error.
 template <class Space>
 class dictionary_association : public mask_base {
 public:

@@ -259,10 +259,13 @@ private:
     template <class Mask>
     [[gnu::noinline]] void make_listed_vertex(const tuple_elements& tuple, const Mask& mask) const
     {
-        const auto id = index_type(ids_.vertices.total() + values_->listed_count());
-        auto value = mask.evaluate(*values_);
-        dictionary_.add(tuple, id);
-        values_->append(std::move(value));
+        if constexpr (Numbering::has_edges) {
+            faults::undeclared(tuple);
+        } else {
+            auto value = mask.evaluate(*values_);
+            dictionary_.add(tuple, index_type(ids_.vertices.total() + values_->listed_count()));
+            values_->append(std::move(value));
+        }
     }
     template <tuple_kind Kind>
     static constexpr bool has_vertices = decltype(Numbering::vertices)::template has<Kind>;

@@ -65,7 +65,7 @@ void for_each(const block_elements<Level, Element>& range, const F& f)
 
 /// Calls body(part of r) for parts of the coarse level that fit the cache, so that what one loop of the body fetches is
 /// still there for the next. The loops of the body must not read what they make: only the coarse level and what was made
-/// before. Each thread of OpenMP takes consecutive parts.
+/// before. Each thread of OpenMP takes consecutive parts. Errors: as for_each.
 template <class Level, class Space, class Scalar, class Body>
 void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
 {
@@ -74,6 +74,7 @@ void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
         const std::size_t faces = r.coarse.face_count();
         const std::size_t count = (faces + faces_of_block - 1) / faces_of_block;
         const auto run = [&](std::size_t begin, std::size_t end) {
+            const detail::loop_body inside(true);
             for (std::size_t number = begin; number < end; ++number) {
                 const block_of_level<Level> block(r.coarse, number, count);
                 body(refinement<block_of_level<Level>, Space, Scalar>{block, r.assoc, r.generation});
@@ -81,6 +82,7 @@ void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
         };
         detail::for_parts(count, Level::parallel, run, detail::worth_threads / faces_of_block);
     } else {
+        const detail::loop_body inside(true);
         body(r);
     }
 }

@@ -76,6 +76,7 @@ template <class Level, class Element, class F>
 void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 {
     detail::for_parts(range.size(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+        const detail::loop_body inside(true);
         if constexpr (detail::inlines_masks<Level>)
             detail::for_numbers_inlined(range, begin, end, f);
         else
@@ -84,12 +85,14 @@ void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 }
 
 /// Calls f on every element of a range such as `coarse.faces()`. The order is not promised: bodies must write only what
-/// belongs to their own element, as associations do.
+/// belongs to their own element, as associations do. Vertices under tuples without a column do not: the number of each
+/// would be that of its turn. Errors: association_error for them.
 template <class Level, class Element, class F>
 void for_each(const all_elements<Level, Element>& range, const F& f)
 {
     if constexpr (detail::met_by_faces<Level, Element>)
         detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+            const detail::loop_body inside(true);
             if constexpr (detail::inlines_masks<Level>)
                 detail::for_faces_inlined(range, begin, end, f);
             else

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <exception>
 
@@ -11,11 +10,27 @@
 
 namespace kith::detail {
 
+/// Whether this thread runs the body of a loop whose order is not promised, on several threads or on one.
+constinit inline thread_local bool in_loop_body = false;
+
+/// Says so, or the opposite, while it lives.
+class loop_body {
+public:
+    explicit loop_body(bool inside) : before_(in_loop_body) { in_loop_body = inside; }
+    loop_body(const loop_body&) = delete;
+    loop_body& operator=(const loop_body&) = delete;
+    ~loop_body() { in_loop_body = before_; }
+
+private:
+    bool before_;
+};
+
 /// From so many elements on a loop is worth more than one thread.
 inline constexpr std::size_t worth_threads = 4096;
 
 /// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program is compiled with it. Every
-/// value of a level is a gather into its own place, so how the range is cut changes no bit. The first error is rethrown.
+/// value of a level is a gather into its own place, so how the range is cut changes no bit. Of several errors that of the
+/// first part is rethrown.
 template <class Body>
 void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& body,
                [[maybe_unused]] std::size_t smallest = worth_threads)
@@ -23,7 +38,7 @@ void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& bod
 #if defined(_OPENMP)
     if (parallel and size >= smallest and omp_get_max_threads() > 1) {
         std::exception_ptr error;
-        std::atomic_flag failed = ATOMIC_FLAG_INIT;
+        std::size_t part_of_error = size;
 #pragma omp parallel
         {
             const std::size_t threads = std::size_t(omp_get_num_threads());
@@ -31,8 +46,11 @@ void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& bod
             try {
                 body(size * thread / threads, size * (thread + 1) / threads);
             } catch (...) {
-                if (not failed.test_and_set())
+#pragma omp critical(kith_for_parts)
+                if (thread < part_of_error) {
+                    part_of_error = thread;
                     error = std::current_exception();
+                }
             }
         }
         if (error)

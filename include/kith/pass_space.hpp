@@ -34,9 +34,12 @@ public:
     pass_space(const pass_space&) = delete;
     pass_space& operator=(const pass_space&) = delete;
 
-    /// The same space to be written anew, in the same memory.
+    /// The same space to be written anew, in the same memory. Errors: association_error inside for_each and in_blocks.
     const pass_space& again() const
     {
+        if (detail::in_loop_body)
+            throw association_error("a pass is to be written again inside for_each or in_blocks, where others may be "
+                                    "reading it; call again() outside");
         space::forget_what_is_set();
         return *this;
     }

@@ -135,16 +135,6 @@ void turn_boundary_fans(connectivity<Index>& fine)
     });
 }
 
-/// Errors: association_error when vertices that no column has were made by a scheme whose edges are numbered.
-template <class Values>
-void require_none_listed(const Values& values)
-{
-    if (values.listed_count() != 0)
-        throw association_error(
-            "a scheme that declares edges cannot make vertices under tuples that it does not declare; "
-            "declare a column for them, or leave edges to be matched");
-}
-
 /// What cannot be seen while a scheme runs: elements that were never made, and faces that form no manifold.
 template <class Level, class Numbering, class Index>
 void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine,
@@ -204,14 +194,12 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     values.allocate(ids.vertices.total());
     using space = association_space<Level, Numbering, Values, Connect, Checked>;
     const space assoc(coarse, ids, values, fine);
+    const detail::loop_body outside(false); // the caller's loops are not the scheme's
     scheme(refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
     if constexpr (Checked and Connect != connect::nothing)
         detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set(), assoc.vertex_start());
-    if constexpr (Connect != connect::nothing) {
-        if constexpr (Numbering::has_edges)
-            detail::require_none_listed(values);
+    if constexpr (Connect != connect::nothing)
         fine.vertices += values.listed_count();
-    }
     if constexpr (Connect == connect::everything) {
         if constexpr (Numbering::has_edges) {
             if (not coarse.is_closed())
@@ -238,8 +226,8 @@ M run_scheme_into(const Level& coarse, const Scheme& scheme, int generation, con
     using space =
         association_space<Level, Numbering, point_values<Level>, connect::everything, false, foreign_level<M>>;
     const space assoc(coarse, ids, values, fine);
+    const detail::loop_body outside(false);
     scheme(refinement<Level, space, typename point_values<Level>::scalar>{coarse, assoc, generation});
-    detail::require_none_listed(values);
     fine.finish(generation + 1);
     return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "association_faults.hpp"
+#include "for_parts.hpp"
 
 #include <map>
 
@@ -11,9 +12,11 @@ namespace kith {
 template <class Index>
 class vertex_dictionary {
 public:
-    /// Errors: association_error for a tuple that it has already.
+    /// Errors: association_error for a tuple that it has already, and in loops whose order is not promised.
     [[gnu::noinline]] void add(const tuple_elements& tuple, Index id)
     {
+        if (detail::in_loop_body)
+            faults::without_order(tuple);
         if (not ids_.emplace(tuple, id).second)
             faults::refuse(tuple, faults::vertex_set_twice);
     }
