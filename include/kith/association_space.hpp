@@ -25,6 +25,8 @@ template <class Level, class Numbering, class Values, connect Connect, bool Chec
 class association_space {
 public:
     using index_type = typename Numbering::index_type;
+    using scalar = typename Values::scalar;
+    using sum = typename Values::sum;
     static constexpr index_type none = connectivity<index_type>::none;
 
     association_space(const Level& coarse, const Numbering& ids, Values& values, Fine& fine)
@@ -74,6 +76,13 @@ public:
     {
         using ids = numbering<columns<new_vertices<Columns...>, new_edges<>, new_faces<>>, index_type>;
         return pass_space<Level, ids, Values, Checked>(*coarse_, {vertices, new_edges(), new_faces()}, *values_);
+    }
+
+    /// What a mask comes to, without a vertex: a sum that several masks have in common.
+    template <mask Mask>
+    [[nodiscard]] sum evaluate(const Mask& mask) const
+    {
+        return mask.evaluate(*values_);
     }
 
     /// Which elements have been made; empty unless Checked.

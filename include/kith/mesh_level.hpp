@@ -48,6 +48,8 @@ public:
         , faces_(mesh, traits::faces(mesh), traits::face_bound(mesh))
     {
         corner_number_.assign(traits::halfedge_bound(mesh), none);
+        face_corner_.reserve(faces_.size() + 1);
+        face_corner_.push_back(0);
         for (std::size_t i = 0; i < faces_.size(); ++i) {
             const auto f = faces_[i];
             const auto first_halfedge = traits::halfedge_of(mesh, f);
@@ -63,6 +65,7 @@ public:
                 corners_.push_back(h);
                 h = traits::next(mesh, h);
             } while (h != first_halfedge);
+            face_corner_.push_back(index_type(corners_.size()));
         }
         fan_start_.reserve(vertices_.size());
         mesh_report report;
@@ -126,13 +129,8 @@ public:
     [[nodiscard]] corner_handle first(face_handle f) const { return {traits::halfedge_of(*mesh_, f)}; }
     [[nodiscard]] std::size_t degree(face_handle f) const
     {
-        std::size_t result = 0;
-        corner_handle c = first(f);
-        do {
-            ++result;
-            c = next(c);
-        } while (c != first(f));
-        return result;
+        const std::size_t i = index(f);
+        return face_corner_[i + 1] - face_corner_[i];
     }
 
     [[nodiscard]] corner_handle next(corner_handle c) const { return {traits::next(*mesh_, c.halfedge)}; }
@@ -175,6 +173,7 @@ private:
     dense_numbers<M, face_handle> faces_;
     std::vector<typename traits::halfedge> corners_;
     std::vector<index_type> corner_number_;
+    std::vector<index_type> face_corner_; // faces+1: where each face begins in corners_
     std::vector<typename traits::halfedge> fan_start_;
 };
 

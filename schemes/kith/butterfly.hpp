@@ -6,17 +6,19 @@
 
 #include <kith/blocks.hpp>
 #include <kith/cos_turn.hpp>
+#include <kith/large_rings.hpp>
 #include <kith/weight_rows.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace kith {
 
 /// Modified Butterfly: triangles, interpolating. Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996, section 3.
 /// An end of an edge is irregular if it lies inside and has not six neighbours. Boundary: the four-point curve; wings
-/// beyond it are reflected. C1. Cost: O(corners + sum of irregular valences).
+/// beyond it are reflected. C1. Cost: O(corners), those of large fans times their logarithm.
 struct butterfly {
     static constexpr auto traits()
     {
@@ -50,6 +52,9 @@ struct butterfly {
         }
         return row;
     }
+
+    /// The same weights for n >= 5 by the angle from the other end of the edge.
+    static constexpr wave_kernel ring_kernel{1. / 4, 1. / 2, 1. / 4};
 
     /// It interpolates.
     template <class Level, class Use>
@@ -95,10 +100,14 @@ struct butterfly {
         const auto& [coarse, assoc, generation] = r;
         const weight_rows<real> rows(ring_weights);
 
-        std::vector<unsigned char> irregular(coarse.vertex_count());
+        std::vector<fan_kind> kinds(coarse.vertex_count());
         for_each(coarse.vertices(), [&](auto v) {
-            irregular[v.index()] = not v.is_boundary() and v.valence() != 6;
+            const std::size_t n = v.is_boundary() ? 6 : v.valence();
+            kinds[v.index()] = n == 6 ? fan_kind::regular : irregular_fan(n);
             assoc(v, V) = v;
+        });
+        const large_fans large(coarse, kinds, [&assoc = assoc](const auto& v, std::size_t n) {
+            return ring_waves<std::remove_cvref_t<decltype(assoc)>, 2>(assoc, v.neighbors(), n);
         });
 
         in_blocks(r, [&](const auto& block) {
@@ -112,16 +121,25 @@ struct butterfly {
                 const auto l = e.lcorner(); // of x
                 const auto r = e.rcorner(); // of y
                 std::vector<real> spare_x, spare_y;
-                const auto around = [&](auto c,
-                                        auto& spare) { // from c's vertex, the other end of e being its first neighbour
-                    const real* row = rows(c.v().valence(), spare);
-                    return 3. / 4 * c.v() + sum(c.neighbors_from_here(), row);
+                const auto ring = [&](auto c, auto& spare) { // of c's vertex, the other end of e being its first neighbour
+                    const bool is_large = kinds[c.v().index()] == fan_kind::large;
+                    const real* row = is_large ? nullptr : rows(c.v().valence(), spare);
+                    return choose(
+                        is_large,
+                        [c, &large] {
+                            const auto [sums, step] = large.at(c);
+                            return sums.mask(ring_kernel, 2 * step);
+                        },
+                        [c, row] { return sum(c.neighbors_from_here(), row); });
                 };
-                if (irregular[x.index()] and irregular[y.index()])
+                const auto around = [&](auto c, auto& spare) { return 3. / 4 * c.v() + ring(c, spare); };
+                const bool x_is_irregular = kinds[x.index()] != fan_kind::regular;
+                const bool y_is_irregular = kinds[y.index()] != fan_kind::regular;
+                if (x_is_irregular and y_is_irregular)
                     assoc(e, V) = (around(l, spare_x) + around(r, spare_y)) / 2;
-                else if (irregular[x.index()])
+                else if (x_is_irregular)
                     assoc(e, V) = around(l, spare_x);
-                else if (irregular[y.index()])
+                else if (y_is_irregular)
                     assoc(e, V) = around(r, spare_y);
                 else
                     assoc(e, V) = 1. / 2 * (x + y) + 1. / 8 * (l.prev().v() + r.prev().v()) +

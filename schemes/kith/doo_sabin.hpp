@@ -6,17 +6,19 @@
 #include "require_faces.hpp"
 
 #include <kith/cos_turn.hpp>
+#include <kith/large_rings.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace kith {
 
 enum class doo_sabin_boundary : unsigned char {
     thesis,  ///< 3/4, 1/4 along the boundary (thesis 2.1.2); corners stay
-    clamped, ///< tensor product of the clamped quadratic B-spline, where the faces at the boundary are quads
+    clamped, ///< tensor product of the clamped quadratic B-spline; the thesis's rule in boundary faces that are no quads
     drop     ///< no rule: the surface recedes, as in CGAL
 };
 
@@ -26,7 +28,7 @@ enum class doo_sabin_weights : unsigned char {
 };
 
 /// Doo-Sabin: uniform biquadratic B-splines for polygon meshes of any kind. Doo & Sabin 1978. C1.
-/// After one step every inner vertex has valence 4. Cost: O(sum of squared face degrees).
+/// After one step every inner vertex has valence 4. Cost: O(corners).
 struct doo_sabin {
     doo_sabin_boundary boundary = doo_sabin_boundary::thesis;
     doo_sabin_weights weights = doo_sabin_weights::cosine;
@@ -110,20 +112,28 @@ struct doo_sabin {
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
         const auto masks = masks_by_degree<real>(coarse);
+        const large_faces large(coarse, [&assoc = assoc](const auto& f, std::size_t n) {
+            return ring_waves<std::remove_cvref_t<decltype(assoc)>, 1>(assoc, f.vertices(), n);
+        });
 
         const bool open = not coarse.is_closed();
         for_each(coarse.corners(), [&](auto c) {
             const auto v = c.v();
-            const bool after = open and c.is_boundary(); // the edge to the next corner
-            const bool before = open and c.prev().is_boundary();
-            if (boundary == doo_sabin_boundary::thesis and after != before)
+            const std::size_t n = c.f().degree();
+            const bool is_clamped = boundary == doo_sabin_boundary::clamped and n == 4;
+            const bool keeps_curve = open and not is_clamped and boundary != doo_sabin_boundary::drop;
+            const bool after = keeps_curve and c.is_boundary(); // the edge to the next corner
+            const bool before = keeps_curve and c.prev().is_boundary();
+            if (after != before)
                 assoc(c, V) = 3. / 4 * v + 1. / 4 * (after ? c.next().v() : c.prev().v());
-            else if (boundary == doo_sabin_boundary::thesis and after and before)
+            else if (after and before)
                 assoc(c, V) = v;
-            else if (boundary == doo_sabin_boundary::clamped and open and c.f().is_boundary() and c.f().degree() == 4)
+            else if (open and is_clamped and c.f().is_boundary())
                 assoc(c, V) = sum(c.vertices_from_here(), clamped_mask<real>(c).data());
+            else if (n <= longest_row)
+                assoc(c, V) = sum(c.vertices_from_here(), masks[n].data());
             else
-                assoc(c, V) = sum(c.vertices_from_here(), masks[c.f().degree()].data());
+                make_in_large_face(assoc(c, V), c, large.of(c.f()));
         });
 
         split().connect(r);
@@ -153,14 +163,26 @@ private:
         }));
     }
 
-    /// For each degree that occurs, the weights of a face's corners, counted from the one that the point belongs to.
+    /// The same weights by what they have in common.
+    template <class Association, class Corner, class Sums>
+    void make_in_large_face(const Association& target, const Corner& c, const Sums& sums) const
+    {
+        const auto face = [&](const wave_kernel& kernel) { return sums.mask(kernel, 2 * step_in_face(c)); };
+        if (weights == doo_sabin_weights::cosine)
+            target = 1. / 4 * c.v() + face({3. / 4, 1. / 4, 0});
+        else
+            target = 1. / 2 * c.v() + 1. / 8 * (c.prev().v() + c.next().v()) + face({1. / 4, 0, 0});
+    }
+
+    /// For each degree that occurs, but for large ones, the weights of a face's corners, counted from the one that the point
+    /// belongs to.
     template <class Real, class Level>
     auto masks_by_degree(const Level& coarse) const
     {
         std::vector<std::vector<Real>> masks;
         for (const auto f : coarse.faces()) {
             const std::size_t n = f.degree();
-            if (n < masks.size() and not masks[n].empty())
+            if (n > longest_row or (n < masks.size() and not masks[n].empty()))
                 continue;
             if (n >= masks.size())
                 masks.resize(n + 1);

@@ -6,16 +6,19 @@
 #include "sqrt3_split.hpp"
 
 #include <kith/cos_turn.hpp>
+#include <kith/large_rings.hpp>
 #include <kith/weight_rows.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace kith {
 
 /// Interpolatory sqrt(3): closed meshes of triangles, three times as many per step, and no point moves. Labsik & Greiner
-/// 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners + sum of irregular valences).
+/// 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners), those of large fans times
+/// their logarithm.
 struct interpolatory_sqrt3 {
     static constexpr auto traits()
     {
@@ -53,6 +56,12 @@ struct interpolatory_sqrt3 {
         }
         return row;
     }
+    /// The same weights for n >= 5 by the angle from the middle of the face.
+    static constexpr wave_kernel ring_kernel(std::size_t n)
+    {
+        const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
+        return {a * a, a, a * a};
+    }
     /// The weight of the vertex itself: one minus those of its neighbours.
     static constexpr double center_weight(std::size_t n)
     {
@@ -68,20 +77,35 @@ struct interpolatory_sqrt3 {
         const auto& [coarse, assoc, generation] = r;
         const weight_rows<real> rows(ring_weights);
 
-        std::vector<unsigned char> irregular(coarse.vertex_count());
+        std::vector<fan_kind> kinds(coarse.vertex_count());
         for_each(coarse.vertices(), [&](auto v) {
-            irregular[v.index()] = v.valence() != 6;
+            const std::size_t n = v.valence();
+            kinds[v.index()] = n == 6 ? fan_kind::regular : irregular_fan(n);
             assoc(v, V) = v;
+        });
+        const large_fans large(coarse, kinds, [&assoc = assoc](const auto& v, std::size_t n) {
+            return ring_waves<std::remove_cvref_t<decltype(assoc)>, 2>(assoc, v.neighbors(), n);
         });
 
         for_each(coarse.faces(), [&](auto f) {
-            const auto corners_to_mend = f.corners().only([&](auto c) { return irregular[c.v().index()] != 0; });
+            const auto corners_to_mend = f.corners().only([&](auto c) {
+                return kinds[c.v().index()] != fan_kind::regular;
+            });
             if (not(corners_to_mend.begin() == corners_to_mend.end())) {
                 std::vector<real> spare;
                 assoc(f, V) = average(corners_to_mend.map([&](auto c) {
-                    const std::size_t n = c.v().valence();
-                    return real(center_weight(n)) * c.v() +
-                           sum(c.prev().across().neighbors_from_here(), rows(n, spare));
+                    const auto v = c.v();
+                    const bool is_large = kinds[v.index()] == fan_kind::large;
+                    const std::size_t n = is_large ? large.at(c).sums.operands() : v.valence();
+                    const real* row = is_large ? nullptr : rows(n, spare);
+                    const auto ring = choose(
+                        is_large,
+                        [c, n, &large] {
+                            const auto [sums, step] = large.at(c);
+                            return sums.mask(ring_kernel(n), 2 * step + 1);
+                        },
+                        [c, row] { return sum(c.prev().across().neighbors_from_here(), row); });
+                    return real(center_weight(n)) * v + ring;
                 }));
             } else {
                 const auto tip = [](auto c) { return c.across().prev().v(); };

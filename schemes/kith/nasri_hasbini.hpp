@@ -2,24 +2,23 @@
 #pragma once
 
 #include "library.hpp"
-#include "nasri_hasbini_kernels.hpp"
+#include "nasri_hasbini_polygons.hpp"
 #include "ternary_split.hpp"
 
+#include <kith/large_rings.hpp>
 #include <kith/weight_rows.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
+#include <type_traits>
 
 namespace kith {
 
 /// Nasri-Hasbini: ternary refinement of bicubic B-splines, three times as fine per step, polygons of any kind.
 /// Published (thesis 2.1.5) are the split and the masks of the regular part. The masks around extraordinary vertices, in
 /// faces that are not quads and at irregular boundary vertices are derived in docs/schemes.md and not the original
-/// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(sum of squared valences and face
-/// degrees).
+/// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(corners), those of large faces times
+/// the logarithm of their number.
 struct nasri_hasbini {
     static constexpr auto traits()
     {
@@ -73,16 +72,21 @@ struct nasri_hasbini {
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
         const ternary_rows<real> rows;
-        const polygon_rows& beside_polygons = polygon_rows::shared();
+        const polygon_rows& rows_beside = polygon_rows::shared();
+        const large_faces large(coarse, [&assoc = assoc](const auto& f, std::size_t n) {
+            return ring_waves<std::remove_cvref_t<decltype(assoc)>, 2>(assoc, f.vertices(), n);
+        });
 
         // All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them all.
         for_each(coarse.vertices(), [&](auto v) {
             if (v.is_boundary())
-                make_boundary(v, assoc);
-            else if (has_quads_only(v))
+                make_boundary(v, assoc, large);
+            else if (not has_quads_only(v))
+                detail::beside_polygons(v, assoc, rows_beside, large).make_all();
+            else if (v.valence() <= longest_row)
                 make_inner(v, assoc, rows);
             else
-                make_beside_polygons<real>(v, assoc, beside_polygons);
+                make_large_inner(v, assoc);
         });
 
         ternary_split::connect(r);
@@ -117,11 +121,29 @@ private:
         }
     }
 
-    /// The boundary curve is the ternary cubic B-spline; a vertex with one face is a corner. docs/schemes.md.
+    /// The same at a vertex with a large fan, by the waves of its ring.
     template <class Vertex, class Assoc>
-    static void make_boundary(const Vertex& v, const Assoc& assoc)
+    static void make_large_inner(const Vertex& v, const Assoc& assoc)
     {
         using namespace targets;
+        const std::size_t n = v.valence();
+        const ring_waves<Assoc, 2> e(assoc, v.neighbors(), n), d(assoc, v.opposites(), n);
+        assoc(v, V) = (361. * v + e.mask({304, 0, 0}, 0) + d.mask({64, 0, 0}, 0)) / 729;
+        std::int64_t turn = 0;
+        for (const auto c : v.corners()) {
+            using detail::kernel_b, detail::kernel_c, detail::kernel_q, detail::kernel_g;
+            assoc(v, c.next_edge(), V) = (304. * v + e.mask(kernel_b(n), turn) + d.mask(kernel_c(n), turn - 1)) / 729;
+            assoc(c, V) = (256. * v + e.mask(kernel_q(n), turn + 1) + d.mask(kernel_g(n), turn)) / 729;
+            turn += 2;
+        }
+    }
+
+    /// The boundary curve is the ternary cubic B-spline; a vertex with one face is a corner. docs/schemes.md.
+    template <class Vertex, class Assoc, class LargeFaces>
+    static void make_boundary(const Vertex& v, const Assoc& assoc, const LargeFaces& large)
+    {
+        using namespace targets;
+        const auto diagonal = [&](const auto& c) { return detail::diagonal(c, large); };
         const auto a = v.first_rim();
         const auto z = v.last_rim();
         const auto first = v.first_corner();
@@ -153,93 +175,6 @@ private:
             if (not c.is_boundary())
                 assoc(v, c.next_edge(), V) = (2. * assoc(v, V) + c.next().v()) / 3;
             assoc(c, V) = (4. * assoc(v, V) + 2. * c.next().v() + 2. * c.prev().v() + diagonal(c)) / 9;
-        }
-    }
-
-    /// The vertex opposite v in its face; in a face that is not a quad a point that stands for it.
-    template <class Corner>
-    static auto diagonal(const Corner& c)
-    {
-        const std::size_t m = c.f().degree();
-        return choose(
-            m == 4,
-            [c] { return sum(c.next().next().v()); },
-            [c, m] { return sum(c.vertices_from_here(), [m](std::size_t k) { return diagonal_weight(k, m); }); });
-    }
-
-    /// docs/schemes.md, Nasri-Hasbini, faces that are not quads. The ring weights of the quad rule are redistributed: what
-    /// belongs to a special face (one that holds the new point) is spent on the corners of that face by its own kernel.
-    template <class Real, class Vertex, class Assoc>
-    static void make_beside_polygons(const Vertex& v, const Assoc& assoc, const polygon_rows& rows)
-    {
-        using namespace targets;
-        std::vector<decltype(v.first_corner())> ring;
-        for (const auto c : v.corners())
-            ring.push_back(c);
-        const std::size_t n = ring.size();
-        std::vector<std::pair<Vertex, Real>> row;
-        std::vector<double> block(n); // of each special face
-        polygon_rows::spare spare, spare_of_face;
-        const auto make = [&](auto&& target, std::size_t i, ternary_point point) {
-            const auto is_special = [&](std::size_t j) {
-                const bool near = point == ternary_point::vertex or j == i or
-                                  (point == ternary_point::edge and (j + 1) % n == i);
-                return near and ring[j].f().degree() != 4;
-            };
-            std::size_t specials = 0;
-            for (std::size_t j = 0; j < n; ++j)
-                specials += is_special(j);
-            row.clear();
-            std::fill(block.begin(), block.end(), 0.);
-            const double own = center_weight(point);
-            const auto around = rows.around(point, n, spare);
-            for (std::size_t j = 0; j < n; ++j) {
-                if (is_special(j))
-                    block[j] += own / double(specials);
-                const std::size_t before = (j + n - 1) % n; // e_j lies between faces j-1 and j
-                const double e = around.neighbors[(j + n - i) % n];
-                const double d = around.opposites[(j + n - i) % n];
-                const int sharing = int(is_special(j)) + int(is_special(before));
-                if (sharing == 0)
-                    row.emplace_back(ring[j].next().v(), Real(e));
-                if (is_special(j))
-                    block[j] += e / sharing;
-                if (is_special(before))
-                    block[before] += e / sharing;
-                if (is_special(j))
-                    block[j] += d;
-                else if (const std::size_t m = ring[j].f().degree(); m == 4)
-                    row.emplace_back(ring[j].next().next().v(), Real(d));
-                else
-                    spend(row, ring[j], d, [w = rows.diagonal(m, spare_of_face)](std::size_t k) { return w[k]; });
-            }
-            if (specials == 0)
-                row.emplace_back(v, Real(own));
-            for (std::size_t j = 0; j < n; ++j)
-                if (is_special(j)) {
-                    const std::size_t m = ring[j].f().degree();
-                    const bool mirrored = point == ternary_point::edge and j != i;
-                    spend(row, ring[j], block[j], [=, w = rows.special(point, m, spare_of_face)](std::size_t k) {
-                        return w[mirrored ? (m - k) % m : k];
-                    });
-                }
-            target = weighted(row) / 729;
-        };
-        make(assoc(v, V), 0, ternary_point::vertex);
-        for (std::size_t i = 0; i < n; ++i) {
-            make(assoc(v, ring[i].next_edge(), V), i, ternary_point::edge);
-            make(assoc(ring[i], V), i, ternary_point::face);
-        }
-    }
-
-    /// Adds the corners of c's face to a row, counted from c.
-    template <class Row, class Corner, class WeightOf>
-    static void spend(Row& row, const Corner& c, double total, const WeightOf& weight_of)
-    {
-        std::size_t k = 0;
-        for (const auto u : c.vertices_from_here()) {
-            if (const double weight = weight_of(k++); weight != 0)
-                row.emplace_back(u, typename Row::value_type::second_type(total * weight));
         }
     }
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/cos_turn.hpp>
+#include <kith/ring_waves.hpp>
 #include <kith/weight_rows.hpp>
 
 #include <array>
@@ -33,6 +34,8 @@ struct ring_kernel {
         const auto cosine = [&](std::int64_t k) { return cos_turn(k * half_steps, std::int64_t(2 * n)); };
         return (x0 + 2 * x1 * cosine(1) + (n == 4 ? 1 : 2) * x2 * cosine(2)) / double(n);
     }
+    /// The same for n >= 5.
+    operator wave_kernel() const { return {x0, x1, x2}; }
 };
 
 inline constexpr double sqrt2 = 1.4142135623730950488;
@@ -76,6 +79,9 @@ constexpr double opposite_weight(ternary_point point, std::size_t j, std::size_t
                                         : detail::kernel_g(n).at(2 * std::int64_t(j), n);
 }
 
+/// The point that stands for the opposite vertex in a face of m >= 5 corners.
+inline constexpr wave_kernel diagonal_kernel{1, -1, 1};
+
 /// The weight of the k-th corner in the point that stands for the opposite vertex in a face of m != 4 corners.
 constexpr double diagonal_weight(std::size_t k, std::size_t m)
 {
@@ -83,14 +89,11 @@ constexpr double diagonal_weight(std::size_t k, std::size_t m)
     return (1 - 2 * cosine(1) + (m >= 5 ? 2 * cosine(2) : 0)) / double(m);
 }
 
-/// The weight of the k-th corner of a face of m != 4 corners, counted from the vertex of the new point (and along its
-/// edge); they sum to one.
-inline double polygon_weight(ternary_point point, std::size_t k, std::size_t m)
+/// What a new point takes from a face of m != 4 corners: the weights of its corners, counted from the vertex of the new
+/// point (and along its edge), have these waves and sum to x0; the last one for m >= 5.
+inline wave_kernel polygon_kernel(ternary_point point, std::size_t m)
 {
     using complex = std::complex<double>;
-    const auto turn = [](std::int64_t k, std::int64_t m) { // sin(x) = cos(x - 1/4 turn)
-        return complex(cos_turn(k, m), cos_turn(4 * k - m, 4 * m));
-    };
     constexpr double arc = 0.46364760900080611621; // atan(1/2)
     const double x = 4 * arc / double(m);
     double cosine = 1, sine = 1; // by their series, as cos_turn does and for the same reason
@@ -98,31 +101,33 @@ inline double polygon_weight(ternary_point point, std::size_t k, std::size_t m)
         cosine = 1 - x * x / (i * (i - 1)) * cosine;
         sine = 1 - x * x / (i * (i + 1)) * sine;
     }
-    const complex al(cosine, x * sine), phi_al = turn(1, std::int64_t(m)) * std::conj(al); // angles al and phi - al
+    const complex al(cosine, x * sine), turn(cos_turn(1, std::int64_t(m)), sin_turn(1, std::int64_t(m)));
+    const complex phi_al = turn * std::conj(al); // angles al and phi - al
     const complex al2 = al * al, phi_al2 = phi_al * phi_al;
     using detail::sqrt5;
-
-    double k0 = 0;
-    complex k1, k2;
     switch (point) {
     case ternary_point::face:
-        k0 = 676;
-        k1 = 240 - 2 * sqrt5 * (16 * al.real() + 10 * phi_al.real());
-        k2 = 72 - 10 * (16 * al2.real() + 10 * phi_al2.real());
-        break;
+        return {676,
+                240 - 2 * sqrt5 * (16 * al.real() + 10 * phi_al.real()),
+                72 - 10 * (16 * al2.real() + 10 * phi_al2.real())};
     case ternary_point::edge:
-        k0 = 598;
-        k1 = sqrt5 * (179. * al - 19. * std::conj(al) - 40. * phi_al - 4. * std::conj(phi_al)) - 12.;
-        k2 = 5. * (17. * al2 - 19. * std::conj(al2) - 40. * phi_al2 - 4. * std::conj(phi_al2)) - 36.;
-        break;
-    case ternary_point::vertex:
-        k0 = 529;
-        k1 = 681 - 2 * sqrt5 * (76 * al.real() + 16 * phi_al.real());
-        k2 = 585 - 10 * (76 * al2.real() + 16 * phi_al2.real());
-        break;
+        return {598,
+                sqrt5 * (179. * al - 19. * std::conj(al) - 40. * phi_al - 4. * std::conj(phi_al)) - 12.,
+                5. * (17. * al2 - 19. * std::conj(al2) - 40. * phi_al2 - 4. * std::conj(phi_al2)) - 36.};
+    default:
+        return {529,
+                681 - 2 * sqrt5 * (76 * al.real() + 16 * phi_al.real()),
+                585 - 10 * (76 * al2.real() + 16 * phi_al2.real())};
     }
-    const auto wave = [&](const complex& amplitude, std::int64_t turns) {
-        return 2 * (amplitude * turn(-turns * std::int64_t(k), std::int64_t(m))).real();
+}
+
+/// The weight of the k-th corner by this kernel; they sum to one.
+inline double polygon_weight(ternary_point point, std::size_t k, std::size_t m)
+{
+    const auto [k0, k1, k2] = polygon_kernel(point, m);
+    const auto wave = [&](const std::complex<double>& amplitude, std::int64_t turns) {
+        const auto turn = -turns * std::int64_t(k), full = std::int64_t(m);
+        return 2 * (amplitude * std::complex(cos_turn(turn, full), sin_turn(turn, full))).real();
     };
     return (k0 + wave(k1, 1) + (m >= 5 ? wave(k2, 2) : 0)) / (double(m) * k0);
 }
