@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "choose_diagonals.hpp"
+
 #include <kith/refine.hpp>
 
 #include <algorithm>
@@ -15,12 +17,12 @@ namespace detail {
 
 /// Each quad in two triangles that mark the diagonal.
 struct diagonal_split {
+    const std::vector<unsigned char>* is_odd; ///< by face: it joins the second and the fourth corner
+
     static constexpr auto traits() { return scheme_traits{.faces = face_shape::quads}; }
-    static constexpr auto columns()
+    [[nodiscard]] auto columns() const
     {
-        const auto apex = [](const auto& c) { // the second and the fourth corner
-            return c.prev() == c.f().first_corner() or c.next() == c.f().first_corner();
-        };
+        const auto apex = [is_odd = is_odd](const auto& c) { return is_apex(c, *is_odd); };
         return kith::columns(
             new_vertices(per_vertex), new_edges(per_edge, per_face), new_faces(triangles(per_corner).only(apex)));
     }
@@ -29,9 +31,8 @@ struct diagonal_split {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
         for_each(coarse.faces(), [&](auto f) {
-            const auto c = f.first_corner();
+            const auto c = (*is_odd)[f.index()] != 0 ? f.first_corner().next() : f.first_corner();
             for (const auto apex : {c.next(), c.prev()}) {
                 const auto in = apex.prev_edge();
                 const auto out = apex.next_edge();
@@ -41,6 +42,22 @@ struct diagonal_split {
                                          assoc(apex.v(), V) >> assoc(out, E).along(out));
             }
         });
+        for_each(coarse.vertices(), [&](auto v) { // its fan starts at the edge where it did
+            assoc(v, V) = v;
+            const auto c = v.first_corner();
+            const auto side = assoc(c.next_edge(), E).along(c.next_edge());
+            if (is_apex(c, *is_odd))
+                assoc(v, V).starts_at(assoc(c, F).corner(2), side);
+            else
+                assoc(v, V).starts_at(assoc(c.next(), F).corner(1), side);
+        });
+    }
+
+private:
+    template <class Corner>
+    static bool is_apex(const Corner& c, const std::vector<unsigned char>& is_odd)
+    {
+        return (c.index() - c.f().first_corner().index() + is_odd[c.f().index()]) % 2 == 1;
     }
 };
 
@@ -56,8 +73,17 @@ struct centroid_split {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
-        for_each(coarse.faces(), [&](auto f) { assoc(f, V) = average(f.vertices()); });
+        for_each(coarse.vertices(), [&](auto v) { // its fan starts at the edge where it did
+            assoc(v, V) = v;
+            const auto c = v.first_corner();
+            const auto e = c.next_edge();
+            assoc(v, V).starts_at(assoc(e, c.f(), F).corner(0), assoc(e, E).along(e));
+        });
+        for_each(coarse.faces(), [&](auto f) {
+            assoc(f, V) = average(f.vertices());
+            const auto c = f.first_corner();
+            assoc(f, V).starts_at(assoc(c.next_edge(), f, F).corner(2), assoc(c, E).right());
+        });
         for_each(coarse.corners(), [&](auto c) {
             const auto e = c.next_edge();
             assoc(e, c.f(), F) = polygon(assoc(c.v(), V) >> assoc(e, E).along(e),
@@ -72,13 +98,20 @@ struct centroid_split {
 /// The tri-quad mesh that 4-8 subdivision starts from: quads are cut along a diagonal (which one makes no difference to
 /// the next levels), meshes with other faces get a vertex in the middle of every face. Quads cut along a diagonal are
 /// generation 0; one step marks all their edges, which is how the other meshes start, so these are generation 1.
-/// Errors: as `refine`.
+/// A diagonal is the one with the quad's smallest vertex or, where another edge would join the same two vertices, the other
+/// one; diagonals, directions and starts of fans depend on the numbers of vertices, not on the order of faces.
+/// Errors: as `refine`, and mesh_error for quads that have no diagonals without such edges. Cost: O(corners log valence).
 template <class Point, class Index>
 basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh)
 {
-    const bool quads = mesh.topology().degree == 4;
-    const auto made = quads ? refine(mesh, detail::diagonal_split{}, 1) : refine(mesh, detail::centroid_split{}, 1);
-    return {storage<Point>(made.points()), made.topology(), quads ? 0 : 1};
+    require_edges(mesh);
+    if (mesh.topology().degree != 4) {
+        const auto made = refine(mesh, detail::centroid_split{}, 1);
+        return {storage<Point>(made.points()), made.topology(), 1};
+    }
+    const auto is_odd = detail::choose_diagonals(level_elements<native_level<Point, Index, 4>>(mesh));
+    const auto made = refine(mesh, detail::diagonal_split{&is_odd}, 1);
+    return {storage<Point>(made.points()), made.topology(), 0};
 }
 
 template <refinable_mesh M>

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/refine.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::detail {
+
+/// Chooses diagonals for quads so that no two edges join the same two vertices. Each pair of opposite corners is a place that
+/// at most one quad may take, none if an edge has it; a quad needs one of its two places. As a graph whose nodes are places
+/// and whose edges are quads: each edge is directed to one of its ends, each node is reached at most once, so that a
+/// connected piece has to have as many nodes as edges or one more. Quads are asked in the order of their vertices and take
+/// the place with the smallest one if they may, so that nothing depends on the order of the faces.
+class diagonal_choice {
+public:
+    /// `places[0]` and `places[1]` of a quad: its even and odd corners, if somebody else wants them; else `own`.
+    struct quad {
+        std::size_t face;
+        std::array<std::size_t, 4> vertices; ///< from the smallest on
+        int smallest;                        ///< the place that has the smallest vertex
+        std::array<std::size_t, 2> places{own, own};
+        int taken = -1;
+    };
+    static constexpr std::size_t own = std::numeric_limits<std::size_t>::max();
+
+    diagonal_choice(std::vector<quad> quads, std::vector<bool> place_is_taken)
+        : quads_(std::move(quads)), is_taken_(std::move(place_is_taken))
+    {
+        std::ranges::sort(quads_, {}, &quad::vertices);
+        for (quad& q : quads_)
+            for (std::size_t& place : q.places)
+                if (place == own)
+                    place = is_taken_.size(), is_taken_.push_back(false);
+        at_place_.resize(is_taken_.size());
+        for (std::size_t i = 0; i < quads_.size(); ++i)
+            for (const std::size_t place : quads_[i].places)
+                at_place_[place].push_back(i);
+    }
+
+    /// The quads with the place that each has taken. Errors: mesh_error for a quad that finds none. Cost: O(quads log quads).
+    [[nodiscard]] std::vector<quad> solve() &&
+    {
+        for (std::size_t place = 0; place < is_taken_.size(); ++place)
+            if (is_taken_[place])
+                leave(place);
+        settle();
+        take_leaves();
+        for (quad& q : quads_)
+            if (q.taken < 0) {
+                take(q, q.smallest);
+                settle();
+            }
+        return std::move(quads_);
+    }
+
+private:
+    [[nodiscard]] bool is_open(const quad& q) const { return q.taken < 0; }
+    void take(quad& q, int which)
+    {
+        q.taken = which;
+        is_taken_[q.places[which]] = true;
+        leave(q.places[which]);
+    }
+    /// Those who wanted a place that is taken have to go to their other one.
+    void leave(std::size_t place)
+    {
+        for (const std::size_t i : at_place_[place])
+            if (is_open(quads_[i]))
+                pushed_.push_back(i);
+    }
+    void settle()
+    {
+        while (not pushed_.empty()) {
+            quad& q = quads_[pushed_.back()];
+            pushed_.pop_back();
+            if (not is_open(q))
+                continue;
+            const int free = is_taken_[q.places[0]] ? 1 : 0;
+            if (is_taken_[q.places[free]])
+                refuse(q);
+            take(q, free);
+        }
+    }
+    /// In a piece with as many quads as places every place is needed, so one that a single quad wants is taken by it.
+    void take_leaves()
+    {
+        std::vector<std::size_t> parent(is_taken_.size());
+        std::iota(parent.begin(), parent.end(), std::size_t(0));
+        const auto root = [&](std::size_t place) {
+            while (parent[place] != place)
+                place = parent[place] = parent[parent[place]];
+            return place;
+        };
+        std::vector<std::size_t> wanted_by(is_taken_.size(), 0);
+        for (const quad& q : quads_)
+            if (is_open(q)) {
+                parent[root(q.places[0])] = root(q.places[1]);
+                ++wanted_by[q.places[0]], ++wanted_by[q.places[1]];
+            }
+        std::vector<std::size_t> places(is_taken_.size(), 0), quads(is_taken_.size(), 0);
+        for (std::size_t place = 0; place < is_taken_.size(); ++place)
+            ++places[root(place)];
+        for (const quad& q : quads_)
+            if (is_open(q) and ++quads[root(q.places[0])] > places[root(q.places[0])])
+                refuse(q);
+        std::vector<std::size_t> leaves;
+        const auto note = [&](std::size_t place) {
+            if (wanted_by[place] == 1 and quads[root(place)] == places[root(place)])
+                leaves.push_back(place);
+        };
+        for (std::size_t place = 0; place < is_taken_.size(); ++place)
+            note(place);
+        while (not leaves.empty()) {
+            const std::size_t place = leaves.back();
+            leaves.pop_back();
+            for (const std::size_t i : at_place_[place])
+                if (quad& q = quads_[i]; is_open(q)) {
+                    const int which = q.places[0] == place ? 0 : 1;
+                    q.taken = which; // nobody else wants it
+                    is_taken_[place] = true;
+                    --wanted_by[q.places[1 - which]];
+                    note(q.places[1 - which]);
+                }
+        }
+    }
+    [[noreturn]] static void refuse(const quad& q)
+    {
+        const auto pair = [&](int i) { return std::to_string(q.vertices[i]) + "-" + std::to_string(q.vertices[i + 2]); };
+        throw mesh_error("4-8: face " + std::to_string(q.face) + " cannot be cut along a diagonal, since " + pair(0) +
+                         " and " + pair(1) +
+                         " are, or have to be, edges elsewhere; refine the mesh once by the linear scheme first");
+    }
+
+    std::vector<quad> quads_;
+    std::vector<bool> is_taken_;
+    std::vector<std::vector<std::size_t>> at_place_;
+    std::vector<std::size_t> pushed_;
+};
+
+/// For each face of a level of quads whether its diagonal joins its second and fourth corner rather than the first and third:
+/// the one with the smallest vertex, unless another edge joins the same two vertices.
+/// Errors: mesh_error if there is no choice without such edges. Cost: O(corners log valence).
+template <class Level>
+std::vector<unsigned char> choose_diagonals(const Level& level)
+{
+    std::vector<unsigned char> is_odd(level.face_count(), 0);
+    const auto quad_of = [](const auto& f) {
+        diagonal_choice::quad q{.face = f.index(), .vertices = {}, .smallest = 0};
+        std::size_t i = 0;
+        for (const auto v : f.vertices())
+            q.vertices[i++] = v.index();
+        const auto smallest = std::ranges::min_element(q.vertices);
+        q.smallest = int(smallest - q.vertices.begin()) % 2;
+        std::ranges::rotate(q.vertices, smallest);
+        return q;
+    };
+    for (const auto f : level.faces())
+        is_odd[f.index()] = quad_of(f).smallest == 1;
+
+    struct claim {
+        std::size_t face, which, place;
+    };
+    std::vector<claim> claims; // of places that several want
+    std::vector<bool> place_is_taken;
+    struct other_end {
+        std::size_t vertex, corner; ///< an edge has no corner
+        bool operator<(const other_end& other) const
+        {
+            return std::pair(vertex, corner) < std::pair(other.vertex, other.corner);
+        }
+    };
+    constexpr std::size_t edge = diagonal_choice::own;
+    std::vector<other_end> ends;
+    for (const auto v : level.vertices()) {
+        ends.clear();
+        const auto add = [&](std::size_t other, std::size_t corner) {
+            if (other > v.index())
+                ends.push_back({other, corner});
+        };
+        for (const auto u : v.neighbors())
+            add(u.index(), edge);
+        for (const auto c : v.corners())
+            add(c.next().next().v().index(), c.index());
+        std::sort(ends.begin(), ends.end());
+        for (auto run = ends.begin(); run != ends.end();) {
+            const auto end = std::find_if(run, ends.end(), [&](const auto& x) { return x.vertex != run->vertex; });
+            if (end - run > 1) {
+                for (auto x = run; x != end and x->corner != edge; ++x) {
+                    const auto c = level.corners()[x->corner];
+                    claims.push_back({c.f().index(),
+                                      (x->corner - c.f().first_corner().index()) % 2,
+                                      place_is_taken.size()});
+                }
+                place_is_taken.push_back((end - 1)->corner == edge);
+            }
+            run = end;
+        }
+    }
+    if (claims.empty())
+        return is_odd;
+
+    std::ranges::sort(claims, {}, [](const claim& x) { return std::pair(x.face, x.which); });
+    std::vector<diagonal_choice::quad> quads;
+    for (const claim& x : claims) {
+        if (quads.empty() or quads.back().face != x.face)
+            quads.push_back(quad_of(level.faces()[x.face]));
+        quads.back().places[x.which] = x.place;
+    }
+    for (const auto& q : diagonal_choice(std::move(quads), std::move(place_is_taken)).solve())
+        is_odd[q.face] = q.taken == 1;
+    return is_odd;
+}
+
+} // namespace kith::detail
