@@ -4,8 +4,11 @@
 #include "mesh_statements.hpp"
 
 #include <kith/make_creases.hpp>
+#include <kith/tri_quad.hpp>
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
+
+#include <malloc.h>
 
 INSTANTIATE_TYPED_TEST_SUITE_P(poly_mesh, mesh_statements, testing::Types<poly_mesh>);
 INSTANTIATE_TYPED_TEST_SUITE_P(tri_mesh, mesh_statements, testing::Types<tri_mesh>);
@@ -29,7 +32,144 @@ poly_mesh cube_after_deleted_tetrahedron()
     return result;
 }
 
+/// Everything that OpenMesh can keep with elements, said in the traits.
+struct attributed_traits : OpenMesh::DefaultTraitsDouble {
+    static constexpr unsigned texture = OpenMesh::Attributes::TexCoord1D | OpenMesh::Attributes::TexCoord2D |
+                                        OpenMesh::Attributes::TexCoord3D;
+    static constexpr unsigned all = OpenMesh::Attributes::Status | OpenMesh::Attributes::Normal |
+                                    OpenMesh::Attributes::Color;
+    VertexAttributes(all | texture);
+    HalfedgeAttributes(all | texture | OpenMesh::Attributes::PrevHalfedge);
+    EdgeAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Color);
+    FaceAttributes(all | OpenMesh::Attributes::TextureIndex);
+};
+
+/// The same, asked for while the program runs.
+template <class M>
+void request_everything(M& mesh)
+{
+    mesh.request_vertex_status(), mesh.request_halfedge_status(), mesh.request_edge_status();
+    mesh.request_face_status(), mesh.request_face_texture_index();
+    mesh.request_vertex_normals(), mesh.request_halfedge_normals(), mesh.request_face_normals();
+    mesh.request_vertex_colors(), mesh.request_halfedge_colors(), mesh.request_edge_colors();
+    mesh.request_face_colors();
+    mesh.request_vertex_texcoords1D(), mesh.request_vertex_texcoords2D(), mesh.request_vertex_texcoords3D();
+    mesh.request_halfedge_texcoords1D(), mesh.request_halfedge_texcoords2D(), mesh.request_halfedge_texcoords3D();
+}
+
+template <class M>
+void expect_everything_zero(const M& mesh)
+{
+    ASSERT_TRUE(mesh.has_vertex_status() and mesh.has_halfedge_status() and mesh.has_edge_status());
+    ASSERT_TRUE(mesh.has_face_status() and mesh.has_face_texture_index());
+    ASSERT_TRUE(mesh.has_vertex_normals() and mesh.has_halfedge_normals() and mesh.has_face_normals());
+    ASSERT_TRUE(mesh.has_vertex_colors() and mesh.has_halfedge_colors() and mesh.has_edge_colors());
+    ASSERT_TRUE(mesh.has_face_colors() and mesh.has_vertex_texcoords1D() and mesh.has_vertex_texcoords2D());
+    ASSERT_TRUE(mesh.has_vertex_texcoords3D() and mesh.has_halfedge_texcoords1D());
+    ASSERT_TRUE(mesh.has_halfedge_texcoords2D() and mesh.has_halfedge_texcoords3D());
+    const typename M::Normal normal(0);
+    const typename M::Color color(0);
+    for (const auto v : mesh.vertices()) {
+        EXPECT_EQ(mesh.status(v).bits(), 0U);
+        EXPECT_EQ(mesh.normal(v), normal);
+        EXPECT_EQ(mesh.color(v), color);
+        EXPECT_EQ(mesh.texcoord1D(v), 0);
+        EXPECT_EQ(mesh.texcoord2D(v), typename M::TexCoord2D(0));
+        EXPECT_EQ(mesh.texcoord3D(v), typename M::TexCoord3D(0));
+    }
+    for (const auto h : mesh.halfedges()) {
+        EXPECT_EQ(mesh.status(h).bits(), 0U);
+        EXPECT_EQ(mesh.normal(h), normal);
+        EXPECT_EQ(mesh.color(h), color);
+        EXPECT_EQ(mesh.texcoord1D(h), 0);
+        EXPECT_EQ(mesh.texcoord2D(h), typename M::TexCoord2D(0));
+        EXPECT_EQ(mesh.texcoord3D(h), typename M::TexCoord3D(0));
+    }
+    for (const auto e : mesh.edges()) {
+        EXPECT_EQ(mesh.status(e).bits(), 0U);
+        EXPECT_EQ(mesh.color(e), color);
+    }
+    for (const auto f : mesh.faces()) {
+        EXPECT_EQ(mesh.status(f).bits(), 0U);
+        EXPECT_EQ(mesh.normal(f), normal);
+        EXPECT_EQ(mesh.color(f), color);
+        EXPECT_EQ(mesh.texture_index(f), 0);
+    }
+}
+
+/// It is refined on a native mesh, which is copied.
+struct untrusted : kith::catmull_clark {
+    static constexpr bool trusted = false;
+};
+
+/// Memory that nobody has written to does not hold zeros by chance.
+struct dirty_memory {
+    dirty_memory() { mallopt(M_PERTURB, 0x5a); }
+    dirty_memory(const dirty_memory&) = delete;
+    dirty_memory& operator=(const dirty_memory&) = delete;
+    ~dirty_memory() { mallopt(M_PERTURB, 0); }
+};
+
 } // namespace
+
+TEST(openmesh, requested_attributes_are_kept_and_have_values)
+{
+    const dirty_memory dirty;
+    const auto [points, faces] = shapes::l_shape();
+    auto mesh = user_mesh<poly_mesh_float>::make(points, faces);
+    request_everything(mesh);
+    mesh.set_color(OpenMesh::VertexHandle(0), {1, 2, 3});
+    mesh.status(OpenMesh::FaceHandle(0)).set_selected(true);
+    for (const int levels : {0, 1, 2})
+        expect_everything_zero(kith::refine(mesh, kith::catmull_clark(), levels));
+    kith::hierarchy levels(mesh, kith::catmull_clark());
+    levels.refine(2);
+    expect_everything_zero(levels[1]);
+    expect_everything_zero(levels[2]);
+    expect_everything_zero(kith::tri_quad(mesh));
+    expect_everything_zero(kith::refine(mesh, untrusted(), 1));
+}
+
+TEST(openmesh, attributes_of_traits_have_values)
+{
+    const dirty_memory dirty;
+    const auto [points, faces] = shapes::tetrahedron();
+    using poly = OpenMesh::PolyMesh_ArrayKernelT<attributed_traits>;
+    using tri = OpenMesh::TriMesh_ArrayKernelT<attributed_traits>;
+    expect_everything_zero(kith::refine(user_mesh<poly>::make(points, faces), kith::catmull_clark(), 2));
+    expect_everything_zero(kith::refine(user_mesh<tri>::make(points, faces), kith::loop(), 2));
+    expect_everything_zero(kith::mesh_traits<tri>::build(kith::lift(user_mesh<tri>::make(points, faces))));
+}
+
+TEST(openmesh, nothing_is_requested_that_the_source_does_not_have)
+{
+    const auto [points, faces] = shapes::cube();
+    auto mesh = user_mesh<poly_mesh_float>::make(points, faces);
+    mesh.request_face_colors();
+    const auto fine = kith::refine(mesh, kith::catmull_clark(), 1);
+    EXPECT_TRUE(fine.has_face_colors());
+    EXPECT_FALSE(fine.has_vertex_colors() or fine.has_face_status() or fine.has_vertex_normals());
+}
+
+TEST(openmesh, a_refined_mesh_can_be_edited_as_its_source)
+{
+    const auto edit = [](auto mesh, const auto& scheme) {
+        mesh.request_vertex_status();
+        mesh.request_edge_status();
+        mesh.request_face_status();
+        mesh = kith::refine(mesh, scheme, 1);
+        const std::size_t faces = mesh.n_faces();
+        mesh.delete_face(OpenMesh::FaceHandle(0), true);
+        mesh.garbage_collection();
+        EXPECT_EQ(mesh.n_faces(), faces - 1);
+        EXPECT_EQ(user_mesh<decltype(mesh)>::complaints(mesh), "");
+    };
+    using tri_mesh_float = OpenMesh::TriMesh_ArrayKernelT<>;
+    const auto [points, faces] = shapes::tetrahedron();
+    edit(user_mesh<tri_mesh_float>::make(points, faces), kith::loop());
+    edit(user_mesh<poly_mesh_float>::make(points, faces), kith::catmull_clark());
+    edit(user_mesh<tri_mesh>::make(points, faces), kith::loop());
+}
 
 TEST(openmesh, deleted_elements_are_left_out)
 {

@@ -30,6 +30,7 @@ struct affine<CGAL::Point_3<Kernel>> : coordinates_affine<typename Kernel::FT, 3
     }
 };
 
+/// A refined mesh has its points and no other property maps: those that users add to the source are not carried.
 template <class Point>
 struct mesh_traits<CGAL::Surface_mesh<Point>> {
     using mesh_type = CGAL::Surface_mesh<Point>;

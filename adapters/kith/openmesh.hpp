@@ -41,6 +41,8 @@ struct affine<OpenMesh::VectorT<Scalar, N>> : coordinates_affine<Scalar, std::si
 };
 
 /// Meshes of OpenMesh's array kernel, polygons or triangles, any traits, classes derived from them included.
+/// A refined mesh has the attributes of its source, in traits or by request: status, normals, colors, texture coordinates and
+/// the texture index. Their values are not carried: they are zero. Properties of the user's own are left out.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
 struct mesh_traits<M> {
     using vertex = OpenMesh::VertexHandle;
@@ -77,6 +79,18 @@ struct mesh_traits<M> {
     static const point& point_of(const M& m, vertex v) { return m.point(v); }
 
     static M build(basic_mesh<point, std::uint32_t>&& fine) { return fill<M>(std::move(fine)); }
+    static M build(basic_mesh<point, std::uint32_t>&& fine, const M& source)
+    {
+        return fill<M>(std::move(fine), &source);
+    }
+
+    static void request_like(M& m, const M& source)
+    {
+        for_each_attribute([&](auto has, auto request, auto) {
+            if ((source.*has)() and not(m.*has)())
+                (m.*request)();
+        });
+    }
 
     static void make_room(M& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {
@@ -92,6 +106,11 @@ struct mesh_traits<M> {
             advise_large_pages(points(m), vertices);
         }
         m.resize(vertices, edges, faces);
+        for_each_attribute([&](auto has, auto, auto property) {
+            if ((m.*has)())
+                for (auto& value : m.property((m.*property)()).data_vector())
+                    set_zero(value);
+        });
     }
     static point* points(M& m) { return m.property(m.points_pph()).data_vector().data(); }
     template <class Handle>
@@ -136,6 +155,41 @@ struct mesh_traits<M> {
 
 private:
     static constexpr const char* odd_generation = "kith:odd_generation";
+
+    /// What elements may have beside points: how to ask whether they do, to ask for it, and where it is.
+    template <class F>
+    static void for_each_attribute(const F& f)
+    {
+        f(&M::has_vertex_status, &M::request_vertex_status, &M::vertex_status_pph);
+        f(&M::has_halfedge_status, &M::request_halfedge_status, &M::halfedge_status_pph);
+        f(&M::has_edge_status, &M::request_edge_status, &M::edge_status_pph);
+        f(&M::has_face_status, &M::request_face_status, &M::face_status_pph);
+        f(&M::has_vertex_normals, &M::request_vertex_normals, &M::vertex_normals_pph);
+        f(&M::has_halfedge_normals, &M::request_halfedge_normals, &M::halfedge_normals_pph);
+        f(&M::has_face_normals, &M::request_face_normals, &M::face_normals_pph);
+        f(&M::has_vertex_colors, &M::request_vertex_colors, &M::vertex_colors_pph);
+        f(&M::has_halfedge_colors, &M::request_halfedge_colors, &M::halfedge_colors_pph);
+        f(&M::has_edge_colors, &M::request_edge_colors, &M::edge_colors_pph);
+        f(&M::has_face_colors, &M::request_face_colors, &M::face_colors_pph);
+        f(&M::has_vertex_texcoords1D, &M::request_vertex_texcoords1D, &M::vertex_texcoords1D_pph);
+        f(&M::has_vertex_texcoords2D, &M::request_vertex_texcoords2D, &M::vertex_texcoords2D_pph);
+        f(&M::has_vertex_texcoords3D, &M::request_vertex_texcoords3D, &M::vertex_texcoords3D_pph);
+        f(&M::has_halfedge_texcoords1D, &M::request_halfedge_texcoords1D, &M::halfedge_texcoords1D_pph);
+        f(&M::has_halfedge_texcoords2D, &M::request_halfedge_texcoords2D, &M::halfedge_texcoords2D_pph);
+        f(&M::has_halfedge_texcoords3D, &M::request_halfedge_texcoords3D, &M::halfedge_texcoords3D_pph);
+        f(&M::has_face_texture_index, &M::request_face_texture_index, &M::face_texture_index_pph);
+    }
+    /// A vector of OpenMesh is made without values.
+    template <class Scalar, int N>
+    static void set_zero(OpenMesh::VectorT<Scalar, N>& value)
+    {
+        value.vectorize(Scalar(0));
+    }
+    template <class Value>
+    static void set_zero(Value& value)
+    {
+        value = Value();
+    }
 
     template <class Handle>
     static auto alive(const M& m, std::size_t bound, bool has_status)

@@ -47,11 +47,15 @@ class foreign_level {
     using halfedge = typename traits::halfedge;
 
 public:
-    /// Precondition: the mesh is empty. Errors: those of `make_room`.
-    foreign_level(M& mesh, std::size_t vertex_count, std::size_t edge_count, std::size_t face_count, bool is_closed)
+    /// Precondition: the mesh is empty; it gets the attributes of `source`, if there is one. Errors: those of `make_room`.
+    foreign_level(M& mesh, std::size_t vertex_count, std::size_t edge_count, std::size_t face_count, bool is_closed,
+                  const M* source = nullptr)
         : mesh_(&mesh), vertex_count_(vertex_count), edge_count_(edge_count), is_closed_(is_closed)
     {
         shared_blocks.give_back(); // the other library takes its memory elsewhere
+        if constexpr (requires { traits::request_like(mesh, *source); })
+            if (source != nullptr)
+                traits::request_like(mesh, *source);
         traits::make_room(mesh, vertex_count, edge_count, face_count);
     }
 
@@ -127,15 +131,16 @@ private:
     bool is_closed_;
 };
 
-/// The mesh of another library with the elements of a native one, in the same order and direction.
+/// The mesh of another library with the elements of a native one, in the same order and direction, and with the attributes
+/// of `source` if there is one.
 /// Precondition: the native mesh has its edges. Errors: those of `make_room`. Cost: O(elements).
 template <fillable_mesh M>
-M fill(basic_mesh<typename mesh_traits<M>::point, std::uint32_t>&& fine)
+M fill(basic_mesh<typename mesh_traits<M>::point, std::uint32_t>&& fine, const M* source = nullptr)
 {
     using point = typename mesh_traits<M>::point;
     const connectivity<std::uint32_t>& t = fine.topology();
     M result; // not moved from here on: meshes of OpenMesh copy instead
-    foreign_level<M> level(result, t.vertices, t.edges(), t.faces, t.corners() == 2 * t.edges());
+    foreign_level<M> level(result, t.vertices, t.edges(), t.faces, t.corners() == 2 * t.edges(), source);
     detail::for_parts(t.vertices, std::is_trivially_copyable_v<point>, [&](std::size_t begin, std::size_t end) {
         std::copy(fine.points().data() + begin, fine.points().data() + end, level.points() + begin);
         for (std::size_t v = begin; v < end; ++v)

@@ -178,7 +178,7 @@ private:
         if constexpr (requires { last.mesh.topology(); })
             return refine_mesh<connect::everything>(last.mesh, last.scheme, last.ids);
         else
-            return refine_level_into<M>(elements(depth()), last.scheme, generation_ + depth(), last.ids);
+            return refine_level_like(last.mesh, elements(depth()), last.scheme, generation_ + depth(), last.ids);
     }
 
     [[nodiscard]] auto at(int level, typename traits::vertex v) const { return vertex<level_type>(elements(level), v); }

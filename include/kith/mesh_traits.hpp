@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <ranges>
 #include <type_traits>
 #include <utility>
@@ -35,8 +36,12 @@ class basic_mesh;
 ///   build(basic_mesh<point, uint32_t>&&) -> M     the mesh with these elements, in this order and direction (optional:
 ///                                  without it a mesh can be read, not written)
 ///
+///   build(basic_mesh<point, uint32_t>&&, const M& source) -> M     the same for a mesh that was refined from `source`, of
+///                                  which it may keep more than elements (optional)
+///
 ///   For meshes that several threads may write; `fill` is their `build` then, and `refine` makes the last level in them:
 ///
+///   request_like(m, source)        lets an empty m have the attributes that `source` has (optional; comes first)
 ///   make_room(m, vertices, edges, faces)   gives an empty m so many elements, not joined yet; throws mesh_error for more
 ///                                  than it can number
 ///   points(m)                      the array of all points
@@ -95,5 +100,15 @@ template <class M, class T = mesh_traits<M>>
 concept refinable_mesh = mesh<M, T> and requires(basic_mesh<typename T::point, std::uint32_t>&& fine) {
     { T::build(std::move(fine)) } -> std::convertible_to<M>;
 };
+
+/// The mesh with these elements, refined from `source`: by `build`, with what of the source it keeps.
+template <refinable_mesh M>
+M build_like(const M& source, basic_mesh<typename mesh_traits<M>::point, std::uint32_t>&& fine)
+{
+    if constexpr (requires { mesh_traits<M>::build(std::move(fine), source); })
+        return mesh_traits<M>::build(std::move(fine), source);
+    else
+        return mesh_traits<M>::build(std::move(fine));
+}
 
 } // namespace kith

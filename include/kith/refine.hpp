@@ -132,12 +132,12 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
     auto control = lift_valid(mesh);
     detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
     if (levels == 0)
-        return mesh_traits<M>::build(std::move(control));
+        return build_like(mesh, std::move(control));
     Scheme last = scheme;
     const auto coarse = detail::refine_on(std::move(control), last, levels - 1);
     numbering_of<Scheme, std::uint32_t> ids;
     return with_native_level<Scheme>(
-        coarse, [&](const auto& level) { return refine_level_into<M>(level, last, coarse.generation(), ids); });
+        coarse, [&](const auto& level) { return refine_level_like(mesh, level, last, coarse.generation(), ids); });
 }
 
 /// Takes what the others do not, to say in one sentence what the type lacks.

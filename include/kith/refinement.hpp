@@ -214,13 +214,14 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     return fine;
 }
 
-/// The same with the next level written straight into a mesh of another library. Precondition: the scheme is trusted and
-/// declares its edges.
+/// The same with the next level written straight into a mesh of another library, with the attributes of `source`.
+/// Precondition: the scheme is trusted and declares its edges.
 template <fillable_mesh M, class Level, class Scheme, class Numbering>
-M run_scheme_into(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
+M run_scheme_into(const M& source, const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
 {
     M result; // not moved from here on: meshes of OpenMesh copy instead
-    foreign_level<M> fine(result, ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed());
+    foreign_level<M> fine(
+        result, ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed(), &source);
     point_values<Level> values;
     values.allocate_at(fine.points());
     using space =

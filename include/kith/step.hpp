@@ -62,19 +62,19 @@ basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const
         mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
 }
 
-/// One step to a mesh of any type: written straight into it where it is fillable and the scheme is trusted and declares
-/// its edges. Errors: as `refine_level`, and those of `make_room` or `build`.
+/// One step to a mesh of the type of `source`, from which it was refined: written straight into it where it is fillable and
+/// the scheme is trusted and declares its edges. Errors: as `refine_level`, and those of `make_room` or `build`.
 template <class M, class Level, class Scheme>
-M refine_level_into(const Level& coarse, const Scheme& scheme, int generation,
+M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, int generation,
                     numbering_of<Scheme, typename Level::index_type>& ids)
 {
     if constexpr (fillable_mesh<M> and is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
         ids = {coarse, columns_of(scheme, generation)};
-        return run_scheme_into<M>(coarse, scheme, generation, ids);
+        return run_scheme_into(source, coarse, scheme, generation, ids);
     } else {
         auto fine = refine_level<connect::everything>(coarse, scheme, generation, ids);
         shared_blocks.give_back(); // the other library takes its memory elsewhere
-        return mesh_traits<M>::build(std::move(fine));
+        return build_like(source, std::move(fine));
     }
 }
 

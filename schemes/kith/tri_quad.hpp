@@ -117,7 +117,7 @@ basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh)
 template <refinable_mesh M>
 M tri_quad(const M& mesh)
 {
-    return mesh_traits<M>::build(tri_quad(lift_valid(mesh)));
+    return build_like(mesh, tri_quad(lift_valid(mesh)));
 }
 
 /// The same triangle mesh with these edges, given by their vertices, as the marked ones.
