@@ -4,6 +4,7 @@
 // Sample run: mpirun -n 4 refine_on_ranks
 
 #include <kith/catmull_clark.hpp>
+#include <kith/checksum.hpp>
 #include <kith/figures.hpp>
 #include <kith/make_mesh.hpp>
 #include <kith/metis_partition.hpp>
@@ -29,7 +30,9 @@ int main(int count, char** words)
     const int levels = 4;
     kith::mpi::rank_refinement refinement(comm, cage, kith::catmull_clark{}, levels, parts);
     std::array<double, 3> low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    kith::mesh_checksum mine;
     const auto done = refinement.refine(kith::mpi::sharing::spmd, [&](std::uint64_t, const auto& tile) {
+        mine += kith::checksum(tile);
         for (const auto& point : tile.mesh.points())
             for (int i = 0; i < 3; ++i)
                 low[i] = std::min(low[i], point[i]), high[i] = std::max(high[i], point[i]);
@@ -37,7 +40,7 @@ int main(int count, char** words)
 
     low = comm.minimum(low);
     high = comm.maximum(high);
-    const auto [faces, checksum] = comm.sum(std::array{done.owned_faces, done.checksum.bits});
+    const auto [faces, checksum] = comm.sum(std::array{done.owned_faces, mine.bits});
     if (comm.is_root())
         std::cout << faces << " faces from " << low[0] << ' ' << low[1] << ' ' << low[2] << " to " << high[0] << ' '
                   << high[1] << ' ' << high[2] << ", checksum " << std::hex << checksum << '\n';

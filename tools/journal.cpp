@@ -4,18 +4,21 @@
 #include "errors.hpp"
 #include "input_file.hpp"
 
-#include <kith/offset_file.hpp>
+#include <kith/output_file.hpp>
 #include <kith/pack.hpp>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -45,26 +48,33 @@ std::optional<recipe> find_recipe(const std::string& directory)
     }
 }
 
-/// The surface gets its name by renaming, which no file system does for another.
+/// Waits for the lock, where the file system has locks.
+void lock(int descriptor, int kind)
+{
+    while (::flock(descriptor, kind) != 0 and errno == EINTR)
+        ;
+}
+
+void write_recipe(const std::string& path, const recipe& recipe)
+{
+    const auto bytes = pack_recipe(recipe);
+    io::output_file file(path);
+    file.stream().write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    file.commit();
+}
+
+} // namespace
+
 void require_one_file_system(const std::string& output, const std::string& directory)
 {
     struct stat there = {}, here = {};
-    if (stat(fs::absolute(output).parent_path().c_str(), &there) != 0)
+    if (stat(fs::absolute(io::target_of(output)).parent_path().c_str(), &there) != 0)
         throw file_error(output + ": cannot be written: " + std::strerror(errno));
     std::error_code failed;
     const fs::path kept = fs::exists(directory, failed) ? fs::path(directory) : fs::absolute(directory).parent_path();
     if (stat(kept.c_str(), &here) == 0 and here.st_dev != there.st_dev)
         throw file_error(directory + ": is on another file system than " + output +
                          "; put the journal next to the output");
-}
-
-} // namespace
-
-std::optional<journal_place> place_of(const std::string& directory, const recipe& recipe)
-{
-    if (directory.empty())
-        return std::nullopt;
-    return journal_place{directory, recipe.parts.parts, checksum_of(recipe)};
 }
 
 recipe kept_recipe(const std::string& directory)
@@ -75,47 +85,106 @@ recipe kept_recipe(const std::string& directory)
     return std::move(*kept);
 }
 
-recipe recipe_for(const std::string& directory, const tile_request& request, const std::function<partition()>& make)
+found_recipe recipe_for(const std::string& directory, const tile_request& request,
+                        const std::function<partition()>& make)
 {
     auto kept = find_recipe(directory);
     if (not kept)
-        return recipe_of(request, make());
+        return {recipe_of(request, make()), false};
     if (const auto text = difference(*kept, recipe_of(request, {})); not text.empty())
         throw file_error(directory + ": is the journal of another refinement, " + text +
                          "; finish that one, or name another directory");
-    return std::move(*kept);
+    return {std::move(*kept), true};
 }
 
-void begin_journal(const std::string& directory, const recipe& recipe, const std::string& output)
+journal_share::journal_share(std::string directory) : directory_(std::move(directory))
 {
-    if (directory.empty())
-        return;
-    require_one_file_system(output, directory);
-    const std::string path = recipe_in(directory);
+    while (not hold()) // another job has just given this surface its name
+        ;
+}
+
+journal_share::journal_share(std::string directory, const found_recipe& recipe, const std::string& output)
+    : journal_share((require_one_file_system(output, directory), std::move(directory)))
+{
+    const auto there = find_recipe(directory_);
+    if (there and checksum_of(*there) != checksum_of(recipe.value))
+        throw file_error(directory_ + ": another job has begun this journal at the same time, with other tiles; "
+                                      "call this one once more");
+    if (not there and recipe.is_kept)
+        leave();
+    else if (not there)
+        write_recipe(recipe_in(directory_), recipe.value);
     std::error_code failed;
-    if (fs::exists(path, failed))
-        return;
-    fs::create_directory(directory, failed);
-    if (failed)
-        throw file_error(directory + ": cannot be made: " + failed.message());
-    const auto bytes = pack_recipe(recipe);
-    const std::string incomplete = path + ".incomplete-" + std::to_string(getpid());
-    try {
-        auto file = offset_file::create(incomplete, bytes.size());
-        file.write(0, bytes.data(), bytes.size());
-        file.flush();
-        file.close();
-        fs::rename(incomplete, path);
-    } catch (...) {
-        std::remove(incomplete.c_str());
-        throw;
-    }
+    if (is_over() and not fs::exists(output, failed))
+        throw file_error(directory_ + ": was removed while this job began; call it once more");
 }
 
-void remove_journal(const std::string& directory) noexcept
+journal_share::journal_share(journal_share&& other) noexcept
+    : directory_(std::move(other.directory_)), descriptor_(std::exchange(other.descriptor_, -1))
 {
-    std::remove(recipe_in(directory).c_str());
-    std::remove(directory.c_str());
+}
+
+journal_share::~journal_share()
+{
+    if (descriptor_ >= 0)
+        ::close(descriptor_);
+}
+
+std::string journal_share::surface_in(const std::string& directory)
+{
+    return (fs::path(directory) / "surface").string();
+}
+
+bool journal_share::hold()
+{
+    std::error_code failed;
+    fs::create_directory(directory_, failed);
+    if (failed)
+        throw file_error(directory_ + ": cannot be made: " + failed.message());
+    const std::string surface = surface_in(directory_);
+    descriptor_ = ::open(surface.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 and errno != ENOENT)
+        throw file_error(surface + ": cannot be opened for writing: " + std::strerror(errno));
+    if (descriptor_ < 0)
+        return false;
+    lock(descriptor_, LOCK_SH);
+    if (holds_surface())
+        return true;
+    ::close(std::exchange(descriptor_, -1));
+    return false;
+}
+
+bool journal_share::holds_surface() const
+{
+    struct stat mine = {}, there = {};
+    return ::fstat(descriptor_, &mine) == 0 and ::stat(surface_in(directory_).c_str(), &there) == 0 and
+           mine.st_ino == there.st_ino and mine.st_dev == there.st_dev;
+}
+
+/// A journal that is over: what this job has made there in between is removed, unless others use it.
+void journal_share::leave() noexcept
+{
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 and holds_surface()) {
+        std::remove(surface_in(directory_).c_str());
+        std::remove(directory_.c_str());
+    }
+    ::close(std::exchange(descriptor_, -1));
+}
+
+bool journal_share::own()
+{
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 and errno == EWOULDBLOCK) {
+        std::cerr << "kith: note: all tiles in " << directory_
+                  << " are finished; waiting for another job that is at work there\n";
+        lock(descriptor_, LOCK_EX);
+    }
+    return holds_surface();
+}
+
+void journal_share::remove() noexcept
+{
+    std::remove(recipe_in(directory_).c_str());
+    std::remove(directory_.c_str());
 }
 
 } // namespace kith::tool

@@ -9,29 +9,53 @@
 
 namespace kith::tool {
 
-/// Where a refinement in tiles keeps what it has finished, and how much of it there will be.
-struct journal_place {
-    std::string directory;
-    std::uint64_t tiles = 0;
-    std::uint64_t recipe = 0; ///< its checksum
+/// The recipe of a refinement, and whether a journal has it already.
+struct found_recipe {
+    recipe value;
+    bool is_kept = false;
 };
-
-/// No directory is no journal.
-std::optional<journal_place> place_of(const std::string& directory, const recipe& recipe);
 
 /// The recipe that a journal's directory keeps. Errors: file_error when there is none, or it is damaged.
 recipe kept_recipe(const std::string& directory);
 
 /// The recipe that a journal's directory keeps or, where there is none, one of this request with the partition that `make`
 /// gives. Errors: file_error for the recipe of another refinement.
-recipe recipe_for(const std::string& directory, const tile_request& request, const std::function<partition()>& make);
+found_recipe recipe_for(const std::string& directory, const tile_request& request,
+                        const std::function<partition()>& make);
 
-/// Begins a journal, unless it is there already or there shall be none. The recipe appears when it is complete, so that a
-/// process that is ended meanwhile leaves no half of one.
-/// Errors: file_error, also when the output is on another file system, write_error.
-void begin_journal(const std::string& directory, const recipe& recipe, const std::string& output);
+/// The surface gets its name by renaming, which no file system does for another. Errors: file_error.
+void require_one_file_system(const std::string& output, const std::string& directory);
 
-/// When the surface has its name: nothing of the journal is left, nor of the directory if nothing else is in it.
-void remove_journal(const std::string& directory) noexcept;
+/// A job's share in a journal. Jobs may be at work in one at the same time: each holds the surface (flock, shared) while it
+/// lives, so that none takes the surface away from another. Move only.
+class journal_share {
+public:
+    /// Begins the journal, unless it is there already. The recipe appears when it is complete, so that a process that is
+    /// ended meanwhile leaves no half of one.
+    /// Errors: file_error, also when the output is on another file system and when another job has begun otherwise.
+    journal_share(std::string directory, const found_recipe& recipe, const std::string& output);
+    journal_share(journal_share&& other) noexcept;
+    journal_share& operator=(journal_share&&) = delete;
+    ~journal_share();
+
+    [[nodiscard]] static std::string surface_in(const std::string& directory);
+
+    /// Whether another job has given the surface its name since the recipe was read, so that there is nothing to share.
+    [[nodiscard]] bool is_over() const { return descriptor_ < 0; }
+    /// When all tiles are finished: waits until no other job is at work here. False when one of those has given the surface
+    /// its name meanwhile.
+    [[nodiscard]] bool own();
+    /// When the surface has its name: nothing of the journal is left, nor of the directory if nothing else is in it.
+    void remove() noexcept;
+
+private:
+    explicit journal_share(std::string directory);
+    [[nodiscard]] bool hold();
+    void leave() noexcept;
+    [[nodiscard]] bool holds_surface() const;
+
+    std::string directory_;
+    int descriptor_ = -1;
+};
 
 } // namespace kith::tool

@@ -3,6 +3,8 @@
 #include "errors.hpp"
 #include "word_list.hpp"
 
+#include <kith/output_file.hpp>
+
 #include <array>
 #include <csignal>
 #include <exception>
@@ -87,6 +89,7 @@ int run_and_report(const std::vector<std::string>& arguments)
 
 int main(int count, char** arguments)
 {
+    kith::io::remove_unfinished_when_interrupted();
     // A write that fails is then reported like any other, and what was begun is removed.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

@@ -2,9 +2,9 @@
 #include "errors.hpp"
 #include "mesh_file.hpp"
 #include "mesh_format.hpp"
-#include "output_file.hpp"
 
 #include <kith/cgal.hpp>
+#include <kith/output_file.hpp>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -174,7 +174,7 @@ void write_mesh_file(const std::string& path, const basic_mesh<>& mesh, bool bin
             throw file_error("standard output: could not be written completely");
         return;
     }
-    output_file file(path);
+    io::output_file file(path);
     write(file.stream());
     file.commit();
 }

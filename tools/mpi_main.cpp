@@ -3,6 +3,8 @@
 #include "rank_request.hpp"
 #include "refine_ranks.hpp"
 
+#include <kith/output_file.hpp>
+
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -54,6 +56,7 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
 
 int main(int count, char** arguments)
 {
+    kith::io::remove_unfinished_when_interrupted();
     std::signal(SIGXFSZ, SIG_IGN); // a write beyond what is allowed is then reported like any other that fails
     kith::mpi::session session(count, arguments);
     try {

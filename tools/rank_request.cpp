@@ -34,11 +34,13 @@ po::options_description options_of_refine()
     add_option<std::string>(options, "journal", "DIR", journal_help);
     add_option<std::int64_t>(options, "threads", "N", "threads of each rank; 1 unless told, as ranks fill the machine");
     add_flag(options, "cell-origin", "write tile and rank of every cell; the file then depends on the ranks");
-    add_flag(options, "verify", "refine on one rank as well and compare the checksums");
+    add_flag(options, "verify", "read back what is written, and refine on one rank as well and compare");
+    add_flag(options, "checksum", "print a number that stands for the surface, whatever the tiles and ranks");
     add_flag(options,
              "slices",
              "each rank reads its share of a binary PLY file and has one tile: for meshes too large for one rank");
-    add_option<std::string>(options, "stats", "FILE", "write what each rank did, a JSON object a line");
+    add_option<std::string>(
+        options, "stats", "FILE", "write what each rank did, a JSON object a line, and at the end the seconds of all");
     return options;
 }
 
@@ -70,7 +72,7 @@ std::optional<rank_request> rank_request_from(const verb& verb, const std::vecto
     };
     rank_request request;
     request.journal = journal_from(*values);
-    if (names_input(*values, {"mode", "threads", "verify", "stats"})) {
+    if (names_input(*values, {"mode", "threads", "verify", "checksum", "stats"})) {
         request.input = required(*values, "IN");
         request.what = tile_request_from(*values);
     }
@@ -81,6 +83,7 @@ std::optional<rank_request> rank_request_from(const verb& verb, const std::vecto
     request.partitioner = partitioner_from(*values);
     request.stats = text("stats", "");
     request.verify = values->count("verify") != 0;
+    request.with_checksum = values->count("checksum") != 0;
     request.slices = values->count("slices") != 0;
     if (request.slices)
         require_slices_alone(*values);

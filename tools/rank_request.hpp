@@ -23,6 +23,7 @@ struct rank_request {
     std::uint64_t threads = 1;
     mpi::sharing sharing = mpi::sharing::spmd;
     bool verify = false;
+    bool with_checksum = false;
     bool slices = false; ///< no rank reads the whole control mesh, each its share of the file
 };
 

@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rank_stats.hpp"
 
-#include "errors.hpp"
 #include "json.hpp"
+#include "run_stats.hpp"
 
-#include <cstdint>
-#include <fstream>
+#include <kith/output_file.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <limits>
 #include <span>
-
-#include <sys/resource.h>
+#include <vector>
 
 namespace kith::tool {
 
 namespace {
 
-/// The most memory this process has had, in bytes.
-std::uint64_t peak_memory()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return std::uint64_t(usage.ru_maxrss) * 1024;
-}
-
-std::string stats_line(int rank, const mpi::work_done& done, const mpi::traffic& traffic)
+std::string stats_line(int rank, const mpi::work_done& done, const mpi::traffic& traffic, const phase_seconds& seconds)
 {
     return json_object()
                .add("rank", rank)
@@ -35,28 +31,50 @@ std::string stats_line(int rank, const mpi::work_done& done, const mpi::traffic&
                .add("bytes_received", traffic.bytes_received)
                .add("messages_received", traffic.messages_received)
                .add("peak_bytes", peak_memory())
+               .add("processor_seconds", processor_seconds())
+               .add("seconds", json_of(seconds))
                .text() +
            "\n";
 }
 
+std::string summary(const std::vector<phase_seconds>& ranks)
+{
+    json_object phases;
+    for (std::size_t p = 0; p < phase_names.size(); ++p) {
+        double least = std::numeric_limits<double>::max(), most = 0, sum = 0;
+        for (const auto& rank : ranks) {
+            const double seconds = rank.all()[p];
+            least = std::min(least, seconds), most = std::max(most, seconds), sum += seconds;
+        }
+        phases.add(phase_names[p],
+                   json_object().add("minimum", least).add("mean", sum / double(ranks.size())).add("maximum", most));
+    }
+    return json_object().add("ranks", ranks.size()).add("seconds", phases).text() + "\n";
+}
+
 } // namespace
 
-void write_stats(mpi::communicator& comm, const std::string& path, const mpi::work_done& done)
+void write_rank_stats(mpi::communicator& comm, const std::string& path, const mpi::work_done& done,
+                      const phase_seconds& seconds)
 {
-    std::string lines = stats_line(comm.rank(), done, comm.sent_and_received());
+    std::string lines = stats_line(comm.rank(), done, comm.sent_and_received(), seconds);
     mpi::in_agreement(comm, [&] {
         if (not comm.is_root()) {
+            comm.send(std::as_bytes(std::span(&seconds, 1)), 0);
             comm.send(std::as_bytes(std::span(lines)), 0);
             return;
         }
+        std::vector<phase_seconds> ranks{seconds};
         for (int rank = 1; rank < comm.size(); ++rank) {
             int from = rank;
-            const auto bytes = comm.receive(from);
+            auto bytes = comm.receive(from);
+            std::memcpy(&ranks.emplace_back(), bytes.data(), sizeof(phase_seconds));
+            bytes = comm.receive(from);
             lines.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         }
-        std::ofstream out(path);
-        if (not(out << lines).flush())
-            throw file_error(path + ": cannot be written");
+        io::output_file file(path);
+        file.stream() << lines << summary(ranks);
+        file.commit();
     });
 }
 

@@ -5,8 +5,10 @@
 #include "journal.hpp"
 #include "partition_options.hpp"
 #include "rank_stats.hpp"
+#include "run_stats.hpp"
 #include "tile_output.hpp"
 
+#include <kith/checksum.hpp>
 #include <kith/refine.hpp>
 #include <kith/tiles_of_slices.hpp>
 
@@ -15,7 +17,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
+#include <mutex>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -50,50 +54,72 @@ partition partition_for(const rank_request& request, const Scheme& scheme, int r
     return make_partition(request.partitioner, request.what.control, tiles);
 }
 
-/// Reads what is refined on rank 0; without IN the others hear of it from there.
-void read_request(mpi::communicator& comm, rank_request& request)
+/// Reads what is refined on rank 0; without IN the others hear of it from there. The recipe of a journal stays on rank 0.
+std::optional<recipe> read_request(mpi::communicator& comm, rank_request& request, phase_seconds& seconds)
 {
     std::vector<std::byte> settings;
+    std::optional<recipe> kept;
     mpi::in_agreement(comm, [&] {
         if (not comm.is_root())
             return;
+        const phase_timer timer(seconds[phase::read]);
         if (not request.input.empty()) {
             read_control(request.what, request.input);
             return;
         }
-        recipe kept = kept_recipe(request.journal);
-        request.what = request_with_control(kept);
-        settings = pack_recipe({.settings = kept.settings, .output = kept.output});
+        kept = kept_recipe(request.journal);
+        request.what = request_with_control(*kept);
+        settings = pack_recipe({.settings = kept->settings, .output = kept->output});
     });
     if (not request.input.empty())
-        return;
+        return kept;
     settings = comm.broadcast(std::move(settings));
     mpi::in_agreement(comm, [&] {
         if (not comm.is_root())
             request.what = request_from(unpack_recipe(settings));
     });
+    return kept;
 }
 
-/// Begins the output on rank 0, tells all ranks which tiles are missing there, and gives what is finished.
-mpi::work_done begin(mpi::communicator& comm, tile_output& output, std::uint64_t tiles,
-                     std::vector<std::uint64_t>& missing)
+/// What stands in the output already, and what is to be done.
+struct begun {
+    bool is_over = false;                ///< another job has given the output its name
+    std::vector<std::uint64_t> numbers;  ///< of the tiles to refine
+    std::vector<std::uint64_t> finished; ///< those of them that are looked after only
+    std::uint64_t faces = 0;             ///< of tiles that are left out, on rank 0, and their checksum
+    mesh_checksum checksum{};
+};
+
+/// Begins the output on rank 0 and tells all ranks what is to be done.
+begun begin(mpi::communicator& comm, tile_output& output, std::uint64_t tiles, const found_recipe& kept, bool verify)
 {
-    mpi::work_done finished;
+    begun result;
     mpi::in_agreement(comm, [&] {
         if (not comm.is_root())
             return;
-        output.begin();
+        result.is_over = not output.begin(kept);
+        if (result.is_over)
+            return;
         const auto known = output.finished();
-        for (std::uint64_t t = 0; t < tiles; ++t)
-            if (known.empty() or not known[t])
-                missing.push_back(t);
+        for (std::uint64_t t = 0; t < tiles; ++t) {
+            const bool is_finished = not known.empty() and known[t];
+            if (is_finished and verify)
+                result.finished.push_back(t);
+            if (not is_finished or verify)
+                result.numbers.push_back(t);
             else
-                finished += {.owned_faces = known[t]->faces, .checksum = known[t]->checksum};
+                result.faces += known[t]->faces, result.checksum += known[t]->checksum;
+        }
     });
-    const auto message = comm.broadcast(packer().add_array(missing).take());
-    missing = unpacker(message).get_array<std::vector<std::uint64_t>>();
-    mpi::in_agreement(comm, [&] { output.open(); });
-    return finished;
+    const auto message = comm.broadcast(
+        packer().add(result.is_over).add_array(result.numbers).add_array(result.finished).take());
+    unpacker in(message);
+    result.is_over = in.get<bool>();
+    result.numbers = in.get_array<std::vector<std::uint64_t>>();
+    result.finished = in.get_array<std::vector<std::uint64_t>>();
+    if (not result.is_over)
+        mpi::in_agreement(comm, [&] { output.open(); });
+    return result;
 }
 
 /// Collective: a number that rank 0 has, on all ranks.
@@ -102,101 +128,139 @@ std::uint64_t number_on_root(mpi::communicator& comm, std::uint64_t number)
     return comm.sum(std::array{comm.is_root() ? number : 0})[0];
 }
 
-/// Collective: where the journal is; rank 0 has the recipe.
-std::optional<journal_place> shared_place(mpi::communicator& comm, const std::string& journal, const recipe& kept,
-                                          std::uint64_t tiles)
+void print(mpi::communicator& comm, const rank_request& request, const whole_counts& counts,
+           const std::optional<mesh_checksum>& checksum)
 {
-    if (journal.empty())
-        return std::nullopt;
-    return journal_place{journal, tiles, number_on_root(comm, comm.is_root() ? checksum_of(kept) : 0)};
-}
-
-/// Refines, and writes the surface. `kept` is on rank 0.
-template <class Scheme>
-void write_surface(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, const recipe& kept,
-                   mpi::rank_refinement<std::array<double, 3>, std::uint32_t, Scheme>& refinement)
-{
-    const tile_request& what = request.what;
-    const whole_counts counts = refinement.whole().counts(what.levels);
-
-    const auto place = shared_place(comm, request.journal, kept, refinement.tiles());
-    const std::uint64_t process = number_on_root(comm, std::uint64_t(getpid()));
-    std::optional<tile_output> made;
-    mpi::in_agreement(comm, [&] {
-        made.emplace(what.output, counts, refinement.tiles(), what.levels, what.with_origin, place, process);
-    });
-    tile_output& output = *made;
-    mpi::work_done done, all;
-    try {
-        mpi::in_agreement(comm, [&] { comm.is_root() ? begin_journal(request.journal, kept, what.output) : void(); });
-        std::vector<std::uint64_t> missing;
-        const mpi::work_done finished = begin(comm, output, refinement.tiles(), missing);
-        done = refinement.refine(request.sharing, missing, [&](std::uint64_t number, const auto& part) {
-            output.write(part, {std::uint32_t(number), std::uint32_t(comm.rank())});
-        });
-        mpi::in_agreement(comm, [&] { output.close(); });
-        const auto sums = comm.sum(std::array{done.owned_faces, done.checksum.bits});
-        all = {.owned_faces = sums[0], .checksum = {sums[1]}};
-        all += finished;
-        mpi::in_agreement(comm, [&] {
-            if (not comm.is_root())
-                return;
-            if (all.owned_faces != counts.faces)
-                throw std::logic_error("the tiles have " + std::to_string(all.owned_faces) + " faces, not " +
-                                       std::to_string(counts.faces) + "; this is an error in kith");
-            if (request.verify and
-                checksum(refine(what.control, scheme, what.levels, {connect::faces})) != all.checksum)
-                throw std::logic_error("the checksum differs from that of one rank; this is an error in kith");
-            output.commit();
-        });
-    } catch (...) {
-        if (comm.is_root())
-            output.abandon();
-        throw;
-    }
-    if (not request.stats.empty())
-        write_stats(comm, request.stats, done);
-    if (comm.is_root())
-        std::cout << what.output << ": " << counts.vertices << " vertices, " << counts.edges << " edges, "
-                  << counts.faces << " faces, checksum " << std::hex << all.checksum.bits << std::dec
-                  << (request.verify ? ", verified" : "") << '\n';
-}
-
-template <class Scheme>
-void refine_by(mpi::communicator& comm, const rank_request& request, const Scheme& scheme)
-{
-    recipe kept; // on rank 0
     mpi::in_agreement(comm, [&] {
         if (not comm.is_root())
             return;
-        const auto make = [&] { return partition_for(request, scheme, comm.size()); };
-        kept = request.journal.empty() ? recipe{.parts = make()} : recipe_for(request.journal, request.what, make);
+        std::ostringstream line;
+        line << request.what.output << ": " << counts.vertices << " vertices, " << counts.edges << " edges, "
+             << counts.faces << " faces";
+        if (checksum)
+            line << ", checksum " << std::hex << checksum->bits;
+        if (request.verify)
+            line << ", verified";
+        print_result(std::cout, line.str(), request.what.output);
     });
-    mpi::rank_refinement refinement(comm, request.what.control, scheme, request.what.levels, kept.parts);
-    write_surface(comm, request, scheme, kept, refinement);
+}
+
+/// Refines, and writes the surface. `kept` is on rank 0, and `seconds` is what was spent so far.
+template <class Scheme>
+void write_surface(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, const found_recipe& kept,
+                   mpi::rank_refinement<std::array<double, 3>, std::uint32_t, Scheme>& refinement,
+                   phase_seconds& seconds)
+{
+    const tile_request& what = request.what;
+    const whole_counts counts = refinement.whole().counts(what.levels);
+    const bool with_checksum = request.with_checksum or request.verify or not request.journal.empty();
+
+    const std::uint64_t recipe_sum = comm.is_root() and not request.journal.empty() ? checksum_of(kept.value) : 0;
+    const output_surface surface{.counts = counts,
+                                 .tiles = refinement.tiles(),
+                                 .recipe = number_on_root(comm, recipe_sum),
+                                 .process = number_on_root(comm, std::uint64_t(getpid()))};
+    std::optional<tile_output> made;
+    mpi::in_agreement(comm, [&] {
+        made.emplace(output_request{.path = what.output,
+                                    .journal = request.journal,
+                                    .levels = what.levels,
+                                    .with_origin = what.with_origin,
+                                    .with_checksum = with_checksum,
+                                    .verify = request.verify},
+                     surface);
+    });
+    tile_output& output = *made;
+    const begun job = begin(comm, output, refinement.tiles(), kept, request.verify);
+    if (job.is_over) {
+        print(comm, request, counts, std::nullopt);
+        return;
+    }
+    std::mutex adding;
+    mesh_checksum sum;
+    const auto write = [&](std::uint64_t number, const auto& part) {
+        finished_tile tile;
+        std::optional<std::string> damage;
+        const bool is_finished = std::ranges::binary_search(job.finished, number);
+        if (is_finished)
+            damage = output.damage(part, number);
+        if (damage)
+            std::cerr << "kith-mpi: note: tile " + std::to_string(number) + " is damaged, " + *damage +
+                             " is another one; it is written again\n";
+        if (is_finished and not damage)
+            tile = {owned_count(part.face_marks), checksum(part)};
+        else
+            tile = output.write(part, {std::uint32_t(number), std::uint32_t(comm.rank())});
+        const std::lock_guard lock(adding);
+        sum += tile.checksum;
+    };
+    const mpi::work_done done = refinement.refine(request.sharing, job.numbers, write, request.threads);
+    const auto sums = comm.sum(std::array{done.owned_faces, sum.bits});
+    const mesh_checksum all{sums[1] + job.checksum.bits};
+    seconds += done.seconds;
+    mpi::in_agreement(comm, [&] { timed(seconds[phase::write], [&] { output.close(); }); });
+    mpi::in_agreement(comm, [&] {
+        if (not comm.is_root())
+            return;
+        if (sums[0] + job.faces != counts.faces)
+            throw std::logic_error("the tiles have " + std::to_string(sums[0] + job.faces) + " faces, not " +
+                                   std::to_string(counts.faces) + "; this is an error in kith");
+        if (request.verify and checksum(refine(what.control, scheme, what.levels, {connect::faces})) != all)
+            throw std::logic_error("the surface differs from that of one rank; this is an error in kith");
+        timed(seconds[phase::write], [&] { output.commit(); });
+    });
+    for (const phase p : {phase::send, phase::wait})
+        seconds[p] += comm.seconds()[p];
+    if (not request.stats.empty())
+        write_rank_stats(comm, request.stats, done, seconds);
+    print(comm, request, counts, with_checksum ? std::optional(all) : std::nullopt);
 }
 
 template <class Scheme>
-void refine_slices(mpi::communicator& comm, const rank_request& request, const Scheme& scheme)
+void refine_by(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, std::optional<recipe> given,
+               phase_seconds& seconds)
+{
+    found_recipe kept; // on rank 0
+    mpi::in_agreement(comm, [&] {
+        if (not comm.is_root())
+            return;
+        const phase_timer timer(seconds[phase::partition]);
+        const auto make = [&] { return partition_for(request, scheme, comm.size()); };
+        if (request.journal.empty())
+            kept.value = {.parts = make()};
+        else if (given)
+            kept = {std::move(*given), true};
+        else
+            kept = recipe_for(request.journal, request.what, make);
+    });
+    mpi::rank_refinement refinement(comm, request.what.control, scheme, request.what.levels, kept.value.parts);
+    write_surface(comm, request, scheme, kept, refinement, seconds);
+}
+
+template <class Scheme>
+void refine_slices(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, phase_seconds& seconds)
 {
     const int levels = request.what.levels;
     int rings = 1;
     mpi::in_agreement(comm, [&] { rings = std::max(rings, ring_schedule(scheme, levels)[0]); });
-    auto read = mpi::read_tiles(comm, request.input, rings);
+    auto read = timed(seconds[phase::read], [&] { return mpi::read_tiles(comm, request.input, rings); });
     mpi::rank_refinement refinement(comm, std::move(read.tiles), read.counts, scheme, levels);
-    write_surface(comm, request, scheme, {}, refinement);
+    write_surface(comm, request, scheme, {}, refinement, seconds);
 }
 
 } // namespace
 
 void refine_ranks(mpi::communicator& comm, rank_request& request)
 {
+    phase_seconds seconds;
+    std::optional<recipe> kept;
     if (not request.slices)
-        read_request(comm, request);
+        kept = read_request(comm, request, seconds);
     std::visit(
         [&]<class Scheme>(const Scheme& scheme) {
             if constexpr (reaching_scheme<Scheme>)
-                request.slices ? refine_slices(comm, request, scheme) : refine_by(comm, request, scheme);
+                request.slices ? refine_slices(comm, request, scheme, seconds)
+                               : refine_by(comm, request, scheme, std::move(kept), seconds);
             else
                 throw usage_error(std::string(kith::scheme_name<Scheme>()) + // on all ranks
                                   " has no reach, so no tiles; use kith refine");

@@ -2,16 +2,22 @@
 #include "refine_tiles.hpp"
 
 #include "errors.hpp"
-#include "journal.hpp"
 #include "tile_output.hpp"
 
 #include <kith/refine_in_tiles.hpp>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
+#include <iostream>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <unistd.h>
 
@@ -19,45 +25,101 @@ namespace kith::tool {
 
 namespace {
 
-template <class Scheme>
-tiled_result refine_by(const Scheme& scheme, const tile_request& request, const recipe& kept,
-                       const std::string& journal, const tile_range& range)
-{
-    tiled_refinement refinement(request.control, scheme, request.levels, kept.parts);
-    tiled_result result{refinement.whole().counts(request.levels), refinement.tiles(), 0, {}};
-    tile_output file(request.output,
-                     result.counts,
-                     result.tiles,
-                     request.levels,
-                     request.with_origin,
-                     place_of(journal, kept),
-                     std::uint64_t(getpid()));
-    begin_journal(journal, kept, request.output);
-    try {
-        file.begin();
-        const auto finished = file.finished();
-        std::uint64_t faces = 0;
-        for (std::size_t t = 0; t < refinement.tiles(); ++t) {
-            const bool is_finished = not finished.empty() and finished[t];
-            if (not is_finished and (t < range.first or t > range.last))
-                continue;
-            const finished_tile tile = is_finished ? *finished[t]
-                                                   : file.write(refinement.refine(t), {std::uint32_t(t), 0});
-            result.checksum += tile.checksum;
-            faces += tile.faces;
-            ++result.finished_tiles;
-        }
-        file.close();
-        if (result.finished_tiles == result.tiles) {
-            if (faces != result.counts.faces)
-                throw std::logic_error("the tiles have " + std::to_string(faces) + " faces, not " +
-                                       std::to_string(result.counts.faces) + "; this is an error in kith");
-            file.commit();
-        }
-    } catch (...) {
-        file.abandon();
-        throw;
+/// What the tiles have come to, added up by the threads that refine them.
+struct sums {
+    std::mutex mutex;
+    std::uint64_t tiles = 0, faces = 0;
+    mesh_checksum checksum{};
+    phase_seconds seconds;
+
+    void add(const finished_tile& tile, const phase_seconds& spent, std::size_t threads)
+    {
+        const std::lock_guard lock(mutex);
+        ++tiles;
+        faces += tile.faces;
+        checksum += tile.checksum;
+        seconds.add(spent, threads);
     }
+};
+
+/// A tile that is missing, or one that is looked after.
+template <class Refinement>
+finished_tile finish(Refinement& refinement, tile_output& file, std::size_t number, bool is_finished,
+                     phase_seconds& spent)
+{
+    if (not is_finished)
+        if (const auto meanwhile = file.finished(number)) // by another job
+            return *meanwhile;
+    const auto part = refinement.refine(number, connect::faces, spent);
+    const phase_timer timer(spent[phase::write]);
+    if (is_finished) {
+        const auto damage = file.damage(part, number);
+        if (not damage)
+            return *file.finished(number);
+        std::cerr << "kith: note: tile " + std::to_string(number) + " is damaged, " + *damage +
+                         " is another one; it is written again\n";
+    }
+    return file.write(part, {std::uint32_t(number), 0});
+}
+
+template <class Scheme>
+tiled_result refine_by(const Scheme& scheme, const tile_request& request, const tiling& how, const found_recipe& kept,
+                       const tile_range& range)
+{
+    sums done;
+    auto made = [&] {
+        const phase_timer timer(done.seconds[phase::cut]);
+        return std::make_unique<tiled_refinement<std::array<double, 3>, std::uint32_t, Scheme>>(
+            request.control, scheme, request.levels, kept.value.parts);
+    }();
+    auto& refinement = *made;
+    const bool with_checksum = how.with_checksum or how.verify;
+    tiled_result result{refinement.whole().counts(request.levels), refinement.tiles(), 0, std::nullopt, {}};
+    tile_output file({.path = request.output,
+                      .journal = how.journal,
+                      .levels = request.levels,
+                      .with_origin = request.with_origin,
+                      .with_checksum = with_checksum,
+                      .verify = how.verify},
+                     {.counts = result.counts,
+                      .tiles = result.tiles,
+                      .recipe = how.journal.empty() ? 0 : checksum_of(kept.value),
+                      .process = std::uint64_t(getpid())});
+    if (not file.begin(kept)) { // another job has given it its name
+        result.finished_tiles = result.tiles;
+        return result;
+    }
+    const auto finished = file.finished();
+    std::vector<std::size_t> numbers;
+    for (std::size_t t = 0; t < refinement.tiles(); ++t) {
+        const bool is_finished = not finished.empty() and finished[t];
+        if (is_finished and not how.verify)
+            done.add(*finished[t], {}, 1);
+        else if (is_finished or (t >= range.first and t <= range.last))
+            numbers.push_back(t);
+    }
+    const stopwatch since;
+    const double before = done.seconds.sum();
+    const std::size_t at_once = tiles_at_once(numbers.size());
+    for_each_at_once(numbers.size(), at_once, [&](std::size_t i) {
+        phase_seconds spent;
+        const bool is_finished = not finished.empty() and finished[numbers[i]];
+        const auto tile = finish(refinement, file, numbers[i], is_finished, spent);
+        done.add(tile, spent, at_once);
+    });
+    done.seconds[phase::wait] += std::max(0., since.seconds() - (done.seconds.sum() - before));
+    result.finished_tiles = done.tiles;
+    if (with_checksum or not how.journal.empty())
+        result.checksum = done.checksum;
+    if (result.finished_tiles == result.tiles and done.faces != result.counts.faces)
+        throw std::logic_error("the tiles have " + std::to_string(done.faces) + " faces, not " +
+                               std::to_string(result.counts.faces) + "; this is an error in kith");
+    timed(done.seconds[phase::write], [&] {
+        file.close();
+        if (result.finished_tiles == result.tiles)
+            file.commit();
+    });
+    result.seconds = done.seconds;
     return result;
 }
 
@@ -85,23 +147,30 @@ void require_reach(const tile_request& request)
     std::visit(check, request.scheme);
 }
 
-tiled_result refine_tiles(const tile_request& request, const std::string& journal,
-                          const std::optional<tile_range>& only, const std::function<partition()>& make_parts)
+tiled_result refine_tiles(const tile_request& request, const tiling& how)
 {
     require_reach(request);
-    const recipe kept = journal.empty() ? recipe{.parts = make_parts()} : recipe_for(journal, request, make_parts);
-    const tile_range range = only.value_or(tile_range{0, kept.parts.parts - 1});
-    if (range.last >= kept.parts.parts)
+    double partitioning = 0;
+    const found_recipe kept = timed(partitioning, [&] {
+        return how.journal.empty() ? found_recipe{recipe{.parts = how.make_parts()}}
+               : how.kept          ? found_recipe{*how.kept, true}
+                                   : recipe_for(how.journal, request, how.make_parts);
+    });
+    const partition& parts = kept.value.parts;
+    const tile_range range = how.only.value_or(tile_range{0, parts.parts - 1});
+    if (range.last >= parts.parts)
         throw usage_error("--only: there is no tile " + std::to_string(range.last) + ", there are " +
-                          std::to_string(kept.parts.parts) + ", numbered from 0");
-    return std::visit(
+                          std::to_string(parts.parts) + ", numbered from 0");
+    auto result = std::visit(
         [&]<class Scheme>(const Scheme& scheme) -> tiled_result {
             if constexpr (reaching_scheme<Scheme>)
-                return refine_by(scheme, request, kept, journal, range);
+                return refine_by(scheme, request, how, kept, range);
             else
                 return {};
         },
         request.scheme);
+    result.seconds[phase::partition] += partitioning;
+    return result;
 }
 
 } // namespace kith::tool

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "journal.hpp"
 #include "tile_request.hpp"
 
 #include <kith/checksum.hpp>
 #include <kith/partition.hpp>
+#include <kith/phase_seconds.hpp>
 #include <kith/whole_numbering.hpp>
 
 #include <cstdint>
@@ -26,18 +28,28 @@ tile_range tile_range_from(const std::string& text);
 /// Errors: usage_error for a scheme without reach.
 void require_reach(const tile_request& request);
 
+/// How a surface is refined in tiles; its bytes do not depend on it.
+struct tiling {
+    std::string journal;             ///< a directory, or nothing
+    std::optional<tile_range> only;  ///< of the tiles that are missing in the journal
+    bool verify = false;             ///< read back what is written, and look after what was finished before
+    bool with_checksum = false;      ///< there is one in any case where there is a journal
+    std::optional<recipe> kept = {}; ///< when the journal has said what is refined
+    std::function<partition()> make_parts;
+};
+
 struct tiled_result {
     whole_counts counts;
     std::uint64_t tiles = 0;
-    std::uint64_t finished_tiles = 0; ///< if less than all, the output waits in the journal for the others
-    mesh_checksum checksum;           ///< of what is finished
+    std::uint64_t finished_tiles = 0;      ///< if less than all, the output waits in the journal for the others
+    std::optional<mesh_checksum> checksum; ///< of what is finished, if known
+    phase_seconds seconds;
 };
 
-/// Refines in tiles, one after the other, and writes each where it belongs; the whole surface is never in memory. With a
-/// journal, tiles that are finished are left out and, if there is a range, all others outside of it.
+/// Refines in tiles and writes each where it belongs; the whole surface is never in memory. On several threads each has a
+/// tile of its own. With a journal, tiles that are finished are left out and, if there is a range, all others outside of it.
 /// Errors: usage_error for a scheme without reach and for tiles that do not exist, file_error, mesh_error, write_error; no
 /// file is left then but the journal.
-tiled_result refine_tiles(const tile_request& request, const std::string& journal,
-                          const std::optional<tile_range>& only, const std::function<partition()>& make_parts);
+tiled_result refine_tiles(const tile_request& request, const tiling& how);
 
 } // namespace kith::tool

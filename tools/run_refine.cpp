@@ -8,6 +8,7 @@
 #include "mesh_format.hpp"
 #include "mesh_input.hpp"
 #include "run_refine_tiles.hpp"
+#include "run_stats.hpp"
 #include "scheme_options.hpp"
 #include "tile_options.hpp"
 #include "word_list.hpp"
@@ -74,6 +75,9 @@ po::options_description options_of_refine()
 #if defined(_OPENMP)
     add_option<std::int64_t>(options, "threads", "N", "run on so many threads");
 #endif
+    add_flag(options, "verify", "tiles: read back what is written; with a journal, what was finished before, too");
+    add_flag(options, "checksum", "tiles: print a number that stands for the surface, whatever the tiles");
+    add_option<std::string>(options, "stats", "FILE", stats_help);
     add_flag(options, "json", "print the result line as JSON");
     return options;
 }
@@ -97,6 +101,9 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     set_threads(*values);
     if (given("tiles") or given("journal") or given("only") or is_tile_format_only(*values))
         return run_refine_tiles(*values);
+    for (const char* option : {"verify", "checksum"})
+        if (given(option))
+            throw usage_error("--" + std::string(option) + ": is for tiles; name --tiles as well");
     shared_blocks.keep_at_most(0); // nothing is refined after this
     const std::string input = required(*values, "IN");
     const std::string output = required(*values, "output");
@@ -116,14 +123,18 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     if (binary and (format == mesh_format::off or format == mesh_format::obj))
         throw usage_error("--binary: only PLY and STL are written in binary, " + output + " is text");
 
-    control_mesh control = read_mesh(input);
-    give_creases(request.scheme, control, words);
-    const auto holes = holes_of(control.tags, control.mesh);
-    const basic_mesh<> with_holes = holes.empty() ? basic_mesh<>() : control.mesh;
-    refined_mesh result = refine_on(prepared(request.scheme, std::move(control.mesh)), request);
-    if (not holes.empty())
-        leave_out(result, holes_after(request.scheme, request.levels, with_holes, holes));
-    write_mesh_file(output, result.mesh, binary, result.normals);
+    phase_seconds seconds;
+    control_mesh control = timed(seconds[phase::read], [&] { return read_mesh(input); });
+    refined_mesh result = timed(seconds[phase::refine], [&] {
+        give_creases(request.scheme, control, words);
+        const auto holes = holes_of(control.tags, control.mesh);
+        const basic_mesh<> with_holes = holes.empty() ? basic_mesh<>() : control.mesh;
+        refined_mesh refined = refine_on(prepared(request.scheme, std::move(control.mesh)), request);
+        if (not holes.empty())
+            leave_out(refined, holes_after(request.scheme, request.levels, with_holes, holes));
+        return refined;
+    });
+    timed(seconds[phase::write], [&] { write_mesh_file(output, result.mesh, binary, result.normals); });
     if (result.without_limit != 0)
         std::cerr << "kith: note: " << result.without_limit << " of " << result.mesh.vertex_count()
                   << " vertices stay where level " << request.levels
@@ -131,20 +142,21 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
 
     const auto vertices = result.mesh.vertex_count();
     const auto faces = result.mesh.face_count();
-    std::ostream& out = output == standard_stream ? std::cerr : std::cout;
-    if (given("json"))
-        out << json_object()
-                   .add("scheme", scheme)
-                   .add("mesh", mesh_kind)
-                   .add("levels", request.levels)
-                   .add("vertices", vertices)
-                   .add("edges", result.edges)
-                   .add("faces", faces)
-                   .add("output", output)
-                   .text();
-    else
-        out << output << ": " << vertices << " vertices, " << result.edges << " edges, " << faces << " faces";
-    out << '\n';
+    if (given("stats"))
+        write_stats(required(*values, "stats"), seconds);
+    json_object object;
+    object.add("scheme", scheme)
+        .add("mesh", mesh_kind)
+        .add("levels", request.levels)
+        .add("vertices", vertices)
+        .add("edges", result.edges)
+        .add("faces", faces)
+        .add("output", output);
+    if (given("stats"))
+        object.add("seconds", json_of(seconds));
+    const std::string line = output + ": " + std::to_string(vertices) + " vertices, " + std::to_string(result.edges) +
+                             " edges, " + std::to_string(faces) + " faces";
+    print_result(output == standard_stream ? std::cerr : std::cout, given("json") ? object.text() : line, output);
     return 0;
 }
 

@@ -7,12 +7,15 @@
 #include "mesh_format.hpp"
 #include "partition_options.hpp"
 #include "refine_tiles.hpp"
+#include "run_stats.hpp"
 #include "tile_options.hpp"
 
 #include <cstdint>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <utility>
 
 namespace kith::tool {
 
@@ -20,10 +23,12 @@ namespace {
 
 namespace po = boost::program_options;
 
-void print(const tile_request& request, const std::string& journal, const tiled_result& result, bool as_json)
+std::string result_line(const tile_request& request, const tiling& how, const tiled_result& result, bool as_json,
+                        bool with_seconds)
 {
     const bool is_complete = result.finished_tiles == result.tiles;
-    const auto& [counts, tiles, finished_tiles, checksum] = result;
+    const auto& [counts, tiles, finished_tiles, checksum, seconds] = result;
+    std::ostringstream out;
     if (as_json) {
         json_object object;
         object.add("scheme", request.scheme_name)
@@ -33,15 +38,23 @@ void print(const tile_request& request, const std::string& journal, const tiled_
             .add("vertices", counts.vertices)
             .add("edges", counts.edges)
             .add("faces", counts.faces)
-            .add("output", is_complete ? request.output : journal);
-        std::cout << object.text();
+            .add("output", is_complete ? request.output : how.journal);
+        if (how.verify)
+            object.add("verified", true);
+        if (with_seconds)
+            object.add("seconds", json_of(seconds));
+        out << object.text();
     } else if (is_complete) {
-        std::cout << request.output << ": " << counts.vertices << " vertices, " << counts.edges << " edges, "
-                  << counts.faces << " faces, checksum " << std::hex << checksum.bits << std::dec;
+        out << request.output << ": " << counts.vertices << " vertices, " << counts.edges << " edges, " << counts.faces
+            << " faces";
+        if (checksum)
+            out << ", checksum " << std::hex << checksum->bits;
     } else {
-        std::cout << journal << ": " << finished_tiles << " of " << tiles << " tiles are finished";
+        out << how.journal << ": " << finished_tiles << " of " << tiles << " tiles are finished";
     }
-    std::cout << '\n';
+    if (how.verify and not as_json)
+        out << ", verified";
+    return out.str();
 }
 
 } // namespace
@@ -59,27 +72,38 @@ int run_refine_tiles(const po::variables_map& values)
     for (const char* option : {"mesh", "limit", "memory-limit"})
         if (values.count(option) != 0)
             throw usage_error("--" + std::string(option) + " and tiles do not go together; leave one of them out");
-    const std::string journal = journal_from(values);
-    std::optional<tile_range> only;
+    tiling how{.journal = journal_from(values), .only = {}, .make_parts = {}};
     if (values.count("only") != 0)
-        only = tile_range_from(required(values, "only"));
-    if (only and journal.empty())
+        how.only = tile_range_from(required(values, "only"));
+    if (how.only and how.journal.empty())
         throw usage_error("--only: name with --journal where the tiles are kept");
+    how.verify = values.count("verify") != 0;
+    how.with_checksum = values.count("checksum") != 0;
     tile_request request;
     std::uint64_t tiles = 1;
     std::string partitioner = "metis";
-    if (names_input(values, {"only", "threads", "json"})) {
+    double reading = 0;
+    if (names_input(values, {"only", "threads", "json", "stats", "verify", "checksum"})) {
         request = tile_request_from(values);
         tiles = count_from(values, "tiles");
         partitioner = partitioner_from(values);
         require_reach(request);
-        read_control(request, required(values, "IN"));
+        timed(reading, [&] { read_control(request, required(values, "IN")); });
     } else {
-        request = request_with_control(kept_recipe(journal));
+        const phase_timer timer(reading);
+        how.kept = kept_recipe(how.journal);
+        request = request_with_control(*how.kept);
     }
-    const auto make_parts = [&] { return make_partition(partitioner, request.control, tiles); };
-    const tiled_result result = refine_tiles(request, journal, only, make_parts);
-    print(request, journal, result, values.count("json") != 0);
+    how.make_parts = [&] { return make_partition(partitioner, request.control, tiles); };
+    tiled_result result = refine_tiles(request, how);
+    result.seconds[phase::read] += reading;
+    const bool with_seconds = values.count("stats") != 0;
+    if (with_seconds)
+        write_stats(required(values, "stats"), result.seconds);
+    const bool is_complete = result.finished_tiles == result.tiles;
+    print_result(std::cout,
+                 result_line(request, how, result, values.count("json") != 0, with_seconds),
+                 is_complete ? request.output : "what is finished of " + how.journal);
     return 0;
 }
 

@@ -3,12 +3,10 @@
 
 #include "errors.hpp"
 #include "mesh_format.hpp"
-#include "output_file.hpp"
 
 #include <kith/checksum.hpp>
 #include <kith/vtu_pieces.hpp>
 
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -28,6 +26,27 @@ void require_pieces_only(const std::string& directory)
                              entry.path().filename().string() + "; remove it, or name another output");
 }
 
+bool is_special(const std::string& target)
+{
+    std::error_code failed;
+    const auto status = fs::status(target, failed);
+    return fs::exists(status) and not fs::is_regular_file(status) and not fs::is_directory(status);
+}
+
+/// Tiles are written at their places, which a pipe does not have. Errors: file_error.
+void require_places(const output_request& request, const std::string& target, bool in_pieces)
+{
+    std::error_code failed;
+    const auto status = fs::status(target, failed);
+    if (fs::is_directory(status))
+        throw file_error(request.path + ": is a directory, not a file");
+    if (fs::is_fifo(status) or fs::is_socket(status))
+        throw file_error(request.path + ": is a pipe, and tiles are written in any order; name a file");
+    if (is_special(target) and (in_pieces or not request.journal.empty()))
+        throw file_error(request.path + ": is no file, which " +
+                         (in_pieces ? "the index of the pieces" : "the end of a journal") + " must be; name a file");
+}
+
 } // namespace
 
 void require_tile_format(const std::string& path)
@@ -38,49 +57,63 @@ void require_tile_format(const std::string& path)
             path + ": tiles are written to .vtu or .ply, where every byte has its place, or to .pvtu, a file each");
 }
 
-tile_output::tile_output(const std::string& path, const whole_counts& counts, std::uint64_t tiles, int level,
-                         bool with_origin, const std::optional<journal_place>& journal, std::uint64_t process)
-    : path_(path)
-    , incomplete_(journal ? (fs::path(journal->directory) / "surface").string()
-                          : path + ".incomplete-" + std::to_string(process))
+tile_output::tile_output(const output_request& request, const output_surface& surface)
+    : request_(request), target_(io::target_of(request.path))
 {
-    require_tile_format(path);
-    if (extension_of(path) == ".pvtu") {
-        pieces_ = fs::path(path).replace_extension(".pieces").string();
-        const std::string source = fs::path(pieces_).filename().string();
-        layout_ = std::make_unique<vtu_pieces>(incomplete_pieces(), source, tiles, level, with_origin);
-    } else if (extension_of(path) == ".ply") {
-        layout_ = std::make_unique<ply_file>(counts);
+    require_tile_format(request.path);
+    incomplete_ = not request.journal.empty() ? journal_share::surface_in(request.journal)
+                  : is_special(target_)       ? target_
+                                              : io::unfinished_name(target_, surface.process);
+    if (extension_of(request.path) == ".pvtu") {
+        const std::string source = fs::path(target_).replace_extension(".pieces").string();
+        pieces_ = io::target_of(source);
+        layout_ = std::make_unique<vtu_pieces>(incomplete_pieces(),
+                                               fs::path(source).filename().string(),
+                                               surface.tiles,
+                                               request.levels,
+                                               request.with_origin);
+    } else if (extension_of(request.path) == ".ply") {
+        layout_ = std::make_unique<ply_file>(surface.counts);
     } else {
-        layout_ = std::make_unique<vtu_file>(counts, level, with_origin);
+        layout_ = std::make_unique<vtu_file>(surface.counts, request.levels, request.with_origin);
     }
-    if (not journal)
-        return;
-    journal_directory_ = journal->directory;
-    journal_.emplace(layout_->size(), tiles, journal->recipe);
+    if (not request.journal.empty())
+        journal_.emplace(layout_->size(), surface.tiles, surface.recipe);
 }
 
-void tile_output::begin()
+/// Where the pieces are going to be, or in the journal.
+std::string tile_output::incomplete_pieces() const
 {
-    std::error_code failed;
-    if (fs::is_directory(path_, failed))
-        throw file_error(path_ + ": is a directory, not a file");
+    const std::string name = incomplete_ + ".pieces";
+    return request_.journal.empty() ? (fs::path(pieces_).parent_path() / fs::path(name).filename()).string() : name;
+}
+
+bool tile_output::begin(const found_recipe& recipe)
+{
+    require_places(request_, target_, not pieces_.empty());
     if (not pieces_.empty())
         require_pieces_only(pieces_);
     if (not journal_) {
-        is_ours_ = true;
-        remove_when_interrupted(incomplete_);
-    }
-    if (not pieces_.empty()) {
-        if (is_ours_)
-            fs::remove_all(incomplete_pieces(), failed);
-        fs::create_directory(incomplete_pieces(), failed);
+        made_.emplace(request_.path);
+        if (not pieces_.empty())
+            made_->make_directory(incomplete_pieces());
+        file_.emplace(made_->is_direct() ? offset_file::open(incomplete_)
+                                         : offset_file::create(incomplete_, layout_->size()));
+    } else {
+        if (not pieces_.empty())
+            require_one_file_system(pieces_, request_.journal);
+        share_.emplace(request_.journal, recipe, request_.path);
+        if (share_->is_over())
+            return false;
+        std::error_code failed;
+        if (not pieces_.empty())
+            fs::create_directory(incomplete_pieces(), failed);
         if (failed)
             throw file_error(incomplete_pieces() + ": cannot be made: " + failed.message());
+        file_.emplace(offset_file::create_or_keep(incomplete_, journal_->end()));
     }
-    file_.emplace(journal_ ? offset_file::create_or_keep(incomplete_, journal_->end())
-                           : offset_file::create(incomplete_, layout_->size()));
     layout_->write_frame(*file_);
+    return true;
 }
 
 void tile_output::open()
@@ -100,13 +133,32 @@ std::vector<std::optional<finished_tile>> tile_output::finished()
     return result;
 }
 
+std::optional<finished_tile> tile_output::finished(std::uint64_t tile)
+{
+    return journal_ and layout_->is_there(tile) ? journal_->read(*file_, tile) : std::nullopt;
+}
+
 finished_tile tile_output::write(const tile_type& part, cell_origin origin)
 {
-    layout_->write_tile(*file_, part, origin);
-    const finished_tile finished{owned_count(part.face_marks), checksum(part)};
+    try {
+        layout_->write_tile(*file_, part, origin);
+    } catch (const mesh_error& error) {
+        throw file_error(request_.path + ": " + error.what());
+    }
+    finished_tile finished{owned_count(part.face_marks)};
+    if (journal_ or request_.with_checksum)
+        finished.checksum = checksum(part);
     if (journal_)
         journal_->add(*file_, origin.tile, finished);
+    if (request_.verify)
+        if (const auto differs = damage(part, origin.tile))
+            throw file_error(*differs + " is not what was written there; look after the disk");
     return finished;
+}
+
+std::optional<std::string> tile_output::damage(const tile_type& part, std::uint64_t tile)
+{
+    return layout_->difference(*file_, part, std::uint32_t(tile));
 }
 
 void tile_output::close()
@@ -117,38 +169,34 @@ void tile_output::close()
 
 void tile_output::commit()
 {
-    if (journal_) {
+    if (share_ and not share_->own())
+        return;
+    const auto lock = io::hold_interruptions();
+    if (share_) {
         auto file = offset_file::open(incomplete_);
         file.resize(layout_->size());
         file.close();
     }
-    std::error_code failed;
-    if (not pieces_.empty()) { // an index that was there before must not find other pieces
-        fs::remove(path_, failed);
+    if (not pieces_.empty()) {
+        const std::string made = incomplete_pieces();
+        std::error_code failed;
+        if (fs::exists(pieces_, failed))
+            fs::permissions(made, fs::status(pieces_).permissions(), failed);
+        if (fs::exists(target_, failed)) { // an index that was there before must not find other pieces
+            fs::permissions(incomplete_, fs::status(target_).permissions(), failed);
+            fs::remove(target_, failed);
+        }
         fs::remove_all(pieces_, failed);
-        fs::rename(incomplete_pieces(), pieces_, failed);
+        fs::rename(made, pieces_, failed);
         if (failed)
             throw file_error(pieces_ + ": cannot be written: " + failed.message());
     }
-    fs::rename(incomplete_, path_, failed);
-    if (failed)
-        throw file_error(path_ + ": cannot be written: " + failed.message());
-    if (journal_)
-        remove_journal(journal_directory_);
-    is_ours_ = false;
-    keep_when_interrupted();
-}
-
-void tile_output::abandon() noexcept
-{
-    if (not is_ours_)
-        return;
-    std::remove(incomplete_.c_str());
-    std::error_code ignored; // the error that led here is told
-    if (not pieces_.empty())
-        fs::remove_all(incomplete_pieces(), ignored);
-    is_ours_ = false;
-    keep_when_interrupted();
+    if (share_) {
+        io::give_name(incomplete_, target_);
+        share_->remove();
+    } else {
+        made_->commit();
+    }
 }
 
 } // namespace kith::tool

@@ -3,6 +3,7 @@
 
 #include "journal.hpp"
 
+#include <kith/output_file.hpp>
 #include <kith/stitch.hpp>
 #include <kith/tile_journal.hpp>
 
@@ -19,44 +20,65 @@ namespace kith::tool {
 /// Errors: usage_error for other files.
 void require_tile_format(const std::string& path);
 
-/// The output of a refinement in tiles. One process begins and commits, all write. With a journal, what is finished stays
-/// in its directory until all is.
+/// What is written, and how.
+struct output_request {
+    std::string path;
+    std::string journal; ///< the directory, or nothing
+    int levels = 0;
+    bool with_origin = false;
+    bool with_checksum = false;
+    bool verify = false; ///< read back what has been written
+};
+
+/// What the whole surface is: the same on all ranks.
+struct output_surface {
+    whole_counts counts;
+    std::uint64_t tiles = 0;
+    std::uint64_t recipe = 0;  ///< its checksum, for the journal
+    std::uint64_t process = 0; ///< the id of the one that begins
+};
+
+/// The output of a refinement in tiles. One process begins and commits, all write, on several threads if they like. With a
+/// journal, what is finished stays in its directory until all is.
 class tile_output {
 public:
     using tile_type = tile<std::array<double, 3>, std::uint32_t>;
 
-    /// `process` is the id of the one that begins, so that no other job writes under the same name until it is complete.
-    /// Errors: mesh_error for what the format cannot hold.
-    tile_output(const std::string& path, const whole_counts& counts, std::uint64_t tiles, int level, bool with_origin,
-                const std::optional<journal_place>& journal, std::uint64_t process);
-    tile_output(const tile_output&) = delete;
-    tile_output& operator=(const tile_output&) = delete;
+    /// Errors: mesh_error for what the format cannot hold, file_error.
+    tile_output(const output_request& request, const output_surface& surface);
 
     /// Makes the file, under another name until it is complete; with a journal, unless it is there. Without one a signal
-    /// that ends the program removes the file again, though not the pieces of .pvtu.
-    /// Errors: file_error, write_error.
-    void begin();
+    /// that ends the program removes it again. False when another job has finished the journal meanwhile: the output is
+    /// there. Errors: file_error, write_error.
+    [[nodiscard]] bool begin(const found_recipe& recipe);
     void open();
     /// What is in the journal, of all tiles; nothing without a journal. Errors: write_error.
     [[nodiscard]] std::vector<std::optional<finished_tile>> finished();
-    /// Gives what the journal then says of the tile. Errors: write_error, mesh_error.
+    /// The same for one tile, now.
+    [[nodiscard]] std::optional<finished_tile> finished(std::uint64_t tile);
+    /// Gives what the journal then says of the tile; the checksum where it is asked for or there is a journal.
+    /// Errors: write_error, file_error.
     finished_tile write(const tile_type& part, cell_origin origin);
+    /// Whether a tile that is finished stands in the file as it should; else tells the byte that differs.
+    /// Errors: write_error.
+    [[nodiscard]] std::optional<std::string> damage(const tile_type& part, std::uint64_t tile);
     void close();
-    /// Gives the file its name; nothing of the journal is left then. Errors: file_error, write_error.
+    /// Gives the file its name, unless another job has done so; nothing of the journal is left then.
+    /// Errors: file_error, write_error.
     void commit();
-    /// Leaves nothing behind of what this process has begun but what is in a journal; nothing happens after commit.
-    void abandon() noexcept;
 
 private:
-    [[nodiscard]] std::string incomplete_pieces() const { return incomplete_ + ".pieces"; }
+    [[nodiscard]] std::string incomplete_pieces() const;
+    void begin_file();
 
-    std::string path_, incomplete_;
+    output_request request_;
+    std::string target_, incomplete_;
     std::string pieces_; ///< the directory of the tiles that have files of their own, else empty
     std::unique_ptr<stitched_file> layout_;
-    std::string journal_directory_;
     std::optional<tile_journal> journal_;
+    std::optional<journal_share> share_;
+    std::optional<io::unfinished_file> made_; ///< by this process, removed again unless committed
     std::optional<offset_file> file_;
-    bool is_ours_ = false; ///< what stands under the other name, to be removed
 };
 
 } // namespace kith::tool

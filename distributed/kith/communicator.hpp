@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "phase_seconds.hpp"
+
 #include <mpi.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -13,6 +16,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -33,6 +37,28 @@ inline void check(int code, const char* call)
     int length = 0;
     MPI_Error_string(code, text, &length);
     throw error(std::string(call) + ": " + std::string(text, std::size_t(length)));
+}
+
+/// Waits until `is_done()`, which lets MPI go on. Spins for a tenth of a millisecond, as most answers are near; then sleeps
+/// between two looks, an eighth of the time that has passed, a millisecond at most: MPI itself takes a whole processor to
+/// wait. Adds the time to `seconds`.
+template <class IsDone>
+void wait_until(double& seconds, const IsDone& is_done)
+{
+    constexpr double spin = 1e-4, longest = 1e-3;
+    const phase_timer timer(seconds);
+    const stopwatch since;
+    while (not is_done())
+        if (const double waited = since.seconds(); waited > spin)
+            std::this_thread::sleep_for(std::chrono::duration<double>(std::min(longest, waited / 8)));
+}
+inline void wait_for(MPI_Request request, double& seconds, const char* call)
+{
+    wait_until(seconds, [&] {
+        int is_done = 0;
+        check(MPI_Test(&request, &is_done, MPI_STATUS_IGNORE), call);
+        return is_done != 0;
+    });
 }
 
 } // namespace detail
@@ -62,6 +88,7 @@ public:
         , size_(other.size_)
         , largest_(other.largest_)
         , traffic_(other.traffic_)
+        , seconds_(other.seconds_)
     {
     }
     communicator& operator=(communicator&&) = delete;
@@ -81,9 +108,13 @@ public:
     /// Local.
     [[nodiscard]] const traffic& sent_and_received() const { return traffic_; }
 
+    /// Local: how long this rank has sent (phase::send) and waited for others (phase::wait).
+    [[nodiscard]] phase_seconds& seconds() { return seconds_; }
+
     /// To one rank, which calls receive. Returns when the bytes may be changed.
     void send(std::span<const std::byte> bytes, int to)
     {
+        const phase_timer timer(seconds_[phase::send]);
         const std::uint64_t size = bytes.size();
         detail::check(MPI_Send(&size, 1, MPI_UINT64_T, to, size_tag, comm_), "MPI_Send");
         count_sent(sizeof size);
@@ -107,8 +138,14 @@ public:
     {
         std::uint64_t size = 0;
         MPI_Status status;
-        detail::check(MPI_Recv(&size, 1, MPI_UINT64_T, from, size_tag, comm_, &status), "MPI_Recv");
+        detail::wait_until(seconds_[phase::wait], [&] {
+            int is_there = 0;
+            detail::check(MPI_Iprobe(from, size_tag, comm_, &is_there, &status), "MPI_Iprobe");
+            return is_there != 0;
+        });
+        const phase_timer timer(seconds_[phase::wait]);
         from = status.MPI_SOURCE;
+        detail::check(MPI_Recv(&size, 1, MPI_UINT64_T, from, size_tag, comm_, &status), "MPI_Recv");
         count_received(sizeof size);
         auto bytes = room_for(size);
         for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
@@ -155,9 +192,12 @@ public:
     std::vector<std::byte> broadcast(std::vector<std::byte> bytes)
     {
         std::uint64_t size = bytes.size();
-        detail::check(MPI_Bcast(&size, 1, MPI_UINT64_T, 0, comm_), "MPI_Bcast");
+        MPI_Request request = MPI_REQUEST_NULL;
+        detail::check(MPI_Ibcast(&size, 1, MPI_UINT64_T, 0, comm_, &request), "MPI_Ibcast");
+        detail::wait_for(request, seconds_[phase::wait], "MPI_Ibcast");
         if (not is_root())
             bytes = room_for(size);
+        const phase_timer timer(seconds_[phase::send]);
         for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
             detail::check(MPI_Bcast(piece.data(), int(piece.size()), MPI_BYTE, 0, comm_), "MPI_Bcast");
         });
@@ -167,8 +207,10 @@ public:
     template <std::size_t N>
     [[nodiscard]] std::array<std::uint64_t, N> sum(std::array<std::uint64_t, N> values)
     {
-        detail::check(MPI_Allreduce(MPI_IN_PLACE, values.data(), int(N), MPI_UINT64_T, MPI_SUM, comm_),
-                      "MPI_Allreduce");
+        MPI_Request request = MPI_REQUEST_NULL;
+        detail::check(MPI_Iallreduce(MPI_IN_PLACE, values.data(), int(N), MPI_UINT64_T, MPI_SUM, comm_, &request),
+                      "MPI_Iallreduce");
+        detail::wait_for(request, seconds_[phase::wait], "MPI_Iallreduce");
         return values;
     }
     /// Collective: the same for as many values as all ranks have.
@@ -249,6 +291,7 @@ private:
     int rank_ = 0, size_ = 1;
     std::size_t largest_;
     traffic traffic_;
+    phase_seconds seconds_;
 };
 
 /// A problem that all ranks have heard of.
@@ -260,7 +303,9 @@ struct phase_error : std::runtime_error {
 inline void communicator::agree(const std::string& problem)
 {
     int first = problem.empty() ? std::numeric_limits<int>::max() : rank_;
-    detail::check(MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm_), "MPI_Allreduce");
+    MPI_Request request = MPI_REQUEST_NULL;
+    detail::check(MPI_Iallreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm_, &request), "MPI_Iallreduce");
+    detail::wait_for(request, seconds_[phase::wait], "MPI_Iallreduce");
     if (first == std::numeric_limits<int>::max())
         return;
     std::string text = problem;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,9 +22,18 @@ struct write_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Where bytes go that have their place.
+struct placed_bytes {
+    placed_bytes() = default;
+    placed_bytes(const placed_bytes&) = delete;
+    placed_bytes& operator=(const placed_bytes&) = delete;
+    virtual ~placed_bytes() = default;
+    virtual void write(std::uint64_t offset, const void* data, std::size_t size) = 0;
+};
+
 /// A file that many write at the same time, each its own bytes at their place: POSIX only, no MPI-IO, whose offsets have
 /// overflowed in one version or another of every implementation.
-class offset_file {
+class offset_file final : public placed_bytes {
 public:
     /// Makes the file, of this size, or opens one that was made so. Errors: write_error.
     static offset_file create(const std::string& path, std::uint64_t size)
@@ -46,12 +56,13 @@ public:
     {
     }
     offset_file& operator=(offset_file&&) = delete;
-    ~offset_file()
+    ~offset_file() override
     {
         if (descriptor_ >= 0)
             ::close(descriptor_);
     }
 
+    [[nodiscard]] const std::string& path() const { return path_; }
     /// Errors: write_error, also for what a full disk shows when the file is closed.
     void close()
     {
@@ -74,7 +85,8 @@ public:
     {
         transfer(::pread, offset, static_cast<char*>(data), size, "cannot be read back");
     }
-    void write(std::uint64_t offset, const void* data, std::size_t size)
+    /// Errors: write_error.
+    void write(std::uint64_t offset, const void* data, std::size_t size) override
     {
         transfer(::pwrite, offset, static_cast<const char*>(data), size, "cannot be written");
     }
@@ -112,10 +124,34 @@ private:
     int descriptor_ = -1;
 };
 
+/// Compares with what is in a file instead of writing it.
+class compared_bytes final : public placed_bytes {
+public:
+    explicit compared_bytes(offset_file& file) : file_(&file) {}
+
+    /// Errors: write_error, also when the file ends before.
+    void write(std::uint64_t offset, const void* data, std::size_t size) override
+    {
+        found_.resize(size);
+        file_->read(offset, found_.data(), size);
+        const auto* const expected = static_cast<const char*>(data);
+        const auto differs = std::mismatch(found_.begin(), found_.end(), expected).first;
+        if (differs != found_.end() and not difference_)
+            difference_ = offset + std::uint64_t(differs - found_.begin());
+    }
+    /// The first byte that was met and is another one in the file.
+    [[nodiscard]] std::optional<std::uint64_t> difference() const { return difference_; }
+
+private:
+    offset_file* file_;
+    std::vector<char> found_;
+    std::optional<std::uint64_t> difference_;
+};
+
 /// Joins small writes that follow one another into large ones.
 class joined_writes {
 public:
-    explicit joined_writes(offset_file& file) : file_(&file) { bytes_.reserve(largest); }
+    explicit joined_writes(placed_bytes& out) : out_(&out) { bytes_.reserve(largest); }
 
     template <class T>
     void put(std::uint64_t offset, const T& value)
@@ -133,14 +169,15 @@ public:
     }
     void flush()
     {
-        file_->write(start_, bytes_.data(), bytes_.size());
+        if (not bytes_.empty())
+            out_->write(start_, bytes_.data(), bytes_.size());
         bytes_.clear();
     }
 
 private:
     static constexpr std::size_t largest = std::size_t(1) << 20;
 
-    offset_file* file_;
+    placed_bytes* out_;
     std::uint64_t start_ = 0;
     std::vector<char> bytes_;
 };

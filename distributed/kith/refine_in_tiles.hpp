@@ -3,16 +3,19 @@
 
 #include "cut_tiles.hpp"
 #include "partition.hpp"
+#include "phase_seconds.hpp"
 #include "refine_tile.hpp"
 #include "require_control.hpp"
+#include "tiles_at_once.hpp"
 
 #include <cstddef>
+#include <mutex>
 #include <utility>
 
 namespace kith {
 
-/// A control mesh refined part by part on one machine: only one refined tile is in memory at a time, so a surface may be
-/// larger than the memory. The bits and the ids are those of `refine`.
+/// A control mesh refined part by part on one machine: only those tiles are in memory that are being refined, so a surface
+/// may be larger than the memory. The bits and the ids are those of `refine`.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class tiled_refinement {
 public:
@@ -31,10 +34,22 @@ public:
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return whole_; }
     [[nodiscard]] std::size_t tiles() const { return cutter_.parts(); }
 
-    /// The last level of one part, with its edges where asked for. Errors: as `refine`.
+    /// The last level of one part, with its edges where asked for. Safe on several threads, each with a part of its own (see
+    /// for_each_at_once). Errors: as `refine`.
     [[nodiscard]] tile_type refine(std::size_t part, connect last = connect::faces)
     {
-        auto job = cutter_.cut(part, whole_.rings(0));
+        phase_seconds seconds;
+        return refine(part, last, seconds);
+    }
+    /// The same, which tells how long it took to cut the part and to refine it.
+    [[nodiscard]] tile_type refine(std::size_t part, connect last, phase_seconds& seconds)
+    {
+        auto job = [&] {
+            const std::lock_guard lock(cutting_);
+            const phase_timer timer(seconds[phase::cut]);
+            return cutter_.cut(part, whole_.rings(0));
+        }();
+        const phase_timer timer(seconds[phase::refine]);
         return kith::refine(std::move(job.part), std::move(job.scheme), whole_, last);
     }
 
@@ -50,6 +65,7 @@ private:
         return {cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels};
     }
 
+    std::mutex cutting_;
     tile_cutter<Point, Index, Scheme> cutter_;
     whole_levels<Scheme> whole_;
 };

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "checksum.hpp"
 #include "cut_tiles.hpp"
 #include "deal_tiles.hpp"
 #include "mpi.hpp"
 #include "numbered_tile.hpp"
 #include "pack.hpp"
 #include "partition.hpp"
+#include "phase_seconds.hpp"
 #include "refine_tile.hpp"
 #include "require_control.hpp"
 #include "require_tiles.hpp"
+#include "tiles_at_once.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -35,7 +37,7 @@ struct work_done {
     std::uint64_t owned_faces = 0;  ///< of the last level
     std::uint64_t kept_faces = 0;   ///< on all levels, shadows and what was cut off included
     std::uint64_t useful_faces = 0; ///< on all levels, owned
-    mesh_checksum checksum{};
+    phase_seconds seconds{};        ///< to cut, refine and use tiles; to send and wait in communicator::seconds
 
     work_done& operator+=(const work_done& more)
     {
@@ -43,7 +45,7 @@ struct work_done {
         owned_faces += more.owned_faces;
         kept_faces += more.kept_faces;
         useful_faces += more.useful_faces;
-        checksum += more.checksum;
+        seconds += more.seconds;
         return *this;
     }
 };
@@ -70,6 +72,7 @@ public:
             if (not comm.is_root())
                 return;
             kith::detail::require_control<Scheme>(mesh, levels);
+            const phase_timer timer(seconds_[phase::cut]);
             cutter_.emplace(mesh, scheme_, parts.part_of, parts.parts);
             packer out;
             out.add(cutter_->counts()).add(std::uint64_t(parts.parts));
@@ -116,26 +119,31 @@ public:
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
 
     /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
-    /// `use` may move away. Tiles that lay on their ranks are refined there, once. Errors: phase_error, of the first rank
-    /// that has one.
+    /// `use` may move away. Tiles that lay on their ranks are refined there, once. A rank with several threads refines up to
+    /// `most_at_once` of its tiles at the same time (tiles_at_once); then `use` is called on these threads at the same time.
+    /// Errors: phase_error, of the first rank that has one.
     template <class Use>
-    work_done refine(sharing how, const Use& use)
+    work_done refine(sharing how, const Use& use, std::size_t most_at_once = 1)
     {
         std::vector<std::uint64_t> all(tiles_);
         std::iota(all.begin(), all.end(), 0);
-        return refine(how, all, use);
+        return refine(how, all, use, most_at_once);
     }
     /// Collective. The same for some of the tiles, by their numbers, which are the same on all ranks.
     template <class Use>
-    work_done refine(sharing how, const std::vector<std::uint64_t>& numbers, const Use& use)
+    work_done refine(sharing how, const std::vector<std::uint64_t>& numbers, const Use& use,
+                     std::size_t most_at_once = 1)
     {
+        most_at_once_ = most_at_once;
         work_done done;
+        done.seconds = std::exchange(seconds_, {});
         if (held_)
             refine_held(numbers, use, done);
         else if (how == sharing::spmd or comm_.size() == 1)
             refine_dealt(numbers, use, done);
         else
             refine_handed_out(numbers, use, done);
+        done.seconds += std::exchange(seconds_, {});
         return done;
     }
 
@@ -146,8 +154,7 @@ private:
     template <class Use>
     void refine_dealt(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
-        auto mine = deal_tiles(
-            comm_, numbers.size(), [&](std::uint64_t t) { return pack(cutter_->cut(numbers[t], whole_->rings(0))); });
+        auto mine = deal_tiles(comm_, numbers.size(), [&](std::uint64_t t) { return cut(numbers[t]); });
         refine_here(mine.size(), [&](std::size_t i) {
             const auto packed = std::exchange(mine[i], {});
             refine_one(numbers[std::size_t(comm_.rank()) + i * std::size_t(comm_.size())],
@@ -165,6 +172,11 @@ private:
                 refine_one(number, {std::move(part), scheme_}, use, done);
         });
     }
+    std::vector<std::byte> cut(std::uint64_t number)
+    {
+        const phase_timer timer(seconds_[phase::cut]);
+        return pack(cutter_->cut(number, whole_->rings(0)));
+    }
     /// Refines the tiles of this rank, which speaks to no other meanwhile.
     template <class Refine>
     void refine_here(std::size_t tiles, const Refine& refine_tile)
@@ -172,16 +184,16 @@ private:
         MPI_Pcontrol(1); // for profilers: from here to the next there is nothing to see
         const std::string problem = problem_of(
             [&] {
-                for (std::size_t i = 0; i < tiles; ++i)
-                    refine_tile(i);
+                at_once_ = tiles_at_once(tiles, most_at_once_);
+                for_each_at_once(tiles, at_once_, refine_tile);
             },
             no_memory_for_tile);
         MPI_Pcontrol(0);
         comm_.agree(problem);
     }
 
-    /// A worker asks with one byte, which tells whether its last tile went well; the answer is a number and a tile, or
-    /// nothing when there is none left.
+    /// A worker asks for so many tiles, none if its last ones went wrong; the answer are up to so many, each with its
+    /// number, or nothing when there is none left.
     template <class Use>
     void refine_handed_out(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
@@ -202,17 +214,23 @@ private:
         for (int working = comm_.size() - 1; working > 0;) {
             int worker = communicator::any_rank;
             const auto question = comm_.receive(worker);
-            if (question[0] != std::byte(0))
+            const auto wanted = unpacker(question).get<std::uint64_t>();
+            if (wanted == 0)
                 next = order.size(); // it has failed, so the rest is of no use
             std::vector<std::byte> answer;
             if (next < order.size() and problem.empty()) {
+                const std::uint64_t left = order.size() - next; // the last ones go to all that work
+                const auto count = std::clamp<std::uint64_t>(left / std::uint64_t(working), 1, wanted);
                 problem = problem_of( // after one the workers hear that nothing is left
                     [&] {
-                        const auto packed = pack(cutter_->cut(order[next], whole_->rings(0)));
-                        answer = packer().add(order[next]).add_array(packed).take();
+                        packer out;
+                        out.add(count);
+                        for (std::uint64_t i = 0; i < count; ++i)
+                            out.add(order[next + i]).add_array(cut(order[next + i]));
+                        answer = out.take();
                     },
                     "there is not enough memory to cut tiles");
-                ++next;
+                next += count;
             }
             working -= answer.empty();
             comm_.send(answer, worker);
@@ -225,8 +243,8 @@ private:
     {
         std::string problem;
         for (;;) {
-            const std::byte question{problem.empty() ? std::uint8_t(0) : std::uint8_t(1)};
-            comm_.send({&question, 1}, 0);
+            const std::uint64_t wanted = problem.empty() ? tiles_at_once(SIZE_MAX, most_at_once_) : 0;
+            comm_.send(packer().add(wanted).take(), 0);
             int root = 0;
             const auto answer = comm_.receive(root);
             if (answer.empty())
@@ -234,9 +252,15 @@ private:
             problem = problem_of(
                 [&] {
                     unpacker in(answer);
-                    const auto number = in.get<std::uint64_t>();
-                    const auto packed = in.get_array<std::vector<std::byte>>();
-                    refine_one(number, unpack<Point, Index>(packed, scheme_), use, done);
+                    std::vector<std::pair<std::uint64_t, std::vector<std::byte>>> tiles(in.get<std::uint64_t>());
+                    for (auto& [number, packed] : tiles) {
+                        number = in.get<std::uint64_t>();
+                        packed = in.get_array<std::vector<std::byte>>();
+                    }
+                    at_once_ = tiles_at_once(tiles.size(), most_at_once_);
+                    for_each_at_once(tiles.size(), at_once_, [&](std::size_t i) {
+                        refine_one(tiles[i].first, unpack<Point, Index>(tiles[i].second, scheme_), use, done);
+                    });
                 },
                 no_memory_for_tile);
         }
@@ -252,11 +276,14 @@ private:
             more.kept_faces += part.mesh.face_count();
             more.useful_faces += owned_count(part.face_marks);
         };
-        job.part = kith::refine(std::move(job.part), std::move(job.scheme), *whole_, last_, count);
+        phase_seconds spent;
+        timed(spent[phase::refine],
+              [&] { job.part = kith::refine(std::move(job.part), std::move(job.scheme), *whole_, last_, count); });
         more.owned_faces = owned_count(job.part.face_marks);
-        more.checksum = checksum(job.part);
+        timed(spent[phase::write], [&] { use(number, std::move(job.part)); });
+        more.seconds.add(spent, at_once_);
+        const std::lock_guard lock(adding_);
         done += more;
-        use(number, std::move(job.part));
     }
 
     communicator& comm_;
@@ -266,6 +293,9 @@ private:
     std::optional<std::vector<numbered_tile<tile_type>>> held_;
     std::optional<whole_levels<Scheme>> whole_;
     std::uint64_t tiles_ = 0;
+    std::size_t most_at_once_ = 1, at_once_ = 1;
+    phase_seconds seconds_; // to cut
+    std::mutex adding_;     // what threads have done
 };
 
 } // namespace kith::mpi

@@ -58,6 +58,7 @@ private:
 
     void wait_for_oldest()
     {
+        const phase_timer timer(comm_.seconds()[phase::send]);
         auto& requests = under_way_.front()->requests;
         detail::check(MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
         bytes_ -= under_way_.front()->bytes.size();

@@ -8,10 +8,13 @@
 
 #include <kith/error.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace kith {
@@ -32,9 +35,14 @@ public:
 
     /// What is not of any tile; one writes it.
     virtual void write_frame(offset_file& file) const = 0;
-    /// The vertices and faces that a tile owns. Local. Errors: write_error. Cost: O(corners), and a write for each run of
-    /// consecutive numbers.
+    /// The vertices and faces that a tile owns. Local. Errors: write_error, and mesh_error for a vertex that has no finite
+    /// place. Cost: O(corners), and a write for each run of consecutive numbers.
     virtual void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin) const = 0;
+
+    /// Reads back what write_tile has written, whichever rank did, and names a byte that is another one: "byte 302 of
+    /// out.vtu". Local. Errors: write_error. Cost: as write_tile.
+    [[nodiscard]] virtual std::optional<std::string>
+    difference(offset_file& file, const tile<std::array<double, 3>>& part, std::uint32_t tile) const = 0;
 
     /// What of a tile is not in this file has been written. Local.
     [[nodiscard]] virtual bool is_there(std::uint64_t) const { return true; }
@@ -42,6 +50,26 @@ public:
 protected:
     std::uint64_t size_ = 0;
 };
+
+namespace detail {
+
+/// Coordinates that have overflowed are in no file. Errors: mesh_error, which names the vertex.
+inline void require_finite(const tile<std::array<double, 3>>& part)
+{
+    for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+        if (not std::ranges::all_of(part.mesh.point(v), [](double x) { return std::isfinite(x); }))
+            throw mesh_error("vertex " + std::to_string(part.vertex_ids[v]) +
+                             " would have no finite place; the coordinates of the input are too large");
+}
+
+inline std::optional<std::string> named_difference(const offset_file& file, const compared_bytes& compared)
+{
+    if (const auto at = compared.difference())
+        return "byte " + std::to_string(*at) + " of " + file.path();
+    return std::nullopt;
+}
+
+} // namespace detail
 
 /// VTK's unstructured grid, raw binary appended, which ParaView opens. Cell data: the parent face on level 0 and the
 /// level; tile and rank, which depend on how the work was shared out, only where asked for.
@@ -69,6 +97,21 @@ public:
     void write_frame(offset_file& file) const override { layout_.write_frame(file); }
     void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin) const override
     {
+        detail::require_finite(part);
+        put_tile(file, part, origin.tile, with_origin_ ? std::optional(origin.rank) : std::nullopt);
+    }
+    [[nodiscard]] std::optional<std::string> difference(offset_file& file, const tile<std::array<double, 3>>& part,
+                                                        std::uint32_t tile) const override
+    {
+        compared_bytes compared(file);
+        put_tile(compared, part, tile, std::nullopt);
+        return detail::named_difference(file, compared);
+    }
+
+private:
+    void put_tile(placed_bytes& file, const tile<std::array<double, 3>>& part, std::uint32_t number,
+                  std::optional<std::uint32_t> rank) const
+    {
         const auto for_owned_faces = [&](std::size_t array, std::uint64_t bytes, const auto& value) {
             joined_writes out(file);
             for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
@@ -93,13 +136,12 @@ public:
         for_owned_faces(types_, 1, [&](std::size_t f) { return vtk_cell_type(part.mesh.face(f).size()); });
         for_owned_faces(parents_, 8, [&](std::size_t f) { return std::int64_t(part.root(f)); });
         for_owned_faces(levels_, 1, [&](std::size_t) { return std::uint8_t(level_); });
-        if (with_origin_) {
-            for_owned_faces(tiles_, 4, [&](std::size_t) { return origin.tile; });
-            for_owned_faces(ranks_, 4, [&](std::size_t) { return origin.rank; });
-        }
+        if (with_origin_)
+            for_owned_faces(tiles_, 4, [&](std::size_t) { return number; });
+        if (rank)
+            for_owned_faces(ranks_, 4, [&](std::size_t) { return *rank; });
     }
 
-private:
     int level_;
     bool with_origin_;
     vtu_layout layout_;
@@ -123,6 +165,20 @@ public:
 
     void write_frame(offset_file& file) const override { file.write(0, head_.data(), head_.size()); }
     void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin) const override
+    {
+        detail::require_finite(part);
+        put_tile(file, part);
+    }
+    [[nodiscard]] std::optional<std::string> difference(offset_file& file, const tile<std::array<double, 3>>& part,
+                                                        std::uint32_t) const override
+    {
+        compared_bytes compared(file);
+        put_tile(compared, part);
+        return detail::named_difference(file, compared);
+    }
+
+private:
+    void put_tile(placed_bytes& file, const tile<std::array<double, 3>>& part) const
     {
         joined_writes points(file);
         for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
@@ -149,7 +205,6 @@ public:
         faces.flush();
     }
 
-private:
     whole_counts counts_;
     std::string head_;
 };

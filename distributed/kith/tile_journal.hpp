@@ -45,12 +45,16 @@ public:
         std::vector<record> lines(tiles_);
         file.read(begin_, lines.data(), lines.size() * sizeof(record));
         std::vector<std::optional<finished_tile>> result(tiles_);
-        for (std::uint64_t tile = 0; tile < tiles_; ++tile) {
-            const finished_tile finished{lines[tile].faces, {lines[tile].checksum}};
-            if (lines[tile].sum == sum(tile, finished))
-                result[tile] = finished;
-        }
+        for (std::uint64_t tile = 0; tile < tiles_; ++tile)
+            result[tile] = understood(tile, lines[tile]);
         return result;
+    }
+    /// The same of one tile.
+    [[nodiscard]] std::optional<finished_tile> read(offset_file& file, std::uint64_t tile) const
+    {
+        record line{};
+        file.read(begin_ + tile * sizeof line, &line, sizeof line);
+        return understood(tile, line);
     }
 
 private:
@@ -58,6 +62,11 @@ private:
         std::uint64_t faces, checksum, sum;
     };
 
+    [[nodiscard]] std::optional<finished_tile> understood(std::uint64_t tile, const record& line) const
+    {
+        const finished_tile finished{line.faces, {line.checksum}};
+        return line.sum == sum(tile, finished) ? std::optional(finished) : std::nullopt;
+    }
     [[nodiscard]] std::uint64_t sum(std::uint64_t tile, const finished_tile& finished) const
     {
         detail::word_hash hash(recipe_);

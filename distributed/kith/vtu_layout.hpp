@@ -53,7 +53,7 @@ public:
         return head_.size() + places_[array].offset + sizeof(std::uint64_t);
     }
     /// All that is not in the arrays. Errors: write_error.
-    void write_frame(offset_file& file) const
+    void write_frame(placed_bytes& file) const
     {
         file.write(0, head_.data(), head_.size());
         file.write(size() - tail.size(), tail.data(), tail.size());

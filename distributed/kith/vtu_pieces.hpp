@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,43 +48,77 @@ public:
     /// The piece, in a file of its own, which is on the disk then.
     void write_tile(offset_file&, const tile<std::array<double, 3>>& part, cell_origin origin) const override
     {
-        constexpr std::size_t none = SIZE_MAX;
-        std::vector<std::size_t> faces, vertices, number(part.mesh.vertex_count(), none);
-        std::uint64_t corners = 0;
-        for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
-            if (part.owns_face(f)) {
-                faces.push_back(f);
-                corners += part.mesh.face(f).size();
-                for (const auto v : part.mesh.face(f))
-                    number[v] = 0;
-            }
-        for (std::size_t v = 0; v < number.size(); ++v)
-            if (number[v] != none) {
-                number[v] = vertices.size();
-                vertices.push_back(v);
-            }
-        vtu_layout layout;
-        layout.open("Points");
-        const auto points = layout.add(vertices.size() * 24, "type=\"Float64\" NumberOfComponents=\"3\"");
-        layout.close("Points").open("Cells");
-        const auto connectivity = layout.add(corners * 8, "type=\"Int64\" Name=\"connectivity\"");
-        const auto offsets = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"offsets\"");
-        const auto types = layout.add(faces.size(), "type=\"UInt8\" Name=\"types\"");
-        layout.close("Cells").open("PointData GlobalIds=\"GlobalPointIds\"");
-        const auto point_ids = layout.add(vertices.size() * 8, "type=\"Int64\" Name=\"GlobalPointIds\"");
-        layout.close("PointData").open("CellData GlobalIds=\"GlobalCellIds\"");
-        const auto cell_ids = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"GlobalCellIds\"");
-        const auto parents = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"parent\"");
-        const auto levels = layout.add(faces.size(), "type=\"UInt8\" Name=\"level\"");
-        const std::size_t tiles = with_origin_ ? layout.add(faces.size() * 4, "type=\"UInt32\" Name=\"tile\"") : none;
-        const std::size_t ranks = with_origin_ ? layout.add(faces.size() * 4, "type=\"UInt32\" Name=\"rank\"") : none;
-        layout.close("CellData").finish(vertices.size(), faces.size());
+        detail::require_finite(part);
+        const piece out(part, with_origin_);
+        auto file = offset_file::create(path(origin.tile), out.layout.size());
+        put_piece(file, part, out, origin.tile, with_origin_ ? std::optional(origin.rank) : std::nullopt);
+        file.flush();
+        file.close();
+    }
+    [[nodiscard]] std::optional<std::string> difference(offset_file&, const tile<std::array<double, 3>>& part,
+                                                        std::uint32_t tile) const override
+    {
+        const piece expected(part, with_origin_);
+        if (std::filesystem::file_size(path(tile)) != expected.layout.size())
+            return "the size of " + path(tile);
+        auto file = offset_file::open(path(tile));
+        compared_bytes compared(file);
+        put_piece(compared, part, expected, tile, std::nullopt);
+        return detail::named_difference(file, compared);
+    }
+    [[nodiscard]] bool is_there(std::uint64_t tile) const override { return std::filesystem::exists(path(tile)); }
 
-        auto file = offset_file::create(directory_ + "/" + name(origin.tile), layout.size());
-        layout.write_frame(file);
+private:
+    static constexpr std::size_t none = SIZE_MAX;
+
+    /// What is in a piece, and where.
+    struct piece {
+        std::vector<std::size_t> faces, vertices, number; ///< of the tile; the numbers of its vertices in the piece
+        vtu_layout layout;
+        std::size_t points, connectivity, offsets, types, point_ids, cell_ids, parents, levels, tiles = 0, ranks = 0;
+
+        piece(const tile<std::array<double, 3>>& part, bool with_origin) : number(part.mesh.vertex_count(), none)
+        {
+            std::uint64_t corners = 0;
+            for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+                if (part.owns_face(f)) {
+                    faces.push_back(f);
+                    corners += part.mesh.face(f).size();
+                    for (const auto v : part.mesh.face(f))
+                        number[v] = 0;
+                }
+            for (std::size_t v = 0; v < number.size(); ++v)
+                if (number[v] != none) {
+                    number[v] = vertices.size();
+                    vertices.push_back(v);
+                }
+            layout.open("Points");
+            points = layout.add(vertices.size() * 24, "type=\"Float64\" NumberOfComponents=\"3\"");
+            layout.close("Points").open("Cells");
+            connectivity = layout.add(corners * 8, "type=\"Int64\" Name=\"connectivity\"");
+            offsets = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"offsets\"");
+            types = layout.add(faces.size(), "type=\"UInt8\" Name=\"types\"");
+            layout.close("Cells").open("PointData GlobalIds=\"GlobalPointIds\"");
+            point_ids = layout.add(vertices.size() * 8, "type=\"Int64\" Name=\"GlobalPointIds\"");
+            layout.close("PointData").open("CellData GlobalIds=\"GlobalCellIds\"");
+            cell_ids = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"GlobalCellIds\"");
+            parents = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"parent\"");
+            levels = layout.add(faces.size(), "type=\"UInt8\" Name=\"level\"");
+            if (with_origin) {
+                tiles = layout.add(faces.size() * 4, "type=\"UInt32\" Name=\"tile\"");
+                ranks = layout.add(faces.size() * 4, "type=\"UInt32\" Name=\"rank\"");
+            }
+            layout.close("CellData").finish(vertices.size(), faces.size());
+        }
+    };
+
+    void put_piece(placed_bytes& file, const tile<std::array<double, 3>>& part, const piece& p, std::uint32_t number,
+                   std::optional<std::uint32_t> rank) const
+    {
+        p.layout.write_frame(file);
         const auto write = [&](std::size_t array, const std::vector<std::size_t>& elements, const auto& value) {
             joined_writes out(file);
-            std::uint64_t at = layout.offset(array);
+            std::uint64_t at = p.layout.offset(array);
             for (const std::size_t element : elements) {
                 const auto bytes = value(element);
                 out.put(at, bytes);
@@ -91,35 +126,28 @@ public:
             }
             out.flush();
         };
-        write(points, vertices, [&](std::size_t v) { return part.mesh.point(v); });
-        write(point_ids, vertices, [&](std::size_t v) { return std::int64_t(part.vertex_ids[v]); });
+        write(p.points, p.vertices, [&](std::size_t v) { return part.mesh.point(v); });
+        write(p.point_ids, p.vertices, [&](std::size_t v) { return std::int64_t(part.vertex_ids[v]); });
         joined_writes out(file);
-        std::uint64_t at = layout.offset(connectivity);
-        for (const std::size_t f : faces)
+        std::uint64_t at = p.layout.offset(p.connectivity);
+        for (const std::size_t f : p.faces)
             for (const auto v : part.mesh.face(f)) {
-                out.put(at, std::int64_t(number[v]));
+                out.put(at, std::int64_t(p.number[v]));
                 at += 8;
             }
         out.flush();
         std::int64_t corner = 0;
-        write(offsets, faces, [&](std::size_t f) { return corner += std::int64_t(part.mesh.face(f).size()); });
-        write(types, faces, [&](std::size_t f) { return vtk_cell_type(part.mesh.face(f).size()); });
-        write(cell_ids, faces, [&](std::size_t f) { return std::int64_t(part.face_ids[f]); });
-        write(parents, faces, [&](std::size_t f) { return std::int64_t(part.root(f)); });
-        write(levels, faces, [&](std::size_t) { return std::uint8_t(level_); });
-        if (with_origin_) {
-            write(tiles, faces, [&](std::size_t) { return origin.tile; });
-            write(ranks, faces, [&](std::size_t) { return origin.rank; });
-        }
-        file.flush();
-        file.close();
+        write(p.offsets, p.faces, [&](std::size_t f) { return corner += std::int64_t(part.mesh.face(f).size()); });
+        write(p.types, p.faces, [&](std::size_t f) { return vtk_cell_type(part.mesh.face(f).size()); });
+        write(p.cell_ids, p.faces, [&](std::size_t f) { return std::int64_t(part.face_ids[f]); });
+        write(p.parents, p.faces, [&](std::size_t f) { return std::int64_t(part.root(f)); });
+        write(p.levels, p.faces, [&](std::size_t) { return std::uint8_t(level_); });
+        if (with_origin_)
+            write(p.tiles, p.faces, [&](std::size_t) { return number; });
+        if (rank)
+            write(p.ranks, p.faces, [&](std::size_t) { return *rank; });
     }
-    [[nodiscard]] bool is_there(std::uint64_t tile) const override
-    {
-        return std::filesystem::exists(directory_ + "/" + name(tile));
-    }
-
-private:
+    [[nodiscard]] std::string path(std::uint64_t tile) const { return directory_ + "/" + name(tile); }
     static std::string name(std::uint64_t tile) { return std::to_string(tile) + ".vtu"; }
 
     std::string directory_, index_;

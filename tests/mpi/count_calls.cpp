@@ -29,6 +29,11 @@ COUNTED(MPI_Recv, (void* b, int n, MPI_Datatype t, int from, int tag, MPI_Comm c
 COUNTED(MPI_Irecv, (void* b, int n, MPI_Datatype t, int from, int tag, MPI_Comm c, MPI_Request* r),
         (b, n, t, from, tag, c, r));
 COUNTED(MPI_Probe, (int from, int tag, MPI_Comm c, MPI_Status* s), (from, tag, c, s));
+COUNTED(MPI_Iprobe, (int from, int tag, MPI_Comm c, int* is_there, MPI_Status* s), (from, tag, c, is_there, s));
+COUNTED(MPI_Ibcast, (void* b, int n, MPI_Datatype t, int root, MPI_Comm c, MPI_Request* r), (b, n, t, root, c, r));
+COUNTED(MPI_Iallreduce, (const void* b, void* s, int n, MPI_Datatype t, MPI_Op o, MPI_Comm c, MPI_Request* r),
+        (b, s, n, t, o, c, r));
+COUNTED(MPI_Test, (MPI_Request * r, int* is_done, MPI_Status* s), (r, is_done, s));
 COUNTED(MPI_Bcast, (void* b, int n, MPI_Datatype t, int root, MPI_Comm c), (b, n, t, root, c));
 COUNTED(MPI_Barrier, (MPI_Comm c), (c));
 COUNTED(MPI_Allreduce, (const void* b, void* r, int n, MPI_Datatype t, MPI_Op o, MPI_Comm c), (b, r, n, t, o, c));

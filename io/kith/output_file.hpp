@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mutex>
+#include <ostream>
+#include <streambuf>
+#include <string>
+#include <vector>
+
+namespace kith::io {
+
+/// Lets a signal that ends the program (SIGTERM, SIGINT, SIGHUP, unless they are ignored) first remove what is unfinished:
+/// a thread of its own waits for the signals, removes, and ends the program by the signal. Called once, at the beginning of
+/// main, since all threads that are started later must leave these signals to that one.
+void remove_unfinished_when_interrupted();
+
+/// While it is held, a signal waits: what is several steps is done as one.
+[[nodiscard]] std::unique_lock<std::recursive_mutex> hold_interruptions();
+
+/// The file that a path leads to when symbolic links are followed, whether it is there or not. Errors: file_error for links
+/// that lead in a circle.
+std::string target_of(const std::string& path);
+
+/// The name of what is unfinished, next to the target, for the process with this number.
+std::string unfinished_name(const std::string& target, unsigned long process);
+
+/// Gives a finished file the name of its target, with the permissions of a file that is replaced. Errors: file_error.
+void give_name(const std::string& finished, const std::string& target);
+
+/// A file under another name, until `commit` gives it its own. Without `commit`, or when that fails, nothing is left and a
+/// file that was there before is untouched. It has the permissions of the file that it will replace. Symbolic links are
+/// followed. What is no regular file (a device, a pipe) is written directly.
+/// The process that makes it holds a lock (flock) on it, so what was left by a process that was killed is recognised, on any
+/// host, and removed by the next one that writes the same output; not on a file system without locks. Errors: file_error.
+class unfinished_file {
+public:
+    explicit unfinished_file(const std::string& path);
+    unfinished_file(const unfinished_file&) = delete;
+    unfinished_file& operator=(const unfinished_file&) = delete;
+    ~unfinished_file();
+
+    [[nodiscard]] const std::string& target() const { return target_; }
+    /// Its name for now, the target itself for a device.
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] bool is_direct() const { return name_ == target_; }
+    /// Open for writing, empty, until this object ends.
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+    /// A directory that belongs to it: made now, removed like the file, left alone by `commit`. Errors: file_error.
+    void make_directory(const std::string& directory);
+    /// Precondition: what was to be written is in the file.
+    void commit();
+
+private:
+    void create();
+    void remove() noexcept;
+    [[noreturn]] void refuse(const std::string& what) const;
+
+    std::string path_;   ///< for messages
+    std::string target_; ///< with symbolic links followed
+    std::string name_;
+    std::string directory_;
+    int descriptor_ = -1;
+};
+
+/// A file that appears under its name only when it is complete, written as a stream. Errors: file_error.
+class output_file {
+public:
+    explicit output_file(const std::string& path);
+
+    [[nodiscard]] std::ostream& stream() { return stream_; }
+    void commit();
+
+private:
+    /// Writes large pieces; flushing is left to `finish`, since some writers flush after every line.
+    class buffer : public std::streambuf {
+    public:
+        explicit buffer(int descriptor);
+        ~buffer() override;
+        /// Writes the rest and closes. Returns the error (errno), or 0.
+        int finish();
+
+    protected:
+        int_type overflow(int_type c) override;
+        int sync() override { return 0; }
+
+    private:
+        bool write_out();
+
+        int descriptor_;
+        int error_ = 0;
+        std::vector<char> bytes_;
+    };
+
+    std::string path_;
+    unfinished_file file_;
+    buffer buffer_;
+    std::ostream stream_;
+};
+
+} // namespace kith::io

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kith/output_file.hpp"
+
+#include "kith/file_error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstddef>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace kith::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view mark_of_unfinished = ".incomplete-";
+constexpr std::string_view mark_of_directory = ".pieces";
+
+/// What a signal has to remove, files and directories. Never destroyed, as a signal may come while the program ends.
+struct unfinished_paths {
+    std::recursive_mutex mutex;
+    std::vector<std::string> paths;
+};
+
+unfinished_paths& unfinished()
+{
+    static auto* const all = new unfinished_paths;
+    return *all;
+}
+
+/// Tries again for a second, since others may be putting more into a directory.
+void remove_for_good(const std::string& path)
+{
+    std::error_code failed;
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        fs::remove_all(path, failed);
+        if (not failed)
+            return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
+
+sigset_t ending_signals()
+{
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+        struct sigaction now = {};
+        if (sigaction(signal, nullptr, &now) == 0 and now.sa_handler != SIG_IGN) // as under nohup
+            sigaddset(&signals, signal);
+    }
+    return signals;
+}
+
+void* wait_for_signal(void*)
+{
+    const sigset_t signals = ending_signals();
+    int signal = 0;
+    if (sigwait(&signals, &signal) != 0)
+        return nullptr;
+    auto& all = unfinished();
+    all.mutex.lock(); // for ever: nothing is begun or gets its name any more
+    for (const auto& path : all.paths)
+        remove_for_good(path);
+    struct sigaction otherwise = {};
+    otherwise.sa_handler = SIG_DFL;
+    sigaction(signal, &otherwise, nullptr);
+    kill(getpid(), signal);
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    return nullptr;
+}
+
+void forget(const std::string& path)
+{
+    const auto lock = hold_interruptions();
+    std::erase(unfinished().paths, path);
+}
+
+/// Opens a file for writing and locks it, unless another process holds it; -1 then, and errno tells why.
+int open_locked(const std::string& path, int flags)
+{
+    for (;;) {
+        const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0666);
+        if (descriptor < 0)
+            return -1;
+        const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+        const int reason = errno;
+        const bool has_locks = locked or reason == EWOULDBLOCK;
+        struct stat mine = {}, there = {};
+        const bool is_same = ::fstat(descriptor, &mine) == 0 and ::stat(path.c_str(), &there) == 0 and
+                             mine.st_ino == there.st_ino and mine.st_dev == there.st_dev;
+        if ((locked and is_same) or (not has_locks and (flags & O_CREAT) != 0))
+            return descriptor;
+        ::close(descriptor);
+        errno = reason;
+        if (not locked or (flags & O_CREAT) == 0)
+            return -1;
+        // Another process took the file that was just made for one left behind, and removed it.
+    }
+}
+
+/// Removes what processes that were killed have left of the same output.
+void remove_stale(const std::string& target)
+{
+    const fs::path place(target);
+    const std::string prefix = place.filename().string().append(mark_of_unfinished);
+    std::error_code failed;
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(place.has_parent_path() ? place.parent_path() : ".", failed)) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() > prefix.size() and name.starts_with(prefix) and
+            name.find_first_not_of("0123456789", prefix.size()) == std::string::npos and
+            entry.symlink_status(failed).type() == fs::file_type::regular)
+            found.push_back(entry.path().string());
+    }
+    for (const auto& path : found)
+        if (const int descriptor = open_locked(path, 0); descriptor >= 0) {
+            fs::remove_all(path + std::string(mark_of_directory), failed);
+            fs::remove(path, failed);
+            ::close(descriptor);
+        }
+}
+
+} // namespace
+
+void remove_unfinished_when_interrupted()
+{
+    const sigset_t signals = ending_signals();
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    pthread_attr_t settings;
+    pthread_attr_init(&settings);
+    pthread_attr_setdetachstate(&settings, PTHREAD_CREATE_DETACHED);
+    constexpr std::size_t small_stack = std::size_t(256) << 10; // address space may be limited
+    pthread_attr_setstacksize(&settings, small_stack);
+    pthread_t thread;
+    if (pthread_create(&thread, &settings, wait_for_signal, nullptr) != 0)
+        pthread_sigmask(SIG_UNBLOCK, &signals, nullptr); // the program can be ended, if nothing more
+    pthread_attr_destroy(&settings);
+}
+
+std::unique_lock<std::recursive_mutex> hold_interruptions()
+{
+    return std::unique_lock(unfinished().mutex);
+}
+
+std::string target_of(const std::string& path)
+{
+    fs::path result(path);
+    std::error_code failed;
+    for (int links = 0; fs::is_symlink(result, failed); ++links) {
+        constexpr int most_links = 40; // as Linux
+        if (links == most_links)
+            throw file_error(path + ": cannot be written: its symbolic links lead in a circle");
+        result = result.parent_path() / fs::read_symlink(result);
+    }
+    return result.string();
+}
+
+std::string unfinished_name(const std::string& target, unsigned long process)
+{
+    return target + std::string(mark_of_unfinished) + std::to_string(process);
+}
+
+void give_name(const std::string& finished, const std::string& target)
+{
+    const auto lock = hold_interruptions();
+    std::error_code failed;
+    if (fs::exists(target, failed))
+        fs::permissions(finished, fs::status(target).permissions(), failed);
+    fs::rename(finished, target, failed);
+    if (failed)
+        throw file_error(target + ": could not be given its name: " + failed.message());
+    std::erase(unfinished().paths, finished);
+}
+
+unfinished_file::unfinished_file(const std::string& path) : path_(path), target_(target_of(path))
+{
+    std::error_code failed;
+    const bool exists = fs::exists(target_, failed);
+    if (fs::is_directory(target_, failed))
+        refuse("is a directory, not a file");
+    if (exists and ::access(target_.c_str(), W_OK) != 0)
+        refuse(std::string("cannot be written: ") + std::strerror(errno));
+    if (exists and not fs::is_regular_file(target_)) {
+        name_ = target_;
+        descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+        if (descriptor_ < 0)
+            refuse(std::string("cannot be written: ") + std::strerror(errno));
+        return;
+    }
+    remove_stale(target_);
+    name_ = unfinished_name(target_, static_cast<unsigned long>(::getpid()));
+    create();
+    if (struct stat before = {}; exists and ::stat(target_.c_str(), &before) == 0)
+        ::fchmod(descriptor_, before.st_mode & 07777); // from the first byte on, as it may be a secret
+}
+
+void unfinished_file::create()
+{
+    const auto lock = hold_interruptions();
+    descriptor_ = open_locked(name_, O_CREAT);
+    if (descriptor_ < 0)
+        refuse(std::string("cannot be written: ") +
+               (errno == EWOULDBLOCK ? "another process of the same number writes it" : std::strerror(errno)));
+    unfinished().paths.push_back(name_);
+    if (::ftruncate(descriptor_, 0) != 0) {
+        const std::string reason = std::strerror(errno);
+        remove();
+        refuse("cannot be written: " + reason);
+    }
+}
+
+unfinished_file::~unfinished_file()
+{
+    remove();
+}
+
+void unfinished_file::remove() noexcept
+{
+    if (descriptor_ < 0)
+        return;
+    if (not is_direct()) {
+        const auto lock = hold_interruptions();
+        std::error_code ignored; // what cannot be removed either has been reported already
+        if (not directory_.empty())
+            fs::remove_all(directory_, ignored);
+        fs::remove(name_, ignored);
+        std::erase(unfinished().paths, directory_);
+        std::erase(unfinished().paths, name_);
+    }
+    ::close(std::exchange(descriptor_, -1)); // and with it the lock
+}
+
+void unfinished_file::make_directory(const std::string& directory)
+{
+    const auto lock = hold_interruptions();
+    std::error_code failed;
+    fs::remove_all(directory, failed);
+    fs::create_directory(directory, failed);
+    if (failed)
+        throw file_error(directory + ": cannot be made: " + failed.message());
+    directory_ = directory;
+    auto& paths = unfinished().paths;
+    paths.insert(std::ranges::find(paths, name_), directory); // before the file, which tells that it is there
+}
+
+void unfinished_file::commit()
+{
+    if (not is_direct()) {
+        try {
+            give_name(name_, target_);
+        } catch (const file_error&) {
+            remove();
+            throw;
+        }
+        forget(directory_);
+    }
+    ::close(std::exchange(descriptor_, -1));
+}
+
+void unfinished_file::refuse(const std::string& what) const
+{
+    throw file_error(path_ + ": " + what);
+}
+
+output_file::output_file(const std::string& path)
+    : path_(path), file_(path), buffer_(::dup(file_.descriptor())), stream_(&buffer_)
+{
+}
+
+void output_file::commit()
+{
+    const bool written = stream_.good();
+    const int error = buffer_.finish();
+    if (not written or error != 0)
+        throw file_error(
+            path_ + ": could not be written completely: " + (error != 0 ? std::strerror(error) : "no reason given"));
+    file_.commit();
+}
+
+output_file::buffer::buffer(int descriptor)
+    : descriptor_(descriptor), error_(descriptor < 0 ? errno : 0), bytes_(std::size_t(1) << 20)
+{
+    setp(bytes_.data(), bytes_.data() + bytes_.size());
+}
+
+output_file::buffer::~buffer()
+{
+    if (descriptor_ >= 0)
+        ::close(descriptor_);
+}
+
+int output_file::buffer::finish()
+{
+    write_out();
+    if (descriptor_ >= 0 and ::close(std::exchange(descriptor_, -1)) != 0 and error_ == 0)
+        error_ = errno;
+    return error_;
+}
+
+output_file::buffer::int_type output_file::buffer::overflow(int_type c)
+{
+    if (not write_out())
+        return traits_type::eof();
+    if (not traits_type::eq_int_type(c, traits_type::eof()))
+        sputc(traits_type::to_char_type(c));
+    return traits_type::not_eof(c);
+}
+
+bool output_file::buffer::write_out()
+{
+    const char* from = pbase();
+    while (error_ == 0 and from != pptr()) {
+        const ssize_t count = ::write(descriptor_, from, std::size_t(pptr() - from));
+        if (count >= 0)
+            from += count;
+        else if (errno != EINTR)
+            error_ = errno;
+    }
+    setp(bytes_.data(), bytes_.data() + bytes_.size());
+    return error_ == 0;
+}
+
+} // namespace kith::io
