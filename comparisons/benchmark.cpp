@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../tools/mesh_file.hpp"
 #include "contest_picture.hpp"
 #include "contest_report.hpp"
 #include "contests.hpp"
 #include "exit_code.hpp"
+
+#include <kith/read_mesh.hpp>
 
 #include <boost/program_options.hpp>
 
@@ -102,7 +103,7 @@ course_settings settings_from(const options::variables_map& values)
                            .patch = is_in(meshes, "patch")};
     if (values.count("mesh")) {
         const auto file = values["mesh"].as<std::string>();
-        const auto soup = kith::tool::read_mesh_file(file);
+        const auto soup = kith::io::read_mesh_file(file);
         result.mesh_name = std::filesystem::path(file).filename().string();
         result.mesh = std::make_shared<const kith::basic_mesh<>>(kith::make_mesh(soup.points, soup.faces));
     }

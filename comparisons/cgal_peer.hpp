@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../tools/polygon_soup.hpp"
-
+#include <kith/polygon_soup.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/cgal.hpp>
 #include <kith/doo_sabin.hpp>
@@ -48,9 +47,9 @@ struct cgal_peer {
         return result;
     }
 
-    static tool::polygon_soup soup(const mesh& m)
+    static io::polygon_soup soup(const mesh& m)
     {
-        tool::polygon_soup result;
+        io::polygon_soup result;
         std::vector<std::size_t> number(m.num_vertices()); // Doo-Sabin leaves removed vertices behind
         for (const auto v : m.vertices()) {
             number[v] = result.points.size();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verdicts.hpp"
 
-#include "../tools/mesh_file.hpp"
-
+#include <kith/read_mesh.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/loop.hpp>
 #include <kith/make_mesh.hpp>
@@ -49,14 +48,14 @@ template <class Scheme>
 void compare_with(const baseline& base, verdicts& verdicts)
 {
     const std::string name = base.result.filename().string();
-    const auto soup = tool::read_mesh_file(base.control.string());
+    const auto soup = io::read_mesh_file(base.control.string());
     const control_mesh control{name, kith::make_mesh(soup.points, soup.faces)};
     auto scheme = Scheme::like(kith::library::opensubdiv);
     scheme.corners = soup.tags.corners.value_or(scheme.corners);
     scheme.sharpness = creases_of(soup.tags, control.mesh);
     verdicts.compare(control,
                      kith::scheme_name<Scheme>(),
-                     tool::read_mesh_file(base.result.string()),
+                     io::read_mesh_file(base.result.string()),
                      {{"native", soup_of(refine(control.mesh, scheme, base.levels))}},
                      their_precision);
 }

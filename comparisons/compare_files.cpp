@@ -2,10 +2,10 @@
 #include "compare_files.hpp"
 
 #include "../tests/all_shapes.hpp"
-#include "../tools/errors.hpp"
-#include "../tools/mesh_file.hpp"
 #include "arguments.hpp"
 
+#include <kith/read_mesh.hpp>
+#include <kith/file_error.hpp>
 #include <kith/make_mesh.hpp>
 
 #include <exception>
@@ -21,10 +21,10 @@ namespace {
 std::optional<control_mesh> read(const std::filesystem::path& file, std::size_t max_faces, verdicts& verdicts)
 {
     const std::string name = file.filename().string();
-    tool::polygon_soup soup;
+    io::polygon_soup soup;
     try {
-        soup = tool::read_mesh_file(file.string());
-    } catch (const tool::file_error& error) {
+        soup = io::read_mesh_file(file.string());
+    } catch (const io::file_error& error) {
         verdicts.skip(name, "", "no readable mesh: " + std::string(error.what()));
         return std::nullopt;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contest_picture.hpp"
 
-#include "../tools/errors.hpp"
+#include <kith/file_error.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -82,7 +82,7 @@ void write_svg(const std::string& path, const std::map<std::string, std::string>
             ".theirs{fill:#bbb}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
          << body.str() << "</svg>\n";
     if (not file.flush())
-        throw tool::file_error(path + ": could not be written completely");
+        throw io::file_error(path + ": could not be written completely");
 }
 
 } // namespace kith::comparison

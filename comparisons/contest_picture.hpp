@@ -10,7 +10,7 @@
 namespace kith::comparison {
 
 /// Draws a bar for the median of each contestant, in nanoseconds per face of the last level, contest by contest, as SVG.
-/// Errors: tool::file_error.
+/// Errors: io::file_error.
 void write_svg(const std::string& path, const std::map<std::string, std::string>& facts,
                const std::vector<contest>& contests);
 

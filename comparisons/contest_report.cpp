@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contest_report.hpp"
 
-#include "../tools/errors.hpp"
 #include "../tools/json.hpp"
+
+#include <kith/file_error.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -135,7 +136,7 @@ void write_json(const std::string& path, const std::map<std::string, std::string
     std::ofstream file(path);
     file << json_object().add("about", about).add("results", results).text() << '\n';
     if (not file.flush())
-        throw tool::file_error(path + ": could not be written completely");
+        throw io::file_error(path + ": could not be written completely");
 }
 
 } // namespace kith::comparison

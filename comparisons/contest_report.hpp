@@ -18,7 +18,7 @@ void print(const std::map<std::string, std::string>& facts);
 /// how many times as fast as the first one, with the least and the most of any round.
 void print(const contest& contest);
 
-/// All runs of all contests. Errors: tool::file_error.
+/// All runs of all contests. Errors: io::file_error.
 void write_json(const std::string& path, const std::map<std::string, std::string>& facts,
                 const std::vector<contest>& contests);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../tools/polygon_soup.hpp"
-
+#include <kith/polygon_soup.hpp>
 #include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/interpolatory_sqrt3.hpp>
@@ -59,9 +58,9 @@ struct openmesh_peer {
         return result;
     }
 
-    static tool::polygon_soup soup(const mesh& m)
+    static io::polygon_soup soup(const mesh& m)
     {
-        tool::polygon_soup result;
+        io::polygon_soup result;
         for (const auto v : m.vertices())
             result.points.push_back({m.point(v)[0], m.point(v)[1], m.point(v)[2]});
         std::vector<std::size_t> face;

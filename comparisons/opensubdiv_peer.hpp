@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../tools/polygon_soup.hpp"
-
+#include <kith/polygon_soup.hpp>
 #include <kith/compiled_schemes.hpp>
 
 #include <opensubdiv/far/primvarRefiner.h>
@@ -128,10 +127,10 @@ struct opensubdiv_peer {
         return result;
     }
 
-    static tool::polygon_soup soup(const mesh& refiner, const opensubdiv_points<double>& points)
+    static io::polygon_soup soup(const mesh& refiner, const opensubdiv_points<double>& points)
     {
         const auto& last = refiner->GetLevel(refiner->GetMaxLevel());
-        tool::polygon_soup result;
+        io::polygon_soup result;
         for (int v = 0; v < last.GetNumVertices(); ++v)
             result.points.push_back(points[std::size_t(v)].at);
         for (int f = 0; f < last.GetNumFaces(); ++f) {

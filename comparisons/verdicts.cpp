@@ -23,7 +23,7 @@ double control_mesh::diagonal() const
     return std::sqrt(square);
 }
 
-tool::polygon_soup soup_of(const basic_mesh<>& mesh)
+io::polygon_soup soup_of(const basic_mesh<>& mesh)
 {
     return {{mesh.points().begin(), mesh.points().end()}, tool::faces_of(mesh)};
 }
@@ -35,12 +35,12 @@ std::ostream& line(std::string_view mesh, std::string_view scheme)
     return std::cout << std::left << std::setw(34) << mesh << ' ' << std::setw(31) << scheme << ' ';
 }
 
-std::string counts(const tool::polygon_soup& soup)
+std::string counts(const io::polygon_soup& soup)
 {
     return std::to_string(soup.points.size()) + " vertices and " + std::to_string(soup.faces.size()) + " faces";
 }
 
-std::string describe(const tool::polygon_soup& expected, const tool::polygon_soup& found,
+std::string describe(const io::polygon_soup& expected, const io::polygon_soup& found,
                      const tool::comparison& difference, double diagonal)
 {
     std::ostringstream text;
@@ -58,7 +58,7 @@ void verdicts::skip(std::string_view mesh, std::string_view scheme, std::string_
     line(mesh, scheme) << "skipped: " << why << std::endl;
 }
 
-void verdicts::compare(const control_mesh& control, std::string_view scheme, const tool::polygon_soup& expected,
+void verdicts::compare(const control_mesh& control, std::string_view scheme, const io::polygon_soup& expected,
                        const std::vector<result>& found, double tolerance)
 {
     const double diagonal = control.diagonal();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../tools/polygon_soup.hpp"
-
+#include <kith/polygon_soup.hpp>
 #include <kith/basic_mesh.hpp>
 
 #include <cstddef>
@@ -29,10 +28,10 @@ struct control_mesh {
 /// What one of kith's ways made of a control mesh.
 struct result {
     std::string way;
-    tool::polygon_soup soup;
+    io::polygon_soup soup;
 };
 
-[[nodiscard]] tool::polygon_soup soup_of(const basic_mesh<>& mesh);
+[[nodiscard]] io::polygon_soup soup_of(const basic_mesh<>& mesh);
 
 /// Prints what was found, line by line, and sums it up.
 class verdicts {
@@ -41,7 +40,7 @@ public:
 
     void skip(std::string_view mesh, std::string_view scheme, std::string_view why);
     /// Coordinates may differ by `tolerance` times the diagonal of the control mesh.
-    void compare(const control_mesh& control, std::string_view scheme, const tool::polygon_soup& expected,
+    void compare(const control_mesh& control, std::string_view scheme, const io::polygon_soup& expected,
                  const std::vector<result>& found, double tolerance = rounding);
     void different(std::string_view mesh, std::string_view scheme, std::string_view what);
 

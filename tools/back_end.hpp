@@ -4,6 +4,7 @@
 #include "schemes.hpp"
 
 #include <kith/basic_mesh.hpp>
+#include <kith/mesh_tags.hpp>
 
 #include <array>
 #include <cstddef>
@@ -16,6 +17,7 @@ struct refine_request {
     any_scheme scheme;
     int levels = 0;
     std::uint64_t memory_limit = 0; ///< in bytes
+    bool with_tags = false;         ///< the sharpness that is left is wanted
     bool limit = false;             ///< the last level at its place on the limit surface, with the normals there
 };
 
@@ -23,6 +25,7 @@ struct refined_mesh {
     basic_mesh<> mesh; ///< of the last level; its edges need not be known
     std::uint64_t edges = 0;
     std::vector<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
+    io::mesh_tags tags{};                         ///< the sharpness that is left, if it was asked for
     std::size_t without_limit = 0;                ///< vertices that stay, as no closed mask is known for them
 };
 

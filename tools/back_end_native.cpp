@@ -10,7 +10,7 @@ namespace kith::tool {
 
 refined_mesh refine_native(basic_mesh<> control, const refine_request& request)
 {
-    if (request.limit)
+    if (request.limit or (request.with_tags and sharp_after(request.scheme, request.levels).any()))
         return refine_on<basic_mesh<>>(control, request);
     return std::visit(
         [&](const auto& scheme) {

@@ -28,7 +28,7 @@ std::string text_of(std::span<const std::size_t> face)
 
 } // namespace
 
-std::string first_difference(const polygon_soup& a, const polygon_soup& b)
+std::string first_difference(const io::polygon_soup& a, const io::polygon_soup& b)
 {
     if (a.points.size() != b.points.size())
         return differing("vertices", std::to_string(a.points.size()), std::to_string(b.points.size()));

@@ -6,6 +6,7 @@
 
 #include <kith/hierarchy.hpp>
 #include <kith/lift.hpp>
+#include <kith/tags_of_creases.hpp>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,10 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
             auto result = with_points<std::array<double, 3>>(lift(levels.finest()));
             const std::uint64_t edges = result.edge_count();
             refined_mesh refined{std::move(result), edges};
+            if constexpr (has_creases<Scheme>)
+                if (request.with_tags)
+                    refined.tags = io::tags_of(levels.scheme(request.levels).sharpness,
+                                               levels.elements(request.levels));
             if (request.limit)
                 move_to_limit(refined, levels.elements(request.levels), levels.scheme(request.levels));
             return refined;

@@ -14,7 +14,7 @@
 
 namespace kith::tool {
 
-std::vector<bool> holes_of(const mesh_tags& tags, const basic_mesh<>& mesh)
+std::vector<bool> holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh)
 {
     std::vector<bool> result(mesh.face_count());
     for (const std::size_t face : tags.holes) {
@@ -31,7 +31,9 @@ std::vector<bool> holes_of(const mesh_tags& tags, const basic_mesh<>& mesh)
     }
     const auto count = std::size_t(std::ranges::count(result, true));
     if (count == result.size())
-        throw mesh_error("all " + std::to_string(count) + " faces are holes, nothing would be left; correct the tags");
+        throw mesh_error(
+            (count == 1 ? "the only face is a hole" : "all " + std::to_string(count) + " faces are holes") +
+            std::string(", nothing would be left; correct the tags"));
     return count == 0 ? std::vector<bool>() : result;
 }
 
@@ -89,8 +91,20 @@ void leave_out(refined_mesh& result, const std::vector<bool>& holes)
     for (auto& v : corners)
         v = number[v];
     std::ranges::sort(edges);
-    result.edges = std::uint64_t(std::ranges::unique(edges).begin() - edges.begin());
+    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    result.edges = edges.size();
     result.normals = std::move(normals);
+    std::erase_if(result.tags.edges, [&](const auto& edge) {
+        const std::pair ends = std::minmax(index(edge.from), index(edge.to));
+        return not std::ranges::binary_search(edges, std::pair<index, index>(ends));
+    });
+    for (auto& [from, to, sharpness] : result.tags.edges) {
+        from = number[from];
+        to = number[to];
+    }
+    std::erase_if(result.tags.vertices, [&](const auto& corner) { return not used[corner.first]; });
+    for (auto& [vertex, sharpness] : result.tags.vertices)
+        vertex = number[vertex];
     kept.vertices = points.size();
     kept.faces = first.size() - 1;
     kept.corner_vertex = storage<index>(corners);

@@ -3,7 +3,6 @@
 
 #include "back_end.hpp"
 #include "mesh_input.hpp"
-#include "mesh_tags.hpp"
 
 #include <kith/basic_mesh.hpp>
 
@@ -13,7 +12,7 @@ namespace kith::tool {
 
 /// The faces of a control mesh that its tags make holes: those they name, and where the boundary is not to be interpolated
 /// all that touch it. Empty: there are none. Errors: mesh_error for a face that is not there, and when nothing is left.
-std::vector<bool> holes_of(const mesh_tags& tags, const basic_mesh<>& mesh);
+std::vector<bool> holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh);
 
 /// The same for the faces `levels` steps later: all that come from a hole. Precondition: a scheme with creases.
 std::vector<bool> holes_after(const any_scheme& scheme, int levels, const basic_mesh<>& control,

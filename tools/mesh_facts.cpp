@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_facts.hpp"
 
+#include "mesh_input.hpp"
+
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -84,12 +86,13 @@ auto box_of(std::span<const std::array<double, 3>> points)
 
 } // namespace
 
-mesh_facts facts_of(const polygon_soup& soup, const mesh_report& report)
+mesh_facts facts_of(const io::polygon_soup& soup, const mesh_report& report)
 {
     const std::size_t vertices = soup.points.size();
     mesh_facts result{.vertices = vertices, .faces = soup.faces.size()};
     for (std::size_t f = 0; f < soup.faces.size(); ++f)
         ++result.degrees[soup.faces[f].size()];
+    result.isolated = std::size_t(std::ranges::count(vertices_with_faces(soup), false));
     if (vertices != 0)
         result.box = box_of(soup.points);
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "polygon_soup.hpp"
-
 #include <kith/mesh_report.hpp>
+#include <kith/polygon_soup.hpp>
 
 #include <array>
 #include <cstddef>
@@ -18,6 +17,7 @@ struct mesh_facts {
     std::size_t vertices = 0;
     std::size_t edges = 0; ///< pairs of vertices that some face joins
     std::size_t faces = 0;
+    std::size_t isolated = 0;                    ///< vertices that no face has
     std::size_t components = 0;                  ///< of vertices that faces join; loose vertices are none
     std::optional<std::size_t> boundary_loops{}; ///< only a good mesh has such
     std::ptrdiff_t euler_characteristic = 0;
@@ -27,6 +27,6 @@ struct mesh_facts {
 };
 
 /// Cost: O(corners log corners).
-mesh_facts facts_of(const polygon_soup& soup, const mesh_report& report);
+mesh_facts facts_of(const io::polygon_soup& soup, const mesh_report& report);
 
 } // namespace kith::tool

@@ -2,18 +2,123 @@
 #include "mesh_input.hpp"
 
 #include "errors.hpp"
-#include "mesh_file.hpp"
+#include "word_list.hpp"
+
+#include <kith/counted.hpp>
+#include <kith/read_mesh.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
 
 namespace kith::tool {
 
+namespace {
+
+/// Takes the vertices without a face out, and gives the others their new numbers.
+std::vector<std::array<double, 3>> take_isolated(polygon_soup& soup)
+{
+    const std::vector<bool> used = vertices_with_faces(soup);
+    std::vector<std::array<double, 3>> isolated;
+    std::vector<std::size_t> number(used.size());
+    std::size_t kept = 0;
+    for (std::size_t v = 0; v < used.size(); ++v) {
+        number[v] = kept;
+        if (used[v])
+            soup.points[kept++] = soup.points[v];
+        else
+            isolated.push_back(soup.points[v]);
+    }
+    if (isolated.empty())
+        return isolated;
+    soup.points.resize(kept);
+    for (std::size_t& v : soup.faces.vertices)
+        v = number[v];
+    const auto is_there = [&](std::size_t v) { return v < used.size() and used[v]; };
+    for (auto& [from, to, sharpness] : soup.tags.edges) {
+        if (not is_there(from) or not is_there(to))
+            throw mesh_error("crease " + std::to_string(from) + "-" + std::to_string(to) +
+                             ": there is no such edge; correct the tag");
+        from = number[from];
+        to = number[to];
+    }
+    for (const auto& [vertex, sharpness] : soup.tags.vertices)
+        if (vertex >= used.size())
+            throw mesh_error("corner " + std::to_string(vertex) + ": there is no such vertex; correct the tag");
+    std::erase_if(soup.tags.vertices, [&](const auto& corner) { return not used[corner.first]; });
+    for (auto& [vertex, sharpness] : soup.tags.vertices)
+        vertex = number[vertex];
+    return isolated;
+}
+
+} // namespace
+
+io::polygon_soup read_soup(const std::string& path)
+{
+    polygon_soup soup = read_mesh_file(path);
+    for (const auto& note : soup.notes)
+        std::cerr << "kith: note: " << path << ": " << note << '\n';
+    return soup;
+}
+
+std::vector<bool> vertices_with_faces(const io::polygon_soup& soup)
+{
+    std::vector<bool> result(soup.points.size());
+    for (const std::size_t v : soup.faces.vertices)
+        result[v] = true;
+    return result;
+}
+
+control_mesh control_mesh_of(const io::polygon_soup& soup)
+{
+    if (const auto used = vertices_with_faces(soup); std::ranges::find(used, false) == used.end())
+        return {make_mesh(soup.points, soup.faces, soup.first_number), soup.tags, {}, soup.not_kept};
+    polygon_soup with_faces = soup;
+    auto isolated = take_isolated(with_faces);
+    report_of(soup).require_ok(); // in the numbers of the file
+    return {make_mesh(with_faces.points, with_faces.faces), with_faces.tags, std::move(isolated), soup.not_kept};
+}
+
 control_mesh read_mesh(const std::string& path)
 {
-    const polygon_soup soup = read_mesh_file(path);
+    const polygon_soup soup = read_soup(path);
     try {
-        return {make_mesh(soup.points, soup.faces), soup.tags};
+        return control_mesh_of(soup);
     } catch (const mesh_error& error) {
         throw file_error(path + ":\n" + error.what());
     }
+}
+
+mesh_report report_of(const io::polygon_soup& soup)
+{
+    mesh_report report = validate(soup.points, soup.faces, soup.first_number);
+    using enum problem;
+    for (const auto kind :
+         {empty_mesh, not_finite, bad_index, degenerate_face, nonmanifold_edge, turned_face, nonmanifold_vertex})
+        if (report.has(kind))
+            return report;
+    return {};
+}
+
+void note_losses(const std::string& input, const std::vector<std::string>& lost)
+{
+    std::string list;
+    for (const auto& what : lost)
+        append_to_list(list, what);
+    if (not list.empty())
+        std::cerr << "kith: note: " << (input == standard_stream ? "standard input" : input) << ": not kept: " << list
+                  << '\n';
+}
+
+void add_lost_sharpness(std::vector<std::string>& lost, std::size_t edges, std::size_t vertices)
+{
+    std::string of;
+    if (edges != 0)
+        of = counted(edges, "edge");
+    if (vertices != 0)
+        of += (of.empty() ? "" : " and ") + counted(vertices, "vertex");
+    if (not of.empty())
+        lost.push_back("the sharpness left to " + of + ", which .obj holds");
 }
 
 } // namespace kith::tool

@@ -1,20 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mesh_tags.hpp"
-
 #include <kith/basic_mesh.hpp>
+#include <kith/mesh_report.hpp>
+#include <kith/polygon_soup.hpp>
 
+#include <array>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace kith::tool {
 
 struct control_mesh {
-    basic_mesh<> mesh;
-    mesh_tags tags;
+    basic_mesh<> mesh; ///< of the vertices that have a face
+    io::mesh_tags tags{};
+    std::vector<std::array<double, 3>> isolated{}; ///< where the other vertices are
+    std::vector<std::string> not_kept{};           ///< what else the file holds, which refining loses
 };
 
-/// The mesh in a file. Errors: file_error for what the file is, and with everything that is wrong with the mesh.
+/// The content of a file; what is odd about it is noted on standard error. Errors: file_error.
+io::polygon_soup read_soup(const std::string& path);
+
+/// The mesh in a file. Vertices without a face are put aside, those after them move up. Errors: file_error for what the file
+/// is, and with everything that is wrong with the mesh, in the numbers of the file.
 control_mesh read_mesh(const std::string& path);
+
+/// The same of its content. Errors: mesh_error.
+control_mesh control_mesh_of(const io::polygon_soup& soup);
+
+/// The vertices that faces have.
+std::vector<bool> vertices_with_faces(const io::polygon_soup& soup);
+
+/// What is wrong with a file's mesh, in its numbers. Vertices without a face are told only where something else is wrong.
+mesh_report report_of(const io::polygon_soup& soup);
+
+/// Notes in one line what of a file is lost on the way; nothing if that is nothing.
+void note_losses(const std::string& input, const std::vector<std::string>& lost);
+
+/// Adds the sharp edges and vertices that are left to what is lost, where there are any.
+void add_lost_sharpness(std::vector<std::string>& lost, std::size_t edges, std::size_t vertices);
 
 } // namespace kith::tool

@@ -4,7 +4,7 @@
 #include "errors.hpp"
 #include "json.hpp"
 #include "mesh_compare.hpp"
-#include "mesh_file.hpp"
+#include "mesh_input.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -63,8 +63,8 @@ int run_compare(const verb& verb, const std::vector<std::string>& arguments)
     if (bitwise and values->count("tolerance") != 0)
         throw usage_error("--bitwise and --tolerance do not go together; leave one of them out");
     const double tolerance = bitwise ? 0 : tolerance_of(*values);
-    const polygon_soup a = read_mesh_file(required(*values, "A"));
-    const polygon_soup b = read_mesh_file(required(*values, "B"));
+    const polygon_soup a = read_soup(required(*values, "A"));
+    const polygon_soup b = read_soup(required(*values, "B"));
     if (bitwise)
         return compare_bitwise(a, b, values->count("json") != 0);
     const comparison result = compare_meshes(a.points, a.faces, b.points, b.faces, tolerance);

@@ -13,6 +13,8 @@
 #include "tile_options.hpp"
 #include "word_list.hpp"
 
+#include <kith/counted.hpp>
+
 #include <array>
 #include <cstdint>
 #include <iostream>
@@ -64,6 +66,7 @@ po::options_description options_of_refine()
     add_option<std::string>(options, "output,o", "OUT", "the file to write; - is standard output");
     add_flag(options, "binary", "write PLY or STL as binary instead of text");
     add_flag(options, "limit", "write the vertices at their limits; in OFF, OBJ and PLY with the normals there");
+    add_flag(options, "drop-isolated", "leave out vertices that no face has, which else are kept behind the others");
     add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + back_end_names());
     add_option<std::int64_t>(
         options, "tiles", "N", "refine in N tiles, one in memory at a time; OUT is .vtu, .ply or .pvtu");
@@ -80,6 +83,23 @@ po::options_description options_of_refine()
     add_option<std::string>(options, "stats", "FILE", stats_help);
     add_flag(options, "json", "print the result line as JSON");
     return options;
+}
+
+/// Points without a face are written behind the vertices, where that is wanted and the format has them.
+void settle_isolated(control_mesh& control, mesh_format format, bool drop)
+{
+    if (control.isolated.empty())
+        return;
+    const std::string points = counted(control.isolated.size(), "vertex") + " without a face";
+    if (drop) {
+        control.isolated.clear();
+    } else if (format == mesh_format::stl) {
+        control.not_kept.push_back(points);
+        control.isolated.clear();
+    } else {
+        std::cerr << "kith: note: " << points << (control.isolated.size() == 1 ? " is" : " are")
+                  << " kept, behind the others; --drop-isolated leaves out such\n";
+    }
 }
 
 void set_threads([[maybe_unused]] const po::variables_map& values)
@@ -118,7 +138,8 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     if (request.limit)
         require_limit_masks(request.scheme);
     const back_end refine_on = back_end_named(mesh_kind);
-    const mesh_format format = format_of(output);
+    const mesh_format format = output_format_of(output);
+    request.with_tags = format == mesh_format::obj;
     const bool binary = given("binary");
     if (binary and (format == mesh_format::off or format == mesh_format::obj))
         throw usage_error("--binary: only PLY and STL are written in binary, " + output + " is text");
@@ -134,13 +155,21 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
             leave_out(refined, holes_after(request.scheme, request.levels, with_holes, holes));
         return refined;
     });
-    timed(seconds[phase::write], [&] { write_mesh_file(output, result.mesh, binary, result.normals); });
+    if (request.with_tags)
+        add_boundary_tag(result.tags, request.scheme);
+    else if (const sharp_elements left = sharp_after(request.scheme, request.levels); left.any())
+        add_lost_sharpness(control.not_kept, left.edges, left.vertices);
+    settle_isolated(control, format, given("drop-isolated"));
+    timed(seconds[phase::write], [&] {
+        write_mesh_file(output, {result.mesh, result.normals, control.isolated, &result.tags, binary});
+    });
+    note_losses(input, control.not_kept);
     if (result.without_limit != 0)
         std::cerr << "kith: note: " << result.without_limit << " of " << result.mesh.vertex_count()
                   << " vertices stay where level " << request.levels
                   << " has them, as no closed limit mask is known there; refine once more\n";
 
-    const auto vertices = result.mesh.vertex_count();
+    const auto vertices = result.mesh.vertex_count() + control.isolated.size();
     const auto faces = result.mesh.face_count();
     if (given("stats"))
         write_stats(required(*values, "stats"), seconds);

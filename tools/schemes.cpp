@@ -5,9 +5,11 @@
 #include "scheme_words.hpp"
 #include "word_list.hpp"
 
+#include <kith/counted.hpp>
 #include <kith/limit.hpp>
 #include <kith/make_creases.hpp>
 #include <kith/scheme.hpp>
+#include <kith/tags_of_creases.hpp>
 
 #include <algorithm>
 #include <array>
@@ -55,9 +57,6 @@ void set_degree(Scheme& scheme, int degree)
         throw usage_error("--degree: " + std::string(scheme_name<Scheme>()) + " has no such choice");
     }
 }
-
-template <class Scheme>
-constexpr bool has_creases = requires(Scheme s) { s.sharpness; };
 
 /// "catmull-clark and loop"
 std::string schemes_with_creases()
@@ -139,6 +138,20 @@ template <class Scheme>
 inline constexpr bool has_masks_for_vertices =
     has_limit_positions<Scheme, vertex<level_of<basic_mesh<>>>, level_of<basic_mesh<>>>;
 
+/// Names the lines that nobody understood, the first few of them.
+void note_unread(const mesh_tags& tags)
+{
+    constexpr std::size_t most_told = 4;
+    std::string told;
+    for (std::size_t i = 0; i < std::min(tags.unread.size(), most_told); ++i)
+        append_to_list(told, "'" + tags.unread[i].name + "' in line " + std::to_string(tags.unread[i].line));
+    if (tags.unread.size() > most_told)
+        append_to_list(told, "...");
+    if (not told.empty())
+        std::cerr << "kith: note: " << counted(tags.unread.size(), "tag") << " of the file "
+                  << (tags.unread.size() == 1 ? "is" : "are") << " not understood: " << told << '\n';
+}
+
 } // namespace
 
 any_scheme make_scheme(const std::string& name, const scheme_words& words)
@@ -159,8 +172,7 @@ void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words&
     if (words.ignore_tags)
         control.tags = {};
     const mesh_tags& tags = control.tags;
-    if (tags.unread != 0)
-        std::cerr << "kith: note: " << tags.unread << " tags of the file are not understood\n";
+    note_unread(tags);
     std::visit(
         [&]<class Scheme>(Scheme& s) {
             if constexpr (has_creases<Scheme>) {
@@ -181,6 +193,32 @@ void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words&
                                  " has no rules for the creases, corners or holes of the file; " +
                                  schemes_with_creases() + " have, or leave them aside with --ignore-tags");
             }
+        },
+        scheme);
+}
+
+sharp_elements sharp_after(const any_scheme& scheme, int levels)
+{
+    return std::visit(
+        [&]<class Scheme>(const Scheme& s) {
+            sharp_elements result;
+            if constexpr (has_creases<Scheme>) {
+                const auto is_left = [&](const auto& sharp) { return sharp.second > levels; };
+                result.edges = std::size_t(std::ranges::count_if(s.sharpness.edges(), is_left));
+                result.vertices = std::size_t(std::ranges::count_if(s.sharpness.vertices(), is_left));
+            }
+            return result;
+        },
+        scheme);
+}
+
+void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme)
+{
+    std::visit(
+        [&]<class Scheme>(const Scheme& s) {
+            if constexpr (has_creases<Scheme>)
+                if (s.corners != Scheme().corners)
+                    tags.corners = s.corners;
         },
         scheme);
 }

@@ -60,6 +60,22 @@ struct scheme_words {
     bool ignore_tags = false;
 };
 
+template <class Scheme>
+inline constexpr bool has_creases = requires(Scheme s) { s.sharpness; };
+
+/// Edges and vertices of the control mesh.
+struct sharp_elements {
+    std::size_t edges = 0, vertices = 0;
+
+    [[nodiscard]] bool any() const { return edges != 0 or vertices != 0; }
+};
+
+/// Those that are sharp for more levels than this; averages of neighbours (Chaikin) may end that earlier.
+sharp_elements sharp_after(const any_scheme& scheme, int levels);
+
+/// What of a scheme's creases and boundary the tags of an OBJ file have to say besides the sharp elements.
+void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme);
+
 /// Errors: usage_error for a name that is not known, and for words that this scheme does not take.
 any_scheme make_scheme(const std::string& name, const scheme_words& words);
 

@@ -4,6 +4,8 @@
 #include "holes.hpp"
 #include "mesh_input.hpp"
 
+#include <kith/counted.hpp>
+
 #include <utility>
 #include <variant>
 
@@ -13,6 +15,11 @@ void read_control(tile_request& request, const std::string& path)
 {
     control_mesh control = read_mesh(path);
     give_creases(request.scheme, control, request.words);
+    const sharp_elements left = sharp_after(request.scheme, request.levels);
+    add_lost_sharpness(control.not_kept, left.edges, left.vertices);
+    if (not control.isolated.empty())
+        control.not_kept.push_back(io::counted(control.isolated.size(), "vertex") + " without a face");
+    note_losses(path, control.not_kept);
     require_no_holes(control);
     request.control = prepared(request.scheme, std::move(control.mesh));
     std::visit([&]<class Scheme>(const Scheme&) { require_input<Scheme>(level_of<basic_mesh<>>(request.control)); },

@@ -83,8 +83,8 @@ inline void check_faces(std::size_t vertices, const face_list& faces, mesh_repor
         for (const std::size_t v : face)
             if (v >= vertices)
                 report.add(problem::bad_index, [&] {
-                    return "face " + std::to_string(f) + ": vertex " + std::to_string(std::ptrdiff_t(v)) +
-                           " does not exist, there are " + std::to_string(vertices) + "; correct the index";
+                    return "face " + report.number(f) + ": vertex " + report.number(v) + " does not exist, there are " +
+                           std::to_string(vertices) + "; correct the index";
                 });
         if (face.size() < 3)
             report.add_few_corners(f, face.size());
@@ -125,12 +125,13 @@ connectivity<Index> connect_faces(std::size_t vertices, const face_list& faces)
 
 } // namespace detail
 
-/// Everything that is wrong with a list of points and faces; empty when a mesh can be made of it.
+/// Everything that is wrong with a list of points and faces; empty when a mesh can be made of it. Vertices and faces are
+/// told by numbers from `first_number` on.
 /// Cost: O(corners log valence) time, O(corners) memory.
 template <std::ranges::input_range Points>
-mesh_report validate(const Points& points, const face_list& faces)
+mesh_report validate(const Points& points, const face_list& faces, std::size_t first_number = 0)
 {
-    mesh_report report;
+    mesh_report report(first_number);
     const auto vertices = static_cast<std::size_t>(std::ranges::distance(points));
     detail::check_points(points, report);
     detail::check_faces(vertices, faces, report);
@@ -144,12 +145,12 @@ mesh_report validate(const Points& points, const face_list& faces)
 /// The native mesh of these points and faces. Vertices and faces keep their numbers; each face is stored from its
 /// smallest vertex on, and edges are numbered by their ends, so that the order in which a file lists the corners of a
 /// face or the faces themselves does not change a bit of any refined point.
-/// Errors: mesh_error with everything that `validate` finds. Cost: as `validate`.
+/// Errors: mesh_error with everything that `validate` finds, in numbers from `first_number` on. Cost: as `validate`.
 template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points>
-auto make_mesh(const Points& points, const face_list& faces)
+auto make_mesh(const Points& points, const face_list& faces, std::size_t first_number = 0)
 {
     using point = std::ranges::range_value_t<Points>;
-    mesh_report report;
+    mesh_report report(first_number);
     const std::size_t vertices = std::ranges::size(points);
     detail::check_points(points, report);
     detail::check_faces(vertices, faces, report);

@@ -71,19 +71,19 @@ void pair_corners(connectivity<Index>& t, mesh_report& report)
             const auto run_end = std::find_if(run, end, [&](const half& h) { return h.to != run->to; });
             const auto size = run_end - run;
             const auto forward = [&](const half& h) { return t.corner_vertex[h.corner] == low; };
-            const auto name = [&] { return "edge " + std::to_string(low) + "-" + std::to_string(run->to); };
+            const auto name = [&] { return "edge " + report.number(low) + "-" + report.number(run->to); };
             if (size > 2) {
                 report.add(problem::nonmanifold_edge, [&] {
                     std::string faces;
                     for (auto h = run; h != run_end; ++h)
-                        faces += (h == run ? "" : ", ") + std::to_string(face_of_corner(t, h->corner));
+                        faces += (h == run ? "" : ", ") + report.number(face_of_corner(t, h->corner));
                     return name() + ": " + std::to_string(size) + " faces (" + faces +
                            "); split the edge or remove faces so that at most two are left";
                 });
             } else if (size == 2 and forward(run[0]) == forward(run[1])) {
                 report.add(problem::turned_face, [&] {
-                    return name() + ": faces " + std::to_string(face_of_corner(t, run[0].corner)) + " and " +
-                           std::to_string(face_of_corner(t, run[1].corner)) +
+                    return name() + ": faces " + report.number(face_of_corner(t, run[0].corner)) + " and " +
+                           report.number(face_of_corner(t, run[1].corner)) +
                            " run through it in the same direction; turn one of them round";
                 });
             }

@@ -30,6 +30,16 @@ class mesh_report {
 public:
     static constexpr std::size_t told_of_each_kind = 8;
 
+    mesh_report() = default;
+    /// For elements that the user numbers from there: OBJ files begin with 1.
+    explicit mesh_report(std::size_t first_number) : first_number_(first_number) {}
+
+    /// An element as the user numbers it.
+    [[nodiscard]] std::string number(std::size_t element) const
+    {
+        return std::to_string(std::ptrdiff_t(element + first_number_)); // one that was negative reads like that
+    }
+
     /// Adds a problem; `describe()` is called only while there is room to tell it.
     template <class Describe>
     void add(problem kind, const Describe& describe)
@@ -68,7 +78,7 @@ public:
     void add_repeated_corner(std::size_t face, std::size_t vertex)
     {
         add(problem::degenerate_face, [&] {
-            return named("face", face) + "comes to vertex " + std::to_string(vertex) +
+            return named("face", face) + "comes to vertex " + number(vertex) +
                    " twice; remove the repeated corner or the face";
         });
     }
@@ -105,9 +115,9 @@ public:
     }
 
 private:
-    static std::string named(const char* kind, std::size_t element)
+    [[nodiscard]] std::string named(const char* kind, std::size_t element) const
     {
-        return kind + (" " + std::to_string(element)) + ": ";
+        return kind + (" " + number(element)) + ": ";
     }
 
     static constexpr std::array<std::string_view, 8> names{"empty mesh",
@@ -119,6 +129,7 @@ private:
                                                            "edges whose faces are turned",
                                                            "vertices with several fans"};
 
+    std::size_t first_number_ = 0;
     std::array<std::size_t, 8> counts_{};
     std::vector<std::pair<problem, std::string>> told_;
 };

@@ -2,22 +2,33 @@
 #pragma once
 
 #include <kith/boundary.hpp>
-#include <kith/creases.hpp>
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
-namespace kith::tool {
+namespace kith {
+
+enum class crease_method : unsigned char; // <kith/creases.hpp>, which reading files does not need
+
+} // namespace kith
+
+namespace kith::io {
 
 /// What an OBJ file says about sharp edges, sharp vertices and holes in lines `t ...`, as OpenSubdiv's test files have
-/// them.
+/// them. Vertices and faces are numbered from 0, there as here.
 struct mesh_tags {
     struct edge {
         std::size_t from = 0;
         std::size_t to = 0;
         double sharpness = 0;
+    };
+    /// A line that means something else.
+    struct unknown {
+        std::size_t line = 0;
+        std::string name;
     };
 
     std::vector<edge> edges;
@@ -26,12 +37,9 @@ struct mesh_tags {
     bool boundary_is_hole = false;  ///< the faces at the boundary, too
     std::optional<boundary_corner> corners;
     std::optional<crease_method> method;
-    std::size_t unread = 0; ///< lines that mean something else
+    std::vector<unknown> unread;
 
     [[nodiscard]] bool has_creases() const { return not edges.empty() or not vertices.empty(); }
 };
 
-/// The creases of these tags on a mesh. Errors: mesh_error for an edge or vertex that the mesh does not have.
-creases creases_of(const mesh_tags& tags, const basic_mesh<>& mesh);
-
-} // namespace kith::tool
+} // namespace kith::io

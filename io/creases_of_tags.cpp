@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_tags.hpp"
+#include <kith/tags_of_creases.hpp>
 
-#include <kith/basic_mesh.hpp>
 #include <kith/error.hpp>
 
 #include <algorithm>
 #include <map>
 #include <string>
 
-namespace kith::tool {
+namespace kith::io {
 
 creases creases_of(const mesh_tags& tags, const basic_mesh<>& mesh)
 {
@@ -39,4 +38,4 @@ creases creases_of(const mesh_tags& tags, const basic_mesh<>& mesh)
     return result;
 }
 
-} // namespace kith::tool
+} // namespace kith::io

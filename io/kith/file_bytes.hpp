@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace kith::io {
+
+/// All bytes of a file, in memory that nobody else can change.
+class file_bytes {
+public:
+    /// "-": of standard input. Errors: file_error, which begins with the path.
+    explicit file_bytes(const std::string& path);
+
+    [[nodiscard]] std::string_view view() const { return {bytes_.get(), size_}; }
+
+private:
+    void read_all(int descriptor, const std::string& name);
+    void reserve(std::size_t capacity);
+
+    std::unique_ptr<char[]> bytes_;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
+} // namespace kith::io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mesh_tags.hpp"
+
+#include <kith/make_mesh.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace kith::io {
+
+/// A file's content as it stands: nothing is known yet about how the faces hang together, but all their vertices are there
+/// and all coordinates are finite.
+struct polygon_soup {
+    std::vector<std::array<double, 3>> points;
+    face_list faces;
+    mesh_tags tags{};
+    std::vector<std::string>
+        not_kept{}; ///< what else the file holds: "normals", "groups", "the property 'quality' of vertices"
+    std::vector<std::string> notes{}; ///< what is odd about it and does no harm
+    std::size_t first_number = 0;     ///< from which the format numbers vertices and faces: 1 in OBJ
+};
+
+} // namespace kith::io

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kith::io {
+
+/// Appends words and numbers to a text.
+class text_block {
+public:
+    text_block& operator<<(std::string_view text)
+    {
+        text_.append(text);
+        return *this;
+    }
+    text_block& operator<<(char c)
+    {
+        text_.push_back(c);
+        return *this;
+    }
+    text_block& operator<<(std::size_t number) { return add(number); }
+    /// The shortest digits that read back as the same number.
+    text_block& operator<<(double number) { return add(number); }
+    text_block& operator<<(const std::array<double, 3>& p) { return *this << p[0] << ' ' << p[1] << ' ' << p[2]; }
+    /// The bytes of a number as they lie in memory.
+    template <class Number>
+    text_block& raw(Number number)
+    {
+        text_.append(reinterpret_cast<const char*>(&number), sizeof(number));
+        return *this;
+    }
+
+    [[nodiscard]] std::string_view text() const { return text_; }
+    void clear() { text_.clear(); }
+
+private:
+    template <class Number>
+    text_block& add(Number number)
+    {
+        std::array<char, 32> digits;
+        const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+        text_.append(digits.data(), std::size_t(end - digits.data()));
+        return *this;
+    }
+
+    std::string text_;
+};
+
+/// Writes `write(block, i)` for all i below a count, one after the other; blocks of them are made on all threads.
+template <class Write>
+void write_blocks(std::ostream& out, std::size_t count, const Write& write)
+{
+    constexpr std::size_t per_block = 4096, blocks_at_once = 32;
+    std::vector<text_block> blocks(std::min(blocks_at_once, count / per_block + 1));
+    for (std::size_t begin = 0; begin < count and out; begin += blocks.size() * per_block) {
+        const auto used = std::ptrdiff_t(std::min(blocks.size(), (count - begin + per_block - 1) / per_block));
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(dynamic)
+#endif
+        for (std::ptrdiff_t b = 0; b < used; ++b) {
+            text_block& block = blocks[std::size_t(b)];
+            block.clear();
+            const std::size_t first = begin + std::size_t(b) * per_block;
+            for (std::size_t i = first; i < std::min(first + per_block, count); ++i)
+                write(block, i);
+        }
+        for (std::ptrdiff_t b = 0; b < used; ++b)
+            out.write(blocks[std::size_t(b)].text().data(), std::streamsize(blocks[std::size_t(b)].text().size()));
+    }
+}
+
+} // namespace kith::io

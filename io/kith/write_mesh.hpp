@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mesh_format.hpp"
+#include "mesh_tags.hpp"
+
+#include <kith/basic_mesh.hpp>
+
+#include <array>
+#include <iosfwd>
+#include <span>
+
+namespace kith::io {
+
+/// A mesh and what is written with it.
+struct written_mesh {
+    const basic_mesh<>& mesh;
+    std::span<const std::array<double, 3>> normals{};  ///< one per vertex, or none; STL has its own
+    std::span<const std::array<double, 3>> isolated{}; ///< points of no face, which come after the vertices; not in STL
+    const mesh_tags* tags = nullptr;                   ///< OBJ only
+    bool binary = false;                               ///< PLY and STL: as doubles and as floats
+};
+
+/// Refuses, before anything is written, faces that a format has no room for, places and normals that are not finite, and in
+/// binary STL places that are too large for its floats. Errors: file_error. Cost: one pass.
+void require_writable(mesh_format format, const written_mesh& what);
+
+/// Writes a mesh; text in the shortest digits that read back as the same doubles. The same bytes on any number of threads.
+/// Preconditions: require_writable. Errors: those of the stream, in its state. Cost: one pass, a few MB of memory.
+void write_mesh(std::ostream& out, mesh_format format, const written_mesh& what);
+
+} // namespace kith::io

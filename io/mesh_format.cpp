@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/mesh_format.hpp>
+
+#include <kith/file_error.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace kith::io {
+
+std::string extension_of(const std::string& path)
+{
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(
+        extension, extension.begin(), [](char c) { return c >= 'A' and c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+namespace {
+
+std::optional<mesh_format> find_format(const std::string& path)
+{
+    if (path == standard_stream)
+        return mesh_format::off;
+    const std::string extension = extension_of(path);
+    if (extension == ".off")
+        return mesh_format::off;
+    if (extension == ".obj")
+        return mesh_format::obj;
+    if (extension == ".ply")
+        return mesh_format::ply;
+    if (extension == ".stl")
+        return mesh_format::stl;
+    return std::nullopt;
+}
+
+} // namespace
+
+mesh_format format_of(const std::string& path)
+{
+    if (const auto format = find_format(path))
+        return *format;
+    const std::string extension = extension_of(path);
+    const std::string written = extension == ".vtu" or extension == ".pvtu"
+                                    ? "; " + extension + " is written in tiles and not read"
+                                    : "";
+    throw file_error(path + ": the extension decides the format and must be .off, .obj, .ply or .stl" + written);
+}
+
+mesh_format output_format_of(const std::string& path)
+{
+    if (const auto format = find_format(path))
+        return *format;
+    throw file_error(path +
+                     ": the extension decides the format and must be .off, .obj, .ply or .stl, or .vtu, .pvtu or "
+                     ".ply in tiles");
+}
+
+} // namespace kith::io

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/read_mesh.hpp>
+
+#include <kith/file_bytes.hpp>
+#include <kith/file_error.hpp>
+#include <kith/text_cursor.hpp>
+
+namespace kith::io {
+
+polygon_soup read_mesh(mesh_format format, std::string_view bytes)
+{
+    bytes = without_byte_order_mark(bytes);
+    if (bytes.find_first_not_of(" \t\r\n") == bytes.npos)
+        throw file_error("the file is empty");
+    switch (format) {
+    case mesh_format::obj: return read_obj(bytes);
+    case mesh_format::ply: return read_ply(bytes);
+    case mesh_format::stl: return read_stl(bytes);
+    default: return read_off(bytes);
+    }
+}
+
+polygon_soup read_mesh_file(const std::string& path)
+{
+    const mesh_format format = format_of(path);
+    const file_bytes bytes(path);
+    try {
+        return read_mesh(format, bytes.view());
+    } catch (const file_error& error) {
+        throw file_error((path == standard_stream ? "standard input" : path) + ": " + error.what());
+    }
+}
+
+} // namespace kith::io

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/counted.hpp>
+#include <kith/ply_header.hpp>
+#include <kith/read_mesh.hpp>
+#include <kith/text_cursor.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace kith::io {
+
+namespace {
+
+/// The numbers of a text file, one after the other wherever its lines end.
+class text_numbers {
+public:
+    text_numbers(std::string_view bytes, const ply_header& header)
+        : text_(bytes.substr(header.data_begin), header.data_line)
+    {
+    }
+
+    template <std::invocable What>
+    double place(const ply_number& type, const What& what)
+    {
+        if (not type.floating)
+            return double(whole(type, what));
+        to_next(what);
+        return type.bytes == 4 ? double(text_.number<float>(what)) : text_.number(what);
+    }
+    template <std::invocable What>
+    std::int64_t whole(const ply_number& type, const What& what)
+    {
+        to_next(what);
+        const auto value = text_.whole<std::int64_t>(what);
+        const int bits = int(8 * type.bytes);
+        const std::int64_t most = (std::int64_t(1) << (type.is_signed ? bits - 1 : bits)) - 1;
+        if (value > most or value < (type.is_signed ? -most - 1 : 0))
+            text_.refuse(what() + " is " + std::to_string(value) + ", which does not fit its type");
+        return value;
+    }
+    /// A value that nobody reads: a number, finite or not.
+    template <std::invocable What>
+    void skip(const ply_number& type, const What& what)
+    {
+        if (not type.floating)
+            return void(whole(type, what));
+        to_next(what);
+        const auto word = text_.word();
+        const auto digits = word.substr(word.starts_with('+') ? 1 : 0);
+        double value = 0;
+        const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (error == std::errc::invalid_argument or rest != digits.data() + digits.size())
+            text_.refuse(what() + " should be a number, it is '" + shown(word) + "'");
+    }
+    void expect_end()
+    {
+        if (not text_.word_of_any_line().empty())
+            text_.refuse("the file goes on after its last element");
+    }
+    /// How many numbers there can be at most.
+    [[nodiscard]] std::size_t room(std::size_t numbers, std::size_t) const { return (text_.left() + 1) / 2 / numbers; }
+    [[noreturn]] void refuse(const std::string& what) const { text_.refuse(what); }
+
+private:
+    template <std::invocable What>
+    void to_next(const What& what)
+    {
+        if (not text_.to_content())
+            throw file_error("the file ends where " + what() + " should be");
+    }
+
+    text_cursor<text_kind::plain> text_;
+};
+
+template <std::endian Order>
+class binary_numbers {
+public:
+    binary_numbers(std::string_view bytes, const ply_header& header) : rest_(bytes.substr(header.data_begin)) {}
+
+    template <std::invocable What>
+    double place(const ply_number& type, const What& what)
+    {
+        if (not type.floating)
+            return double(whole(type, what));
+        const std::uint64_t bits = take(type.bytes, what);
+        const double value = type.bytes == 4 ? std::bit_cast<float>(std::uint32_t(bits)) : std::bit_cast<double>(bits);
+        if (not std::isfinite(value))
+            refuse(what() + " is not a finite number; give it a place");
+        return value;
+    }
+    template <std::invocable What>
+    std::int64_t whole(const ply_number& type, const What& what)
+    {
+        const std::uint64_t bits = take(type.bytes, what);
+        const int unused = int(64 - 8 * type.bytes);
+        return type.is_signed ? std::int64_t(bits << unused) >> unused : std::int64_t(bits);
+    }
+    template <std::invocable What>
+    void skip(const ply_number& type, const What& what)
+    {
+        (void)take(type.bytes, what);
+    }
+    void expect_end() const
+    {
+        if (not rest_.empty())
+            refuse("the file goes on for " + counted(rest_.size(), "byte") + " after its last element");
+    }
+    [[nodiscard]] std::size_t room(std::size_t, std::size_t bytes) const { return rest_.size() / bytes; }
+    [[noreturn]] void refuse(const std::string& what) const { throw file_error(what); }
+
+private:
+    template <class Integer>
+    std::uint64_t load() const
+    {
+        std::array<char, sizeof(Integer)> bytes;
+        std::memcpy(bytes.data(), rest_.data(), bytes.size());
+        if constexpr (Order != std::endian::native)
+            std::ranges::reverse(bytes);
+        return std::bit_cast<Integer>(bytes);
+    }
+    template <std::invocable What>
+    std::uint64_t take(std::size_t bytes, const What& what)
+    {
+        if (rest_.size() < bytes)
+            throw file_error("the file ends where " + what() + " should be");
+        const std::uint64_t bits = bytes == 4   ? load<std::uint32_t>()
+                                   : bytes == 1 ? load<std::uint8_t>()
+                                   : bytes == 8 ? load<std::uint64_t>()
+                                                : load<std::uint16_t>();
+        rest_.remove_prefix(bytes);
+        return bits;
+    }
+
+    std::string_view rest_;
+};
+
+template <class Numbers>
+class ply_body {
+public:
+    ply_body(std::string_view bytes, const ply_header& header) : numbers_(bytes, header), header_(&header) {}
+
+    polygon_soup read()
+    {
+        for (const auto& element : header_->elements) {
+            if (element.is_vertex())
+                read_vertices(element);
+            else if (element.is_face())
+                read_faces(element);
+            else
+                for (std::uint64_t item = 0; item < element.count; ++item)
+                    for (const auto& property : element.properties)
+                        skip(element, property, item);
+        }
+        numbers_.expect_end();
+        return std::move(soup_);
+    }
+
+private:
+    static std::string name(const ply_element& element, const ply_property& property, std::uint64_t item)
+    {
+        return element.name + " " + std::to_string(item) + ": " + property.name;
+    }
+    void read_vertices(const ply_element& element)
+    {
+        soup_.points.reserve(std::size_t(
+            std::min<std::uint64_t>(element.count, numbers_.room(element.properties.size(), element.least_bytes()))));
+        const auto place = element.place();
+        std::vector<int> coordinate(element.properties.size(), -1);
+        for (std::size_t i = 0; i < 3; ++i)
+            coordinate[place[i]] = int(i);
+        for (std::uint64_t v = 0; v < element.count; ++v) {
+            std::array<double, 3> point{};
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                const ply_property& property = element.properties[p];
+                if (coordinate[p] < 0)
+                    skip(element, property, v);
+                else
+                    point[std::size_t(coordinate[p])] = numbers_.place(property.value,
+                                                                       [&] { return name(element, property, v); });
+            }
+            soup_.points.push_back(point);
+        }
+    }
+    void read_faces(const ply_element& element)
+    {
+        const std::size_t room = numbers_.room(element.properties.size(), element.least_bytes());
+        soup_.faces.first.reserve(std::size_t(std::min<std::uint64_t>(element.count, room)) + 1);
+        const std::size_t corners = element.corner_list();
+        for (std::uint64_t f = 0; f < element.count; ++f)
+            for (std::size_t p = 0; p < element.properties.size(); ++p)
+                if (p == corners)
+                    read_face(element, element.properties[p], f);
+                else
+                    skip(element, element.properties[p], f);
+    }
+    std::int64_t read_length(const ply_element& element, const ply_property& property, std::uint64_t item)
+    {
+        const auto what = [&] { return name(element, property, item) + ", its length"; };
+        const std::int64_t length = numbers_.whole(property.count, what);
+        if (length < 0)
+            numbers_.refuse(name(element, property, item) + ": the list has " + std::to_string(length) + " entries");
+        return length;
+    }
+    void read_face(const ply_element& element, const ply_property& property, std::uint64_t face)
+    {
+        const auto what = [&] { return name(element, property, face); };
+        const std::int64_t length = read_length(element, property, face);
+        for (std::int64_t i = 0; i < length; ++i) {
+            const std::int64_t vertex = numbers_.whole(property.value, what);
+            if (vertex < 0 or std::uint64_t(vertex) >= header_->vertices)
+                numbers_.refuse("face " + std::to_string(face) + ": vertex " + std::to_string(vertex) +
+                                " does not exist, there are " + std::to_string(header_->vertices) +
+                                "; correct the index");
+            soup_.faces.vertices.push_back(std::size_t(vertex));
+        }
+        soup_.faces.first.push_back(soup_.faces.vertices.size());
+    }
+    void skip(const ply_element& element, const ply_property& property, std::uint64_t item)
+    {
+        const auto what = [&] { return name(element, property, item); };
+        const std::int64_t length = property.is_list() ? read_length(element, property, item) : 1;
+        for (std::int64_t i = 0; i < length; ++i)
+            numbers_.skip(property.value, what);
+    }
+
+    Numbers numbers_;
+    const ply_header* header_;
+    polygon_soup soup_;
+};
+
+/// What most programs call these properties by.
+std::string_view known_property(std::string_view name)
+{
+    if (name == "nx" or name == "ny" or name == "nz")
+        return "normals";
+    if (name == "red" or name == "green" or name == "blue" or name == "alpha" or name == "diffuse_red" or
+        name == "diffuse_green" or name == "diffuse_blue")
+        return "colours";
+    if (name == "s" or name == "t" or name == "u" or name == "v" or name == "texture_u" or name == "texture_v" or
+        name == "texcoord" or name == "texnumber")
+        return "texture coordinates";
+    return {};
+}
+
+std::vector<std::string> not_kept(const ply_header& header)
+{
+    std::vector<std::string> result;
+    const auto add = [&](const std::string& what) {
+        if (std::ranges::find(result, what) == result.end())
+            result.push_back(what);
+    };
+    for (const auto& element : header.elements) {
+        if (not element.is_vertex() and not element.is_face()) {
+            if (element.count != 0)
+                add("the elements '" + shown(element.name) + "'");
+            continue;
+        }
+        const auto place = element.is_vertex() ? element.place() : std::array<std::size_t, 3>{};
+        const std::size_t corners = element.is_face() ? element.corner_list() : element.properties.size();
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            if (p == corners or (element.is_vertex() and std::ranges::find(place, p) != place.end()))
+                continue;
+            const std::string& name = element.properties[p].name;
+            const auto known = known_property(name);
+            add(not known.empty()
+                    ? std::string(known)
+                    : "the property '" + shown(name) + "' of " + (element.is_vertex() ? "vertices" : "faces"));
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+polygon_soup read_ply(std::string_view bytes)
+{
+    const ply_header header = [&] {
+        try {
+            return read_ply_header(bytes);
+        } catch (const mesh_error& error) {
+            throw file_error(error.what());
+        }
+    }();
+    polygon_soup soup = header.encoding == ply_encoding::text ? ply_body<text_numbers>(bytes, header).read()
+                        : header.encoding == ply_encoding::little_endian
+                            ? ply_body<binary_numbers<std::endian::little>>(bytes, header).read()
+                            : ply_body<binary_numbers<std::endian::big>>(bytes, header).read();
+    soup.not_kept = not_kept(header);
+    return soup;
+}
+
+} // namespace kith::io
