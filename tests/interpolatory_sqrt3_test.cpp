@@ -126,6 +126,6 @@ TEST(interpolatory_sqrt3, refuses_an_inner_vertex_between_two_faces)
 {
     const shapes::shape pillow{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}}};
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(native(pillow), interpolatory_sqrt3(), 1); }),
-              "interpolatory-sqrt3: vertex 0 lies between 2 faces only, the scheme needs three; join its edges to one "
-              "first");
+              "interpolatory-sqrt3: vertex 0 lies between 2 faces only, the scheme needs three; remove these "
+              "triangles, which are back to back, or put a vertex into one of them");
 }

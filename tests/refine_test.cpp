@@ -4,13 +4,18 @@
 #include "all_shapes.hpp"
 #include "error_text.hpp"
 #include "every_scheme.hpp"
+#include "grown.hpp"
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
+
+#include <kith/hierarchy.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <string>
 
 using kith::refine;
 
@@ -104,6 +109,82 @@ TEST(refine, refuses_polygons_where_a_scheme_takes_triangles)
               "loop: face 5 has 4 vertices; triangulate the mesh first");
     EXPECT_EQ(refusal(native(shapes::house()), kith::sqrt3(), 0),
               "sqrt3: face 5 has 4 vertices; triangulate the mesh first");
+}
+
+TEST(refine, refuses_triangles_back_to_back_of_which_edges_with_the_same_ends_would_come)
+{
+    const shapes::shape pillow{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}}};
+    const auto why = [&](const auto& scheme) { return refusal(native(pillow), scheme, 1); };
+    const auto expected = [](const std::string& scheme) {
+        return scheme +
+               ": vertex 0 lies between 2 faces only, the scheme needs three; remove these triangles, which are "
+               "back to back, or put a vertex into one of them";
+    };
+    EXPECT_EQ(why(kith::loop()), expected("loop"));
+    EXPECT_EQ(why(kith::sqrt3()), expected("sqrt3"));
+    EXPECT_EQ(why(kith::butterfly()), expected("butterfly"));
+    EXPECT_EQ(why(kith::linear_triangles()), expected("linear-triangles"));
+    EXPECT_EQ(why(kith::doo_sabin()), expected("doo-sabin"));
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::hierarchy(native(pillow), kith::loop()); }), expected("loop"));
+    auto beside = shapes::tetrahedron(); // another part of the mesh is no excuse
+    for (std::size_t i = 0; i < 3; ++i)
+        beside.points.push_back(pillow.points[i]);
+    beside.faces.push_back({4, 5, 6});
+    beside.faces.push_back({6, 5, 4});
+    EXPECT_EQ(refusal(native(beside), kith::loop(), 1).find("loop: vertex 4 lies between 2 faces only"), 0U);
+    const shapes::shape repaired{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                 {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {2, 1, 0}}};
+    EXPECT_EQ(refine(native(repaired), kith::loop(), 2).face_count(), 64U);
+}
+
+TEST(refine, what_it_makes_it_takes_again_as_lists_of_faces)
+{
+    int made = 0;
+    const auto check = [&made]<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {
+        SCOPED_TRACE(std::string(kith::scheme_name<Scheme>()));
+        for (const int levels : {1, 2}) {
+            mesh3d fine;
+            try {
+                fine = refine(mesh, scheme, levels);
+            } catch (const kith::mesh_error&) {
+                return;
+            }
+            ++made;
+            EXPECT_NO_THROW({
+                const auto again = kith::make_mesh(fine.points(), faces_of(fine));
+                EXPECT_EQ(again.edge_count(), fine.edge_count());
+                if (not std::same_as<Scheme, kith::four_eight>) // whose marks no list of faces has
+                    refine(again, scheme, 1);
+            });
+        }
+    };
+    for (std::uint32_t seed = 1; seed <= 120; ++seed) {
+        const auto shape = shapes::grown(seed, seed % 3 == 0 ? 0 : 2 + seed % 3);
+        mesh3d mesh;
+        try {
+            mesh = native(shape);
+        } catch (const kith::mesh_error&) {
+            continue;
+        }
+        SCOPED_TRACE(seed);
+        check(kith::catmull_clark(), mesh);
+        check(kith::doo_sabin(), mesh);
+        check(kith::doo_sabin{.boundary = kith::doo_sabin_boundary::clamped}, mesh);
+        check(kith::doo_sabin{.boundary = kith::doo_sabin_boundary::drop}, mesh);
+        check(kith::linear(), mesh);
+        check(kith::mid_edge(), mesh);
+        check(kith::nasri_hasbini(), mesh);
+        check(kith::unified{.degree = 2}, mesh);
+        check(kith::unified{.degree = 3}, mesh);
+        check(kith::four_eight(), kith::tri_quad(mesh));
+        check(kith::kobbelt(), mesh);
+        check(kith::butterfly(), mesh);
+        check(kith::interpolatory_sqrt3(), mesh);
+        check(kith::linear_triangles(), mesh);
+        check(kith::loop(), mesh);
+        check(kith::sqrt3(), mesh);
+    }
+    EXPECT_GT(made, 1000);
 }
 
 TEST(refine, refuses_an_empty_mesh)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "library.hpp"
+#include "require_faces.hpp"
 #include "triangle_split.hpp"
 
 #include <kith/blocks.hpp>
@@ -26,6 +27,7 @@ struct butterfly {
                              .faces = face_shape::triangles,
                              .trusted = true,
                              .next = [](const counts& c, int) { return triangle_split::next(c); },
+                             .require = [](const auto& level, int) { require_three_faces<butterfly>(level); },
                              .reach = [](int rings) { return (rings + 1) / 2 + 1; },
                              .ignores_numbers = [] { return true; }};
     }
@@ -121,7 +123,8 @@ struct butterfly {
                 const auto l = e.lcorner(); // of x
                 const auto r = e.rcorner(); // of y
                 std::vector<real> spare_x, spare_y;
-                const auto ring = [&](auto c, auto& spare) { // of c's vertex, the other end of e being its first neighbour
+                const auto ring = [&](auto c,
+                                      auto& spare) { // of c's vertex, the other end of e being its first neighbour
                     const bool is_large = kinds[c.v().index()] == fan_kind::large;
                     const real* row = is_large ? nullptr : rows(c.v().valence(), spare);
                     return choose(

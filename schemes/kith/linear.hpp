@@ -3,6 +3,7 @@
 
 #include "library.hpp"
 #include "quad_split.hpp"
+#include "require_faces.hpp"
 #include "triangle_split.hpp"
 
 namespace kith {
@@ -47,6 +48,7 @@ struct linear_triangles {
                              .faces = face_shape::triangles,
                              .trusted = true,
                              .next = [](const counts& c, int) { return triangle_split::next(c); },
+                             .require = [](const auto& level, int) { require_three_faces<linear_triangles>(level); },
                              .reach = [](int rings) { return rings / 2 + 1; }};
     }
     static constexpr auto columns() { return triangle_split::columns(); }

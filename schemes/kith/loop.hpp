@@ -3,6 +3,7 @@
 
 #include "library.hpp"
 #include "limit.hpp"
+#include "require_faces.hpp"
 #include "sharp_rules.hpp"
 #include "triangle_split.hpp"
 
@@ -33,6 +34,7 @@ struct loop {
                              .faces = face_shape::triangles,
                              .trusted = true,
                              .next = [](const counts& c, int) { return triangle_split::next(c); },
+                             .require = [](const auto& level, int) { require_three_faces<loop>(level); },
                              .reach = [](const loop& s, int rings) { return s.sharpness.reach(rings); },
                              .state = &loop::sharpness,
                              .ignores_numbers = [](const loop& s) { return s.sharpness.empty(); }};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/error.hpp>
+#include <kith/for_each.hpp>
 #include <kith/scheme_traits.hpp>
 
 #include <string>
@@ -9,16 +10,25 @@
 namespace kith {
 
 /// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one of
-/// two corners there. No step makes such vertices where there are none, so looking at a mesh before the first is enough.
-/// Cost: O(corners).
+/// two corners there; between two triangles, which are back to back then, those that split triangles would make two edges
+/// with the same ends, at every level, which no list of faces can tell apart. No step makes such vertices where there are
+/// none, so looking at a mesh before the first is enough. Cost: O(vertices).
 template <class Scheme, class Level>
 void require_three_faces(const Level& coarse)
 {
-    for (const auto v : coarse.vertices())
-        if (not v.is_boundary() and v.face_count() < 3)
-            throw mesh_error(std::string(scheme_name<Scheme>()) + ": vertex " + std::to_string(v.index()) +
-                             " lies between " + std::to_string(v.face_count()) +
-                             " faces only, the scheme needs three; join its edges to one first");
+    for_each_by_number(coarse.vertices(), [&](const auto& v) {
+        const auto first = v.first_corner();
+        if (first.is_boundary() or first.prev().is_boundary())
+            return;
+        const auto second = first.prev().across();
+        if (second.prev().is_boundary() or not(second.prev().across() == first))
+            return;
+        const bool triangles = first.f().degree() == 3 and second.f().degree() == 3;
+        throw mesh_error(std::string(scheme_name<Scheme>()) + ": vertex " + std::to_string(v.index()) +
+                         " lies between 2 faces only, the scheme needs three; " +
+                         (triangles ? "remove these triangles, which are back to back, or put a vertex into one of them"
+                                    : "join its edges to one first"));
+    });
 }
 
 } // namespace kith

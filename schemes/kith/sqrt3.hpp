@@ -2,6 +2,7 @@
 #pragma once
 
 #include "library.hpp"
+#include "require_faces.hpp"
 #include "sqrt3_split.hpp"
 
 #include <kith/blocks.hpp>
@@ -29,6 +30,7 @@ struct sqrt3 {
             .next = [](const counts& c, int generation) { return sqrt3_split::next(c, generation); },
             .require =
                 [](const auto& control, int generation) {
+                    require_three_faces<sqrt3>(control);
                     for (const auto f : control.faces())
                         if (const auto edges = sqrt3_split::boundary_edges(f);
                             sqrt3_split::is_odd(generation) and edges > 1)
