@@ -4,12 +4,12 @@
 #include "column_facts.hpp"
 #include "partition.hpp"
 #include "reach.hpp"
-#include "submesh.hpp"
 #include "tile_job.hpp"
 #include "whole_counts.hpp"
 
 #include <kith/error.hpp>
 #include <kith/lift.hpp>
+#include <kith/submesh.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -17,26 +17,4 @@ struct tile_job {
     Scheme scheme;
 };
 
-namespace detail {
-
-/// The scheme of a part of a level: the same, with the state of that part.
-template <class Scheme, class Index>
-Scheme scheme_of_part(Scheme scheme, const part_numbers<Index>& part)
-{
-    for_each_state(scheme, [&]<class State>(State& state) {
-        constexpr bool parts = requires {
-            { std::as_const(state).of_part(part) } -> std::convertible_to<State>;
-        };
-        static_assert(
-            parts,
-            "the state that a scheme names in its traits() needs of_part(const part_numbers<Index>&) const, which "
-            "returns that of a part of the level, to be refined in tiles");
-        if constexpr (parts)
-            state = std::as_const(state).of_part(part);
-    });
-    return scheme;
-}
-
-} // namespace detail
-
 } // namespace kith

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "submesh.hpp"
 #include "tile.hpp"
+
+#include <kith/submesh.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "new_elements.hpp"
-#include "submesh.hpp"
 #include "tile_job.hpp"
 
 #include <kith/step.hpp>
+#include <kith/submesh.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -83,6 +83,9 @@ struct four_eight {
         });
     }
 
+    /// The triangles that these look at: two rings of blocks.
+    static constexpr int limit_rings() { return 3; }
+
     /// The modulus of the subdominant eigenvalues of one step at a vertex with n quads: a quarter of the largest root of
     /// x^5 - 3c x^4 + (2c^2 - 5) x^3 + 6c x^2 + 4x + c - 2c^3, c = cos(pi/n); docs/schemes.md.
     static constexpr double subdominant(std::int64_t n)

@@ -69,6 +69,15 @@ struct interpolatory_sqrt3 {
         return n == 3 ? 8. / 9 : n == 4 ? 7. / 9 : 1 - a * a;
     }
 
+    /// It interpolates.
+    template <class Level, class Use>
+    void limit_position(const vertex<Level>& v, const Use& use) const
+    {
+        use(sum(v));
+    }
+    /// As that of sqrt3.
+    static constexpr int limit_reach(int rings) { return rings / 2 + 2; }
+
     template <class R>
     void operator()(const R& r) const
     {

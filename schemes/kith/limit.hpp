@@ -2,14 +2,16 @@
 #pragma once
 
 #include "sharp_rules.hpp"
+#include "unit_normal.hpp"
 
 #include <kith/hierarchy.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace kith {
@@ -90,10 +92,57 @@ auto limits(const all_elements<Level, Element>& elements, const Scheme& scheme, 
     return result;
 }
 
+/// Points times a factor.
+template <class Level>
+class scaled_points {
+    using number = affine<typename Level::point_type>;
+
+public:
+    using scalar = typename number::scalar;
+    using sum = typename number::sum;
+
+    explicit scaled_points(double factor) : factor_(factor) {}
+    static void add(sum& total, const sum& more) { number::add(total, more); }
+    static void scale(sum& total, const scalar& weight) { number::scale(total, weight); }
+    [[nodiscard]] sum coarse(const vertex<Level>& v) const
+    {
+        sum result = number::load(v.point());
+        scale(result, scalar(factor_));
+        return result;
+    }
+
+private:
+    double factor_;
+};
+
+/// The unit normal that two tangent masks give; nothing where they give none. Where their sums overflow, or are so small that
+/// digits are lost, they are formed once more of scaled points.
+template <class Level, class First, class Second>
+std::optional<normal_vector> normal_of(const First& first, const Second& second)
+{
+    const auto over = [&](const auto& values) {
+        const auto a = first.evaluate(values), b = second.evaluate(values);
+        return std::pair{scaled(a, 0), scaled(b, 0)};
+    };
+    const auto are_finite = [](const auto& tangents) {
+        return is_finite(tangents.first) and is_finite(tangents.second);
+    };
+    auto tangents = over(point_values<Level>());
+    if (not are_finite(tangents))
+        tangents = over(scaled_points<Level>(std::scalbn(1., -100)));
+    common_exponent a, b;
+    a.add(tangents.first);
+    b.add(tangents.second);
+    if (std::min(a.value(), b.value()) < -900)
+        if (const auto larger = over(scaled_points<Level>(std::scalbn(1., 200))); are_finite(larger))
+            tangents = larger;
+    return unit_normal(tangents.first, tangents.second);
+}
+
 } // namespace detail
 
-/// Where the vertices of a level end up when it is refined for ever; nothing where no closed mask is known (faces that
-/// the first step splits, darts, semi-sharp creases that still decay): refine once more.
+/// Where the vertices of a level end up when it is refined for ever, by closed masks alone; nothing where none is known
+/// (faces that the first step splits, darts, semi-sharp creases that still decay): limit_surface finds those, too.
 /// `level` is mesh.elements(i) of a hierarchy, `scheme` its scheme(i). Instead of the level, its vertices() or, where the
 /// scheme has masks for them, its faces() may be given: of Doo-Sabin, level.faces(). Cost: O(corners).
 template <class Level, class Element, class Scheme>
@@ -127,19 +176,11 @@ auto limit_normals(const all_elements<Level, Element>& elements, const Scheme& s
 {
     static_assert(has_limit_tangents<Scheme, Element, Level>,
                   "this scheme has no tangent masks for these elements; docs/schemes.md, Limit, lists those that have");
-    std::vector<std::optional<std::array<double, 3>>> result(elements.size());
-    const point_values<Level> values;
+    std::vector<std::optional<normal_vector>> result(elements.size());
     detail::with_sharp_rules(elements.level(), scheme, [&](const auto&... sharp) {
         for (const auto x : elements)
             scheme.limit_tangents(sharp..., x, [&](const auto& first, const auto& second) {
-                const auto a = first.evaluate(values), b = second.evaluate(values);
-                std::array<double, 3> n;
-                for (std::size_t i = 0; i < 3; ++i)
-                    n[i] = double(a[(i + 1) % 3]) * double(b[(i + 2) % 3]) -
-                           double(a[(i + 2) % 3]) * double(b[(i + 1) % 3]);
-                const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-                if (length > 0)
-                    result[x.index()] = std::array{n[0] / length, n[1] / length, n[2] / length};
+                result[x.index()] = detail::normal_of<Level>(first, second);
             });
     });
     return result;

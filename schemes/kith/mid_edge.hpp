@@ -5,6 +5,10 @@
 #include "mid_edge_split.hpp"
 #include "require_faces.hpp"
 
+#include <kith/cos_turn.hpp>
+
+#include <cstdint>
+
 namespace kith {
 
 /// The mid-edge scheme, the simplest there is: the midpoints of all edges. Peters & Reif 1997. C1 (quadratic box spline in
@@ -27,6 +31,32 @@ struct mid_edge {
             refuse_preset<mid_edge>("kith and, for closed meshes, OpenMesh");
         return {};
     }
+
+    /// The midpoints of a face's edges have its centroid and shrink to it. A vertex goes with the face that is made of it, at the
+    /// boundary too; one with a single face goes with that.
+    template <class Level, class Use>
+    void limit_position(const vertex<Level>& v, const Use& use) const
+    {
+        if (v.is_boundary() and v.face_count() == 1)
+            use(average(v.first_corner().f().vertices()));
+        else
+            use(1. / 2 * v + 1. / 2 * average(v.neighbors()));
+    }
+    template <class Level, class Use>
+    void limit_position(const face<Level>& f, const Use& use) const
+    {
+        use(average(f.vertices()));
+    }
+    /// Two tangents, counter-clockwise, inside and but for three faces, whose triangle shrinks as fast as all around it.
+    template <class Level, class Use>
+    void limit_tangents(const vertex<Level>& v, const Use& use) const
+    {
+        const auto n = std::int64_t(v.valence());
+        if (not v.is_boundary() and n > 3)
+            use(sum(v.neighbors(), [n](std::size_t j) { return cos_turn(std::int64_t(j), n); }),
+                sum(v.neighbors(), [n](std::size_t j) { return sin_turn(std::int64_t(j), n); }));
+    }
+    static constexpr int tangent_steps = 0; ///< those of three faces stay without
 
     template <class R>
     void operator()(const R& r) const

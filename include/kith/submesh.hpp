@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/basic_mesh.hpp>
-#include <kith/level_state.hpp>
-#include <kith/match.hpp>
+#include "basic_mesh.hpp"
+#include "level_state.hpp"
+#include "match.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "limit_search.hpp"
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// The vertices of a level at their places on the limit surface, with the unit normals there, outward for counter-clockwise
+/// faces.
+template <class Point>
+struct limit_surface {
+    storage<Point> positions;
+    std::vector<normal_vector> normals;
+};
+
+/// The rings of faces around some faces that limit_surface_around looks at for the vertices of these.
+template <searchable_scheme Scheme>
+int limit_rings(const Scheme& scheme)
+{
+    int most = 0;
+    const detail::limit_rings rings(scheme, detail::few_steps);
+    for (int step = 0; step <= detail::few_steps; ++step)
+        most = std::max(most, rings.at(step));
+    return most + 2; // the neighbours of their vertices, and the faces at these
+}
+
+/// The limits of some vertices, those with a mark; all if there are no marks. All others stay, but for the neighbours of these.
+/// As limit_surface_of. Precondition: a mark per vertex, or none.
+template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
+limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                                          std::span<const unsigned char> marks)
+{
+    using level_type = level_of<basic_mesh<Point, Index>>;
+    using search_type = detail::limit_search<Point, Index, Scheme>;
+    require_edges(mesh);
+    const level_type level(mesh);
+    std::vector<unsigned char> is_needed(mesh.vertex_count(), marks.empty() ? 1 : 0);
+    for (std::size_t f = 0; not marks.empty() and f < mesh.face_count(); ++f)
+        if (std::ranges::any_of(mesh.face(f), [&](Index v) { return marks[v] != 0; }))
+            for (const Index v : mesh.face(f))
+                is_needed[v] = 1;
+
+    limit_surface<Point> result{storage<Point>(mesh.points()), {}};
+    std::vector<Index> open; // some of their limits are not known by masks of this level
+    std::vector<typename search_type::found> open_limits;
+    std::vector<std::pair<Index, normal_vector>> normals;
+    detail::with_sharp_rules(level, scheme, [&](const auto&... sharp) {
+        for (const auto v : level.vertices()) {
+            if (is_needed[v.index()] == 0)
+                continue;
+            typename search_type::found limit;
+            search_type::take(v, scheme, limit, 0, sharp...);
+            if (limit.position)
+                result.positions[v.index()] = *limit.position;
+            const bool is_wanted = marks.empty() or marks[v.index()] != 0;
+            if (limit.normal and is_wanted)
+                normals.emplace_back(Index(v.index()), *limit.normal);
+            if (not limit.position or (search_type::patience() > 0 and is_wanted and not limit.normal)) {
+                open.push_back(Index(v.index()));
+                open_limits.push_back(std::move(limit));
+            }
+        }
+    });
+    if (not open.empty()) {
+        search_type(mesh, scheme).complete(open, open_limits, not marks.empty());
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            result.positions[open[i]] = *open_limits[i].position;
+            if (open_limits[i].normal)
+                normals.emplace_back(open[i], *open_limits[i].normal);
+        }
+    }
+    result.normals = mean_face_normals(
+        mesh, std::span<const Point>(result.positions.data(), mesh.vertex_count()), marks);
+    for (const auto& [v, normal] : normals)
+        result.normals[v] = normal;
+    const auto is_zero = [](const normal_vector& n) { return n == normal_vector{}; };
+    if (std::ranges::any_of(result.normals, is_zero)) { // faces that shrink to a point, or have no area at all
+        const auto of_level = mean_face_normals(mesh, mesh.points(), marks);
+        for (std::size_t v = 0; v < of_level.size(); ++v)
+            if (is_zero(result.normals[v]))
+                result.normals[v] = of_level[v];
+    }
+    return result;
+}
+
+/// Where all vertices of a mesh end up when it is refined for ever. By closed masks where they are known; where not, what lies
+/// around the vertex is refined until what has become of it has one, or is a point; docs/schemes.md, Limit. A normal is that
+/// of the limit surface where it is known at once or a few steps on, else the mean of the normals of the faces at their limit
+/// positions, weighed by area, or, if these have none, at their places; zero if these have none either. `scheme` is that of this level: the creases are its. For points
+/// of three coordinates. Errors: mesh_error for a mesh without edges. Cost: O(corners), and for each vertex without a mask that
+/// of refining its neighbourhood, seldom more than a few times.
+template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
+limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
+{
+    return limit_surface_around(mesh, scheme, {});
+}
+/// The same of a level of a hierarchy, on any kind of mesh. Precondition: 0 <= level <= depth.
+template <class M, searchable_scheme Scheme>
+auto limit_surface_of(const hierarchy<M, Scheme>& levels, int level)
+{
+    if constexpr (requires { levels[level].topology(); })
+        return limit_surface_of(levels[level], levels.scheme(level));
+    else
+        return limit_surface_of(lift(levels.elements(level), generation_of(levels[0]) + level), levels.scheme(level));
+}
+
+} // namespace kith
