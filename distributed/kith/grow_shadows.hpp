@@ -3,6 +3,7 @@
 
 #include "all_to_all.hpp"
 #include "numbered_tile.hpp"
+#include "known_state.hpp"
 #include "pack.hpp"
 #include "tile_patch.hpp"
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -37,14 +39,13 @@ void keep_owned(const Tile& before, Tile& grown)
 }
 
 template <class Point>
-std::vector<std::byte> pack_patch(const tile_patch<Point>& patch)
+void pack_patch(packer& out, const tile_patch<Point>& patch)
 {
-    return packer().add_array(patch.faces).add_array(patch.corners).add_array(patch.vertices).take();
+    out.add_array(patch.faces).add_array(patch.corners).add_array(patch.vertices);
 }
 template <class Point>
-tile_patch<Point> unpack_patch(std::span<const std::byte> bytes)
+tile_patch<Point> unpack_patch(unpacker& in)
 {
-    unpacker in(bytes);
     tile_patch<Point> patch;
     patch.faces = in.get_array<decltype(patch.faces)>();
     patch.corners = in.get_array<decltype(patch.corners)>();
@@ -112,39 +113,64 @@ private:
     std::vector<entry> known_; // by vertex
 };
 
-/// Collective: asks owners for faces. `wanted[r]` lie on rank r; the result has them in that order.
-template <class Tile>
-std::vector<tile_patch<typename Tile::point_type>>
-fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
+/// What owners answer: faces, and the state that their schemes have there.
+template <class Point, class Scheme>
+struct fetched_faces {
+    tile_patch<Point> patch;
+    std::vector<kith::detail::known_state<Scheme>> states;
+};
+
+/// Collective: asks owners for faces. `wanted[r]` lie on rank r; the result has them in that order. `schemes` are those of the
+/// tiles, in their order.
+template <class Tile, class Scheme>
+std::vector<fetched_faces<typename Tile::point_type, Scheme>>
+fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std::span<const Scheme> schemes,
             const std::vector<std::vector<faces_at_vertices::place>>& wanted)
 {
-    using patch = tile_patch<typename Tile::point_type>;
     using index = typename Tile::index_type;
+    using point = typename Tile::point_type;
     const auto asked = all_to_all(comm, wanted);
     std::vector<std::vector<std::byte>> replies(asked.size());
     for (std::size_t rank = 0; rank < asked.size(); ++rank) {
-        patch reply;
+        tile_patch<point> reply;
+        std::map<std::uint64_t, std::vector<index>> faces_of_tile;
         for (const auto& where : asked[rank]) {
             const auto& part = tiles[where.tile].part;
-            const auto face = std::ranges::lower_bound(part.face_ids, where.face) - part.face_ids.begin();
-            reply.append(patch_of(part, std::span<const index>(std::array{index(face)})));
+            const auto face = index(std::ranges::lower_bound(part.face_ids, where.face) - part.face_ids.begin());
+            reply.append(patch_of(part, std::span<const index>(std::array{face})));
+            faces_of_tile[where.tile].push_back(face);
         }
-        replies[rank] = pack_patch(reply);
+        packer out;
+        pack_patch(out, reply);
+        if constexpr (has_state<Scheme>) {
+            out.add(std::uint64_t(faces_of_tile.size()));
+            for (auto& [tile, faces] : faces_of_tile)
+                kith::detail::pack_known_state(
+                    out, kith::detail::state_at_faces(tiles[tile].part, schemes[tile], std::move(faces)));
+        }
+        replies[rank] = out.take();
     }
-    std::vector<patch> result;
-    for (const auto& bytes : all_to_all(comm, std::move(replies)))
-        result.push_back(unpack_patch<typename Tile::point_type>(bytes));
+    std::vector<fetched_faces<point, Scheme>> result;
+    for (const auto& bytes : all_to_all(comm, std::move(replies))) {
+        unpacker in(bytes);
+        auto& came = result.emplace_back(unpack_patch<point>(in));
+        if constexpr (has_state<Scheme>)
+            for (auto left = in.get<std::uint64_t>(); left > 0; --left)
+                came.states.push_back(kith::detail::unpack_known_state(in, schemes.front()));
+    }
     return result;
 }
 
 } // namespace detail
 
 /// Collective: lets the shadows of all tiles of a level grow from one ring to `rings`, by asking ring after ring who holds
-/// the faces at the outermost vertices. `tiles` are those of this rank; what they own stays.
-/// Preconditions: each has its edges and a ring of shadows. Creases are not carried, nor marks of edges on level 0.
+/// the faces at the outermost vertices. `tiles` are those of this rank, `schemes` those of the tiles, whose state (creases) is
+/// fetched, too; what they own stays.
+/// Preconditions: each has its edges and a ring of shadows. Marks of edges on level 0 are not carried.
 /// Errors: mpi::error. Cost: four messages at most to each rank per ring, and building each tile anew.
-template <class Point, class Index>
-void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, int rings)
+template <class Point, class Index, class Scheme>
+void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, std::span<Scheme> schemes,
+                  int rings)
 {
     if (rings <= 1)
         return;
@@ -184,12 +210,12 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
                 wanting[found.where.rank].push_back(t);
             }
         }
-        const auto came = detail::fetch_faces(comm, all_tiles, wanted);
+        const auto came = detail::fetch_faces(comm, all_tiles, std::span<const Scheme>(schemes), wanted);
         std::vector<tile_patch<Point>> more(tiles.size());
         for (std::size_t rank = 0; rank < ranks; ++rank)
-            for (std::size_t f = 0, corner = 0; f < came[rank].faces.size(); ++f) {
-                more[wanting[rank][f]].append_face(came[rank], f, corner);
-                corner += came[rank].faces[f].degree;
+            for (std::size_t f = 0, corner = 0; f < came[rank].patch.faces.size(); ++f) {
+                more[wanting[rank][f]].append_face(came[rank].patch, f, corner);
+                corner += came[rank].patch.faces[f].degree;
             }
         for (std::size_t t = 0; t < tiles.size(); ++t) {
             auto& part = tiles[t].part;
@@ -200,9 +226,26 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
             auto grown = tile_of_patch<Index>(
                 std::move(patch), part.mesh.topology().degree, part.mesh.generation(), not part.corners_before.empty());
             detail::keep_owned(part, grown);
+            if constexpr (has_state<Scheme>) {
+                const Scheme before = std::exchange(schemes[t],
+                                                    kith::detail::scheme_of_part(schemes[t], part_numbers<Index>()));
+                kith::detail::take_over(schemes[t], grown, before, kith::detail::elements_of(part));
+                for (std::size_t rank = 0; rank < ranks; ++rank)
+                    if (std::ranges::find(wanting[rank], t) != wanting[rank].end())
+                        for (const auto& known : came[rank].states)
+                            kith::detail::take_over(schemes[t], grown, known.scheme, known.elements);
+            }
             part = std::move(grown);
         }
     }
+}
+/// The same for tiles of a scheme without state.
+template <class Point, class Index>
+void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, int rings)
+{
+    struct no_state {};
+    std::vector<no_state> none(tiles.size());
+    grow_shadows(comm, tiles, std::span(none), rings);
 }
 
 } // namespace kith::mpi

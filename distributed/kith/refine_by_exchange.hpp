@@ -11,6 +11,7 @@
 #include "partition.hpp"
 #include "require_control.hpp"
 #include "require_tiles.hpp"
+#include "tile_generation.hpp"
 #include "tile_step.hpp"
 
 #include <kith/refine.hpp>
@@ -33,21 +34,19 @@ namespace kith::mpi {
 /// number, the rings of faces around a tile that a step needs so that one ring around its children is right, too. Bits and
 /// numbers are those of `refine`. All tiles of this rank are in memory.
 ///
-/// The scheme declares its edges, takes meshes with a boundary, and carries no creases.
+/// The scheme declares its edges and takes meshes with a boundary; its state, such as creases, can be joined (level_state).
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class exchanging_refinement {
     static_assert(numbering_of<Scheme, Index>::has_edges,
                   "the edges of a tile need numbers in the whole mesh; let the scheme's columns declare new_edges");
     static_assert(not needs_closed<Scheme>, "a tile has a rim, so a scheme for closed meshes cannot refine it");
-    static_assert(
-        not requires(const Scheme& s, std::span<const Index> from) { s.of_part(from, from); },
-        "a scheme with creases has a reach; use rank_refinement");
 
 public:
     using tile_type = tile<Point, Index>;
     using numbering_type = whole_numbering<columns_type<Scheme>>;
 
-    /// Collective. `mesh` and `parts` are read on rank 0 only; `rings_per_step` > 0 is the same on all ranks. Errors:
+    /// Collective. `mesh` and `parts` are read on rank 0 only, and the state (creases) of the scheme, whose options and
+    /// `rings_per_step` > 0 are the same on all ranks. Errors:
     /// phase_error for everything that `refine` refuses, for a mesh of face-vertex lists only and for a partition of another
     /// mesh.
     exchanging_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
@@ -71,14 +70,18 @@ public:
         generation_ = in.get<int>();
         const auto packed = deal_tiles(comm, all, [&](std::uint64_t t) { return pack(cutter->cut(t, rings_)); });
         in_agreement(comm, [&] {
-            for (std::size_t i = 0; i < packed.size(); ++i)
-                tiles_.push_back({std::uint64_t(comm.rank()) + i * std::uint64_t(comm.size()),
-                                  unpack<Point, Index>(packed[i], scheme_).part});
+            for (std::size_t i = 0; i < packed.size(); ++i) {
+                auto job = unpack<Point, Index>(packed[i], scheme_);
+                tiles_.push_back({std::uint64_t(comm.rank()) + i * std::uint64_t(comm.size()), std::move(job.part)});
+                schemes_.push_back(std::move(job.scheme));
+            }
+            scheme_ = kith::detail::scheme_of_part(scheme_, part_numbers<Index>());
         });
     }
 
     /// Collective. From tiles of level 0, all of one generation, that have `rings_per_step` rings of shadows, wherever they
-    /// come from: read_tiles makes them of a file that is too large for one rank. Errors: phase_error for what the scheme
+    /// come from: read_tiles makes them of a file that is too large for one rank. State of the scheme (creases) is that of the
+    /// whole mesh, by its numbers, as far as the tiles of this rank go. Errors: phase_error for what the scheme
     /// cannot take.
     exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                           const Scheme& scheme, int rings_per_step)
@@ -88,11 +91,11 @@ public:
         in_agreement(comm, [&] {
             require_rings();
             require_tiles<Scheme>(tiles_);
+            for (const auto& [number, part] : tiles_)
+                schemes_.push_back(kith::detail::scheme_of_tile(scheme_, part));
+            scheme_ = kith::detail::scheme_of_part(scheme_, part_numbers<Index>());
         });
-        double generation = 0; // of a rank without tiles, which others tell
-        for (const auto& [number, part] : tiles_)
-            generation = std::max(generation, double(part.mesh.generation()));
-        generation_ = int(comm.maximum(std::array{generation})[0]);
+        generation_ = generation_of_tiles(comm, tiles_);
     }
 
     /// Local.
@@ -111,15 +114,15 @@ public:
     void refine()
     {
         if (level_ > 0)
-            grow_shadows(comm_, std::span(tiles_), rings_);
+            grow_shadows(comm_, std::span(tiles_), std::span(schemes_), rings_);
         number();
         in_agreement(comm_, [&] {
-            for (auto& [number, part] : tiles_) {
-                Scheme scheme = scheme_;
-                kith::detail::tile_step step(part, scheme, numbering_);
-                auto next = step.trim(1, scheme);
-                part = std::move(next);
+            for (std::size_t t = 0; t < tiles_.size(); ++t) {
+                kith::detail::tile_step step(tiles_[t].part, schemes_[t], numbering_);
+                auto next = step.trim(1, schemes_[t]);
+                tiles_[t].part = std::move(next);
             }
+            kith::detail::advance_without_elements<decltype(tile_type::mesh)>(scheme_, generation_);
         });
         ++level_;
         ++generation_;
@@ -194,12 +197,13 @@ private:
     }
 
     communicator& comm_;
-    Scheme scheme_;
+    Scheme scheme_; // without elements
     int rings_;
     int level_ = 0, generation_ = 0;
     whole_counts counts_;
     numbering_type numbering_;
     std::vector<numbered_tile<tile_type>> tiles_;
+    std::vector<Scheme> schemes_; // of the tiles
 };
 
 } // namespace kith::mpi

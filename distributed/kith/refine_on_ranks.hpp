@@ -11,6 +11,7 @@
 #include "refine_tile.hpp"
 #include "require_control.hpp"
 #include "require_tiles.hpp"
+#include "tile_generation.hpp"
 #include "tiles_at_once.hpp"
 
 #include <algorithm>
@@ -59,8 +60,8 @@ public:
     using job_type = tile_job<tile_type, Scheme>;
 
     /// Collective. `mesh` and `parts` are read on rank 0 only, where the mesh must outlive this object; `scheme` has the
-    /// same options on all ranks, its creases count on rank 0. `last_rings`: the last level keeps its edges and so many
-    /// rings of shadows; without it only the owned faces are kept, in half of the memory. Errors: phase_error for
+    /// same options on all ranks; its state of the control mesh (creases) counts on rank 0. `last_rings`: the last level keeps
+    /// its edges and so many rings of shadows; without it only the owned faces are kept, in half of the memory. Errors: phase_error for
     /// everything that `refine` refuses, for a mesh of face-vertex lists only, for a partition of another mesh and for counts
     /// beyond 64 bits.
     rank_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
@@ -90,7 +91,8 @@ public:
     }
 
     /// Collective. From tiles of level 0 that lie on their ranks already, with ring_schedule(scheme, levels, last_rings)[0]
-    /// rings of shadows: read_tiles makes them of a file that is too large for one rank. The scheme carries no creases.
+    /// rings of shadows: read_tiles makes them of a file that is too large for one rank. State of
+    /// the scheme (creases) is that of the whole mesh, by its numbers, as far as the tiles of this rank go.
     /// Errors: phase_error for faces that the scheme does not take, counts beyond 64 bits, and schemes whose numbers need
     /// more than a tile can tell: of the boundary, if the mesh has one, and of marked edges (4-8).
     rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
@@ -100,6 +102,7 @@ public:
         , last_(last_rings ? connect::everything : connect::faces)
         , held_(std::move(tiles))
     {
+        const int generation = generation_of_tiles(comm, *held_);
         in_agreement(comm, [&] {
             kith::detail::require_levels<Scheme>(levels);
             const std::string name(scheme_name<Scheme>());
@@ -109,7 +112,13 @@ public:
                 throw mesh_error(name +
                                  ": its numbers depend on the boundary, and the mesh has one; cut it on one rank");
             require_tiles<Scheme>(*held_);
-            whole_.emplace(counts, tile_type(), scheme_, levels, last_rings.value_or(0));
+            tile_type no_rim;
+            no_rim.mesh = {{}, {}, generation};
+            whole_.emplace(counts,
+                           std::move(no_rim),
+                           kith::detail::scheme_of_tile(scheme_, no_rim),
+                           levels,
+                           last_rings.value_or(0));
         });
         tiles_ = comm.sum(std::array{std::uint64_t(held_->size())})[0];
     }
@@ -168,8 +177,10 @@ private:
     {
         refine_here(held_->size(), [&](std::size_t i) {
             auto& [number, part] = (*held_)[i];
-            if (std::ranges::find(numbers, number) != numbers.end())
-                refine_one(number, {std::move(part), scheme_}, use, done);
+            if (std::ranges::find(numbers, number) == numbers.end())
+                return;
+            auto mine = kith::detail::scheme_of_tile(scheme_, part);
+            refine_one(number, {std::move(part), std::move(mine)}, use, done);
         });
     }
     std::vector<std::byte> cut(std::uint64_t number)

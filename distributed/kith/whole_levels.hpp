@@ -8,6 +8,7 @@
 #include "whole_numbering.hpp"
 
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,12 +19,17 @@ namespace kith {
 /// communication: from the counts of the control mesh and, where it has a boundary, from the faces along it.
 template <reaching_scheme Scheme>
 class whole_levels {
+    static_assert(
+        std::tuple_size_v<decltype(kith::columns_type<Scheme>::edges.list)> != 0,
+        "the edges of a tile need numbers in the whole mesh, which matching cannot give; let the scheme's columns "
+        "declare new_edges");
+
 public:
     using columns_type = kith::columns_type<Scheme>;
 
     /// `rim` is the tile that owns all faces of level 0 that touch the boundary, with at least
     /// ring_schedule(scheme, levels, 1)[0] rings, and `scheme` is that of this tile. It may be empty if the mesh is closed
-    /// or the numbers do not depend on the boundary (numbers_boundary).
+    /// or the numbers do not depend on the boundary (numbers_boundary); its generation is that of the control mesh all the same.
     /// Errors: mesh_error when there are more elements than global_id can number.
     /// Cost: that of refining the boundary.
     template <class Tile>
@@ -32,9 +38,10 @@ public:
     {
         const auto rim_rings = ring_schedule(
             scheme, levels, 1); // one at the end, so that all of the boundary is complete
+        const int generation = rim.mesh.generation();
         corners_.emplace_back();
         for (int level = 0; level < levels; ++level) {
-            numberings_.emplace_back(counts_.back(), columns_of(scheme, rim.mesh.generation()), rim);
+            numberings_.emplace_back(counts_.back(), columns_of(scheme, generation + level), rim);
             counts_.push_back(numberings_.back().counts());
             if (rim.mesh.face_count() != 0) {
                 detail::tile_step step(rim, scheme, numberings_.back());
@@ -45,6 +52,7 @@ public:
                     corners_.back().number(next);
                 rim = std::move(next);
             } else {
+                detail::advance_without_elements<decltype(rim.mesh)>(scheme, generation + level);
                 corners_.emplace_back();
             }
         }

@@ -126,6 +126,11 @@ private:
         static_assert(not detail::has_degree<Degree> or detail::has_fixed_degree<Degree> or not at_boundary or
                           Kind == tuple_kind::v,
                       "only vertices may both leave tuples out and tell the degree of new faces");
+        static_assert(
+            not detail::has_degree<Degree> or detail::has_fixed_degree<Degree> or Kind == tuple_kind::f or
+                not std::same_as<Where, all_or_none>,
+            "vertices that tell the degree of new faces do so in every step; in tiles a step in between would "
+            "make others of them");
         const std::size_t i = appended_++;
         global_id count = detail::tuples_of(whole, Kind);
         if constexpr (std::same_as<Where, all_or_none>)
@@ -156,7 +161,9 @@ private:
                 if (__builtin_mul_overflow(global_id(Degree::value), count, &corners))
                     corners = detail::add_ids(~global_id(0), 1);
             } else {
-                corners = whole.corners + global_id(corners_more_[i].empty() ? 0 : corners_more_[i].back());
+                corners = count == 0
+                              ? 0
+                              : whole.corners + global_id(corners_more_[i].empty() ? 0 : corners_more_[i].back());
             }
             first_corner_[i + 1] = detail::add_ids(first_corner_[i], corners);
         }

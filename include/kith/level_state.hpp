@@ -4,6 +4,7 @@
 #include "scheme_traits.hpp"
 
 #include <concepts>
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <tuple>
@@ -42,37 +43,62 @@ inline constexpr bool is_tie = false;
 template <class... T>
 inline constexpr bool is_tie<std::tuple<T&...>> = true;
 
-template <class Scheme, class F>
-void for_each_state(Scheme& scheme, const F& f)
+template <class Fact, class Scheme>
+constexpr bool names_state()
+{
+    if constexpr (std::invocable<const Fact&, Scheme&>) {
+        using named = std::invoke_result_t<const Fact&, Scheme&>;
+        return std::is_lvalue_reference_v<named> or is_tie<named>;
+    } else {
+        return false;
+    }
+}
+
+/// All state of a scheme, and of the schemes of which it is made: std::tuple<State&...>.
+template <class Scheme>
+constexpr auto states_of([[maybe_unused]] Scheme& scheme)
 {
     using plain = std::remove_const_t<Scheme>;
     if constexpr (has_state<plain>) {
-        constexpr auto& fact = traits_of<plain>.state;
-        constexpr bool is_named = [] {
-            if constexpr (std::invocable<decltype(fact), plain&> and std::invocable<decltype(fact), const plain&>) {
-                using state = std::invoke_result_t<decltype(fact), plain&>;
-                return std::is_lvalue_reference_v<state> or is_tie<state>;
-            } else {
-                return false;
-            }
-        }();
+        using fact = decltype(traits_type<plain>::state);
+        constexpr bool is_named = names_state<fact, plain>() and names_state<fact, const plain>();
         static_assert(
             is_named,
             "traits().state of a scheme is a pointer to its member, or a function [](auto& scheme) -> auto& {...} "
             "that returns a reference to its state, or a std::tie of several");
         if constexpr (is_named) {
-            const auto visit = [&]<class State>(State& state) {
+            const auto one = []<class State>(State& state) {
                 if constexpr (requires { std::remove_const_t<State>::traits(); })
-                    for_each_state(state, f); // a scheme of which this one is made
+                    return states_of(state); // a scheme of which this one is made
                 else
-                    f(state);
+                    return std::tie(state);
             };
-            if constexpr (std::is_lvalue_reference_v<std::invoke_result_t<decltype(fact), Scheme&>>)
-                visit(std::invoke(fact, scheme));
+            if constexpr (std::is_lvalue_reference_v<std::invoke_result_t<const fact&, Scheme&>>)
+                return one(std::invoke(traits_of<plain>.state, scheme));
             else
-                std::apply([&](auto&... states) { (visit(states), ...); }, std::invoke(fact, scheme));
+                return std::apply([&](auto&... states) { return std::tuple_cat(one(states)...); },
+                                  std::invoke(traits_of<plain>.state, scheme));
+        } else {
+            return std::tuple<>();
         }
+    } else {
+        return std::tuple<>();
     }
+}
+template <class Scheme, class F>
+void for_each_state(Scheme& scheme, const F& f)
+{
+    std::apply([&](auto&... state) { (f(state), ...); }, states_of(scheme));
+}
+/// Calls f with each state of one and the same of another scheme of that type.
+template <class Scheme, class F>
+void for_each_state(Scheme& scheme, const Scheme& other, const F& f)
+{
+    const auto ours = states_of(scheme);
+    const auto theirs = states_of(other);
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (f(std::get<I>(ours), std::get<I>(theirs)), ...);
+    }(std::make_index_sequence<std::tuple_size_v<decltype(ours)>>());
 }
 
 } // namespace detail

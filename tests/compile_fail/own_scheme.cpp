@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scheme of a user's own, with a MEMBER or TRAITS that are not as they should be.
+#ifdef ON_RANKS
+#include <kith/refine_by_exchange.hpp>
+#include <kith/refine_on_ranks.hpp>
+#endif
 #include <kith/refine_in_tiles.hpp>
 
 #ifndef MEMBER
@@ -11,18 +15,35 @@
 
 namespace {
 
-struct only_after {
-    template <class Level, class Numbering>
-    [[nodiscard]] only_after after(const Level&, const Numbering&) const
-    {
-        return {};
-    }
-};
+int reach(int rings);
+
 struct no_after {};
+struct with_after {
+    template <class Level, class Numbering>
+    [[nodiscard]] with_after after(const Level&, const Numbering&) const;
+};
+struct with_part : with_after {
+    template <class Level, class Numbering>
+    [[nodiscard]] with_part after(const Level&, const Numbering&) const;
+    template <class Part>
+    [[nodiscard]] with_part of_part(const Part&) const;
+};
+struct with_message : with_part {
+    template <class Level, class Numbering>
+    [[nodiscard]] with_message after(const Level&, const Numbering&) const;
+    template <class Part>
+    [[nodiscard]] with_message of_part(const Part&) const;
+    template <class Out>
+    void pack(Out&) const;
+    template <class In>
+    void unpack(In&);
+};
 
 struct own {
-    only_after level;
-    no_after constant;
+    no_after one;
+    with_after two;
+    with_part three;
+    with_message four;
     MEMBER;
 #ifndef NO_TRAITS
     static constexpr auto traits() { return kith::scheme_traits{TRAITS}; }
@@ -46,7 +67,13 @@ struct own {
 int main()
 {
     const kith::basic_mesh<> mesh;
-#ifdef TILES
+#if defined EXCHANGE
+    kith::mpi::communicator comm(MPI_COMM_WORLD);
+    kith::mpi::exchanging_refinement(comm, mesh, own(), {{}, 1}, 1).refine();
+#elif defined ON_RANKS
+    kith::mpi::communicator comm(MPI_COMM_WORLD);
+    kith::mpi::rank_refinement refinement(comm, mesh, own(), 1, {{}, 1});
+#elif defined TILES
     kith::tiled_refinement refinement(mesh, own(), 1, {{}, 1});
     refinement.refine(0);
 #else

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../own_state.hpp"
+#include "../all_shapes.hpp"
+#include "on_ranks.hpp"
+
+#include <kith/refine_by_exchange.hpp>
+
+namespace {
+
+/// Every element of every tile of all ranks is where it is in the mesh that was refined as one, and has one owner.
+void expect_same(std::span<const kith::numbered_tile<tile3d>> tiles, const mesh3d& whole)
+{
+    std::vector<int> vertices(whole.vertex_count()), edges(whole.edge_count()), faces(whole.face_count());
+    for (const auto& [number, part] : tiles)
+        EXPECT_EQ(difference(part, whole, vertices, edges, faces), "") << "tile " << number;
+    for (const auto n : world().sum(std::vector<std::uint64_t>(faces.begin(), faces.end())))
+        EXPECT_EQ(n, 1U);
+}
+
+/// Rank 0 has the state, the others the options only.
+template <class Scheme>
+void expect_same_on_ranks(const mesh3d& mesh, const Scheme& scheme, const Scheme& options, const kith::partition& parts)
+{
+    const Scheme& mine = world().is_root() ? scheme : options;
+    const auto whole = kith::refine(mesh, scheme, 3);
+    for (const auto how : {kith::mpi::sharing::spmd, kith::mpi::sharing::manager})
+        expect_same(refined_tiles(mesh, mine, 3, parts, 1, how), whole);
+
+    kith::mpi::exchanging_refinement refinement(world(), mesh, mine, parts, kith::reach_of(scheme, 1));
+    for (int level = 1; level <= 3; ++level) {
+        refinement.refine();
+        expect_same(refinement.tiles(), kith::refine(mesh, scheme, level));
+    }
+
+    tiles3d tiles, same; // on their ranks already: then every rank says what the state is
+    kith::tile_cutter cutter(mesh, scheme, parts.part_of, parts.parts);
+    for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size())) {
+        tiles.push_back({t, cutter.cut(t, kith::ring_schedule(scheme, 3, 1)[0]).part});
+        same.push_back({t, cutter.cut(t, kith::reach_of(scheme, 1)).part});
+    }
+    kith::mpi::rank_refinement held(world(), std::move(tiles), cutter.counts(), scheme, 3, 1);
+    tiles3d refined;
+    held.refine(kith::mpi::sharing::spmd,
+                [&](std::uint64_t number, tile3d&& part) { refined.push_back({number, std::move(part)}); });
+    expect_same(refined, whole);
+    kith::mpi::exchanging_refinement exchanging(
+        world(), std::move(same), cutter.counts(), scheme, kith::reach_of(scheme, 1));
+    for (int level = 1; level <= 3; ++level)
+        exchanging.refine();
+    expect_same(exchanging.tiles(), whole);
+}
+
+} // namespace
+
+TEST(level_state, is_the_same_on_all_ranks_in_both_modes_and_by_exchange)
+{
+    const auto house = native(shapes::shaken(shapes::open_house()));
+    const auto joined = native(shapes::with_joins(shapes::shaken(shapes::torus(6, 6)), 3, 100));
+    for (const auto& mesh : {house, joined}) {
+        const auto parts = scattered(mesh, 5, 2);
+        for (const auto method : {kith::crease_method::uniform, kith::crease_method::chaikin})
+            expect_same_on_ranks(mesh,
+                                 own_state::some_wrapped(mesh, method),
+                                 own_state::wrapped{{.corners = kith::boundary_corner::smoothed}},
+                                 parts);
+        expect_same_on_ranks(mesh, own_state::some_drawn(mesh), own_state::drawn{}, parts);
+        expect_same_on_ranks(mesh, own_state::some_drawn(mesh), own_state::drawn{}, in_blocks(mesh, 3));
+    }
+}
