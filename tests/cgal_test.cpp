@@ -146,6 +146,7 @@ TEST(cgal, properties_hold_sharpness)
     EXPECT_EQ(levels[1].point(levels.assoc(0, mesh::Vertex_index(4), kith::targets::V)), point(-1, -1, -1));
     EXPECT_EQ(levels.scheme(0).sharpness.edges().size(), 1U);
     EXPECT_EQ(levels.scheme(1).sharpness.edges().size(), 0U);
+    expect_handed_on(m, levels.scheme(0));
 }
 
 TEST(cgal, exact_numbers_are_refined_exactly)

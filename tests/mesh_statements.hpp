@@ -5,6 +5,7 @@
 #include "error_text.hpp"
 #include "hashes.hpp"
 #include "native_shape.hpp"
+#include "own_state.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
 #include "user_mesh.hpp"
@@ -20,6 +21,21 @@
 
 #include <type_traits>
 #include <utility>
+
+/// A scheme that has creases in a part of its own hands them on as the part does alone.
+template <class M>
+void expect_handed_on(const M& mesh, const kith::catmull_clark& alone)
+{
+    const own_state::wrapped scheme{alone};
+    const auto expected = kith::refine(mesh, alone, 2), fine = kith::refine(mesh, scheme, 2);
+    kith::hierarchy levels(mesh, scheme);
+    levels.refine(2);
+    for (const auto v : kith::level_of<M>(expected).vertices()) {
+        const auto handle = v.handle();
+        EXPECT_EQ(fine.point(handle), expected.point(handle));
+        EXPECT_EQ(levels.finest().point(handle), expected.point(handle));
+    }
+}
 
 /// What holds for every mesh library, instantiated for its mesh types in cgal_test.cpp and openmesh_test.cpp.
 template <class M>

@@ -203,6 +203,7 @@ TEST(openmesh, features_are_creases_and_corners)
     EXPECT_EQ(levels.scheme(0).sharpness.edges().size(), 1U);
     EXPECT_EQ(levels.scheme(0).sharpness.vertices().size(), 1U);
     EXPECT_TRUE(levels.scheme(1).sharpness.empty());
+    expect_handed_on(mesh, levels.scheme(0));
 }
 
 TEST(openmesh, features_of_deleted_elements_do_not_count)

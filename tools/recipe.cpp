@@ -17,7 +17,7 @@ namespace kith::tool {
 
 namespace {
 
-constexpr std::uint64_t kind_of_recipe = 0x6b697468'72637031; // "kithrcp1", turned round on other machines
+constexpr std::uint64_t kind_of_recipe = 0x6b697468'72637032; // "kithrcp2", turned round on other machines
 
 template <class Number>
 std::string text_of(const std::optional<Number>& value)
@@ -60,7 +60,7 @@ std::vector<std::byte> pack_control(const basic_mesh<>& mesh, const any_scheme& 
     out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(mesh.generation());
     out.add_array(mesh.points());
     for_each_array(t, [&](const auto& array) { out.add_array(array); });
-    std::visit([&](const auto& s) { kith::detail::pack_scheme(out, s); }, scheme);
+    std::visit([&](const auto& s) { kith::detail::pack_state(out, s); }, scheme);
     return out.take();
 }
 
@@ -75,7 +75,7 @@ basic_mesh<> unpack_control(const std::vector<std::byte>& bytes, any_scheme& sch
     const int generation = in.get<int>();
     auto points = in.get_array<storage<std::array<double, 3>>>();
     for_each_array(t, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
-    std::visit([&](auto& s) { kith::detail::unpack_scheme(in, s); }, scheme);
+    std::visit([&](auto& s) { kith::detail::unpack_state(in, s); }, scheme);
     return {std::move(points), std::move(t), generation};
 }
 

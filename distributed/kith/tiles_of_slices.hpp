@@ -44,10 +44,14 @@ tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& sl
             const std::size_t f = face - slice.first_face;
             reply.append_face(patch, f, f * std::size_t(slice.degree));
         }
-        replies[rank] = pack_patch(reply);
+        packer out;
+        pack_patch(out, reply);
+        replies[rank] = out.take();
     }
-    for (const auto& bytes : all_to_all(comm, std::move(replies)))
-        patch.append(unpack_patch<Point>(bytes));
+    for (const auto& bytes : all_to_all(comm, std::move(replies))) {
+        unpacker in(bytes);
+        patch.append(unpack_patch<Point>(in));
+    }
     return tile_of_patch<Index>(std::move(patch), slice.degree, 0, true);
 }
 

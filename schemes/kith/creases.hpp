@@ -136,7 +136,7 @@ public:
             sharp->clear();
             for (auto left = in.template get<std::uint64_t>(); left > 0; --left) {
                 const auto element = in.template get<std::uint64_t>();
-                sharp->emplace_back(element, in.template get<double>());
+                set(*sharp, element, in.template get<double>());
             }
         }
     }
