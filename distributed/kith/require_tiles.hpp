@@ -21,8 +21,7 @@ void require_tiles(const std::vector<numbered_tile<Tile>>& tiles)
     static_assert(not needs_closed<Scheme>, "a tile has a rim, so a scheme for closed meshes cannot refine it");
     for (const auto& [number, part] : tiles)
         try {
-            require_input<Scheme>(level_of<std::remove_cvref_t<decltype(part.mesh)>>(part.mesh),
-                                  part.mesh.generation());
+            require_input<Scheme>(level_of<std::remove_cvref_t<decltype(part.mesh)>>(part.mesh));
         } catch (const mesh_error& error) {
             throw mesh_error("tile " + std::to_string(number) + ": " + error.what() +
                              " (numbers are those of the tile)");
