@@ -3,11 +3,14 @@
 
 #include "error_text.hpp"
 #include "exact_mesh.hpp"
+#include "native_shape.hpp"
 
 #include <kith/hierarchy.hpp>
 #include <kith/linear.hpp>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace {
 
@@ -83,6 +86,42 @@ TEST(doo_sabin, clamped_keeps_the_boundary_and_halves_beside_it)
     EXPECT_EQ(corner_point(bilinear(), 0, 0, clamped), (exact_point{0, 0, 0}));
     EXPECT_EQ(corner_point(bilinear(), 1, 0, clamped), (exact_point{8, 0, 0}));
     EXPECT_EQ(corner_point(bilinear(), 4, 0, clamped), (exact_point{8, 8, 4}));
+}
+
+TEST(doo_sabin, clamped_keeps_a_straight_boundary_where_faces_are_no_quads)
+{
+    // A half plane: three quads at the origin, whose vertex becomes a triangle at the boundary, then its corners do.
+    const shapes::shape half{
+        {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 5, 0}, {0, 6, 0}, {-2, 5, 0}, {-4, 4, 0}, {-4, 0, 0}},
+        {{0, 1, 2, 3}, {0, 3, 4, 5}, {0, 5, 6, 7}}};
+    for (int level = 1; level <= 4; ++level) {
+        const auto fine = kith::refine(native(half), doo_sabin{.boundary = doo_sabin_boundary::clamped}, level);
+        const auto& t = fine.topology();
+        double left = 0, right = 0;
+        std::size_t near_origin = 0;
+        for (std::size_t e = 0; e < t.edges(); ++e)
+            if (t.halfedge_corner[2 * e + 1] == t.none) {
+                const auto& [x, y, z] = fine.point(t.corner_vertex[t.halfedge_corner[2 * e]]);
+                if (y < 2.5 and -2.5 < x and x < 2.5) {
+                    EXPECT_EQ(y, 0) << "level " << level;
+                    ++near_origin;
+                }
+                left = std::min(left, x);
+                right = std::max(right, x);
+            }
+        EXPECT_GE(near_origin, 2U);
+        EXPECT_EQ(left, -4); // and its ends stay
+        EXPECT_EQ(right, 4);
+    }
+}
+
+TEST(doo_sabin, clamped_falls_back_to_the_thesis_in_faces_that_are_no_quads)
+{
+    const auto hexagon = exact(shapes::polygon(6));
+    const auto clamped = kith::refine(hexagon, doo_sabin{.boundary = doo_sabin_boundary::clamped}, 1);
+    const auto thesis = kith::refine(hexagon, doo_sabin(), 1);
+    for (std::size_t v = 0; v < thesis.vertex_count(); ++v)
+        EXPECT_EQ(clamped.point(v), thesis.point(v));
 }
 
 TEST(doo_sabin, drop_lets_the_surface_recede)

@@ -97,6 +97,7 @@ public:
     {
         return mask_of_values<sum_type, scalar, size>(values_, weights(kernel, half_steps));
     }
+
 private:
     /// Weights that are rounded have a sum that is not quite zero; it is taken off them, so that masks sum to what they
     /// should, exactly so over exact numbers.

@@ -134,7 +134,10 @@ private:
     }
     [[noreturn]] static void refuse(const quad& q)
     {
-        const auto pair = [&](int i) { return std::to_string(q.vertices[i]) + "-" + std::to_string(q.vertices[i + 2]); };
+        const auto pair = [&](int i) {
+            const auto [a, b] = std::minmax(q.vertices[i], q.vertices[i + 2]);
+            return std::to_string(a) + "-" + std::to_string(b);
+        };
         throw mesh_error("4-8: face " + std::to_string(q.face) + " cannot be cut along a diagonal, since " + pair(0) +
                          " and " + pair(1) +
                          " are, or have to be, edges elsewhere; refine the mesh once by the linear scheme first");
@@ -196,9 +199,8 @@ std::vector<unsigned char> choose_diagonals(const Level& level)
             if (end - run > 1) {
                 for (auto x = run; x != end and x->corner != edge; ++x) {
                     const auto c = level.corners()[x->corner];
-                    claims.push_back({c.f().index(),
-                                      (x->corner - c.f().first_corner().index()) % 2,
-                                      place_is_taken.size()});
+                    claims.push_back(
+                        {c.f().index(), (x->corner - c.f().first_corner().index()) % 2, place_is_taken.size()});
                 }
                 place_is_taken.push_back((end - 1)->corner == edge);
             }

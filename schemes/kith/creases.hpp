@@ -4,6 +4,7 @@
 #include <kith/level_state.hpp>
 #include <kith/lift.hpp>
 #include <kith/refinement.hpp>
+#include <kith/ring_waves.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,20 +52,57 @@ public:
     {
         return e.is_boundary() ? infinitely_sharp : of_edge(e.index());
     }
-    /// The sharpness of the piece of e that ends at v on the next level.
+
+    /// Of a vertex with more than longest_row edges the semi-sharp ones: Chaikin's method looks at all edges for each.
+    struct large_fan {
+        std::size_t vertex, count;
+        double total; ///< of their sharpness
+    };
+    /// Those at the ends of sharp edges, by vertex; none for a method that does not ask. Cost: O(edges around these ends).
+    template <class Level>
+    [[nodiscard]] std::vector<large_fan> large_fans(const Level& level) const
+    {
+        std::vector<large_fan> result;
+        if (method != crease_method::chaikin)
+            return result;
+        std::vector<std::size_t> ends;
+        for (const auto& [edge, s] : edges_)
+            for (const auto& v : {level.edges()[edge].org(), level.edges()[edge].dst()})
+                ends.push_back(v.index());
+        std::sort(ends.begin(), ends.end());
+        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+        for (const std::size_t end : ends) {
+            large_fan fan{end, 0, 0};
+            std::size_t edges = 0;
+            for (const auto& e : level.vertices()[end].edges()) {
+                ++edges;
+                if (const double s = sharpness(e); 0 < s and s < infinitely_sharp)
+                    fan.total += s, ++fan.count;
+            }
+            if (edges > longest_row)
+                result.push_back(fan);
+        }
+        return result;
+    }
+
+    /// The sharpness of the piece of e that ends at v on the next level; `large` is that of large_fans.
     template <class Vertex, class Edge>
-    [[nodiscard]] double child_sharpness(const Vertex& v, const Edge& e) const
+    [[nodiscard]] double child_sharpness(const Vertex& v, const Edge& e, std::span<const large_fan> large = {}) const
     {
         const double s = sharpness(e);
         if (s == infinitely_sharp or s == 0)
             return s;
         double others = 0;
-        int count = 0;
-        if (method == crease_method::chaikin)
+        std::size_t count = 0;
+        if (const auto fan = find(large, v.index()); fan != large.end() and fan->vertex == v.index()) {
+            others = fan->total - s;
+            count = fan->count - 1;
+        } else if (method == crease_method::chaikin) {
             for (const auto& other : v.edges())
                 if (const double t = sharpness(other); not(other == e) and 0 < t and t < infinitely_sharp)
                     others += t, ++count;
-        return std::max((count == 0 ? s : 3. / 4 * s + 1. / 4 * (others / count)) - 1, 0.);
+        }
+        return std::max((count == 0 ? s : 3. / 4 * s + 1. / 4 * (others / double(count))) - 1, 0.);
     }
 
     /// The sharp elements of the next level, from the numbering of the step. Cost: O(sharp elements log of them).
@@ -72,10 +110,11 @@ public:
     [[nodiscard]] creases after(const Level& coarse, const Numbering& ids) const
     {
         creases result(method);
+        const auto large = large_fans(coarse);
         for (const auto& [edge, s] : edges_) {
             const auto e = coarse.edges()[edge];
             for (const auto& v : {e.org(), e.dst()})
-                if (const double child = child_sharpness(v, e); child > 0)
+                if (const double child = child_sharpness(v, e, large); child > 0)
                     result.edges_.emplace_back(ids.edges.template id<tuple_kind::ve>(index_tuple(v, e).value), child);
         }
         for (const auto& [vertex, s] : vertices_)
@@ -144,6 +183,11 @@ public:
 private:
     using list = std::vector<std::pair<std::size_t, double>>;
 
+    static auto find(std::span<const large_fan> fans, std::size_t vertex)
+    {
+        return std::lower_bound(
+            fans.begin(), fans.end(), vertex, [](const large_fan& fan, std::size_t x) { return fan.vertex < x; });
+    }
     static auto find(auto& sharp, std::size_t element)
     {
         return std::lower_bound(

@@ -97,9 +97,8 @@ struct interpolatory_sqrt3 {
         });
 
         for_each(coarse.faces(), [&](auto f) {
-            const auto corners_to_mend = f.corners().only([&](auto c) {
-                return kinds[c.v().index()] != fan_kind::regular;
-            });
+            const auto corners_to_mend = f.corners().only(
+                [&](auto c) { return kinds[c.v().index()] != fan_kind::regular; });
             if (not(corners_to_mend.begin() == corners_to_mend.end())) {
                 std::vector<real> spare;
                 assoc(f, V) = average(corners_to_mend.map([&](auto c) {

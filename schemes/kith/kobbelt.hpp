@@ -183,8 +183,7 @@ private:
         const auto k = [](const Corner& d) { return d.next().next().v(); };
         const Corner after = c.prev().across(), before = clockwise(c), twice_before = clockwise(before);
         return neighbors.mask({4, 0, 0}, 0) - (l(before) + l(c) + l(after)) +
-               Real(gamma) *
-                   (k(twice_before) + k(before) + k(c) + k(after) + opposites.mask({-4, 0, 0}, 0));
+               Real(gamma) * (k(twice_before) + k(before) + k(c) + k(after) + opposites.mask({-4, 0, 0}, 0));
     }
 
     /// Of the neighbours l_j of a vertex of valence n, l_0 being the other end of the edge: 4/n - [j = -1, 0, 1].

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace kith {
 
@@ -117,11 +118,14 @@ creases creases_by_angle(const M& mesh, double degrees, double sharpness = infin
         return n;
     };
     const auto dot = [](const coordinates& a, const coordinates& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    std::vector<coordinates> normals(level.face_count()); // once each: a face may have many edges
+    for (const auto f : level.faces())
+        normals[f.index()] = normal(f);
     const double limit = std::cos(degrees * 3.14159265358979323846 / 180);
     creases result;
     for (const auto e : level.edges())
         if (not e.is_boundary()) {
-            const auto a = normal(e.lface()), b = normal(e.rface());
+            const auto &a = normals[e.lface().index()], &b = normals[e.rface().index()];
             if (dot(a, b) < limit * std::sqrt(dot(a, a) * dot(b, b)))
                 result.sharpen_edge(e.index(), sharpness);
         }

@@ -125,8 +125,7 @@ private:
         const std::size_t n = ring_.size();
         using waves = ring_waves<Assoc, 2>;
         const waves neighbors(assoc_, v_.neighbors(), n);
-        const waves opposites(
-            assoc_, v_.corners().map([this](const auto& c) { return diagonal(c, large_); }), n);
+        const waves opposites(assoc_, v_.corners().map([this](const auto& c) { return diagonal(c, large_); }), n);
         for (std::size_t i = 0; i < n; ++i) {
             const auto turn = 2 * std::int64_t(i);
             row_.clear();

@@ -36,6 +36,7 @@ public:
         }
         for (const auto& [vertex, sharpness] : sharp.vertices())
             near_sharp_[vertex] = true;
+        large_fans_ = sharp.large_fans(coarse);
     }
 
     /// Makes the points of the edges of r.coarse: by smooth(e) where the scheme's own mask is all there is to it.
@@ -123,7 +124,8 @@ private:
     {
         const double s = sharp_->sharpness(e);
         const bool stays_sharp = sharp_->method == crease_method::chaikin and
-                                 sharp_->child_sharpness(e.org(), e) > 0 and sharp_->child_sharpness(e.dst(), e) > 0;
+                                 sharp_->child_sharpness(e.org(), e, large_fans_) > 0 and
+                                 sharp_->child_sharpness(e.dst(), e, large_fans_) > 0;
         if (s >= 1 or stays_sharp)
             target = average(e.org(), e.dst());
         else
@@ -201,7 +203,7 @@ private:
             if (now <= 0)
                 continue;
             const auto end = e.org() == v ? e.dst() : e.org();
-            const double later = sharp_->child_sharpness(v, e);
+            const double later = sharp_->child_sharpness(v, e, large_fans_);
             parent.add(end);
             if (later > 0)
                 child.add(end);
@@ -217,6 +219,7 @@ private:
     boundary_corner corners_;
     bool all_smooth_;                              // nothing to look at
     std::vector<bool> edge_is_sharp_, near_sharp_; // empty: no creases
+    std::vector<creases::large_fan> large_fans_;
 };
 
 } // namespace kith
