@@ -236,9 +236,10 @@ private:
         for (std::size_t v = 0; v < slice_.points.size(); ++v) {
             const global_id id = slice_.first_vertex + v;
             const auto fan = std::ranges::equal_range(fans_, id, {}, &fan_corner::vertex);
-            const auto start = start_of(fan, problem);
+            const fan_lookup at_prev(fan, &fan_corner::prev);
+            const auto start = start_of(fan, at_prev, problem);
             const global_id unknown = ~global_id(0); // at the boundary the rim tells it
-            const bool is_inner = start != fan.end() and at_prev(fan, start->next) != fan.end();
+            const bool is_inner = start != fan.end() and at_prev(start->next) != fan.end();
             facts_.push_back({id,
                               is_inner ? start->corner / degree_ : unknown,
                               is_inner ? start->corner % degree_ : unknown,
@@ -250,25 +251,47 @@ private:
         }
         comm_.agree(problem);
     }
+    /// Finds the corner of a fan that has this vertex on one side: in large fans O(log corners).
     template <class Fan>
-    static auto at_prev(const Fan& fan, global_id vertex)
-    {
-        return std::ranges::find(fan, vertex, &fan_corner::prev);
-    }
+    class fan_lookup {
+    public:
+        fan_lookup(const Fan& fan, global_id fan_corner::* side) : fan_(fan), side_(side)
+        {
+            if (fan.size() <= 64) // one after the other is faster
+                return;
+            for (auto c = fan.begin(); c != fan.end(); ++c)
+                sorted_.emplace_back((*c).*side, c);
+            std::ranges::sort(sorted_);
+        }
+        [[nodiscard]] auto operator()(global_id vertex) const
+        {
+            if (sorted_.empty())
+                return std::ranges::find(fan_, vertex, side_);
+            const auto found = std::ranges::lower_bound(sorted_, vertex, {}, &entry::first);
+            return found != sorted_.end() and found->first == vertex ? found->second : fan_.end();
+        }
+
+    private:
+        using entry = std::pair<global_id, decltype(std::declval<const Fan&>().begin())>;
+        Fan fan_;
+        global_id fan_corner::* side_;
+        std::vector<entry> sorted_;
+    };
     /// As in match: at the boundary the corner without a neighbour clockwise, inside the one that looks at the smallest.
     template <class Fan>
-    static auto start_of(const Fan& fan, std::string& problem)
+    static auto start_of(const Fan& fan, const fan_lookup<Fan>& at_prev, std::string& problem)
     {
+        const fan_lookup at_next(fan, &fan_corner::next);
         auto start = fan.begin();
         for (auto c = fan.begin(); c != fan.end(); ++c) {
-            const bool is_first = at_prev(fan, c->next) == fan.end();
-            if (is_first or (at_prev(fan, start->next) != fan.end() and c->next < start->next))
+            const bool is_first = at_prev(c->next) == fan.end();
+            if (is_first or (at_prev(start->next) != fan.end() and c->next < start->next))
                 start = c;
         }
         std::size_t size = 0;
         for (auto c = start; c != fan.end() and size <= fan.size();) {
             ++size;
-            c = std::ranges::find(fan, c->prev, &fan_corner::next);
+            c = at_next(c->prev);
             if (c == start)
                 break;
         }

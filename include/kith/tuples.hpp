@@ -57,13 +57,26 @@ tuple_index<tuple_kind::vf> index_tuple(const corner<L>& c)
 {
     return {c.index()};
 }
-/// Cost: O(degree of f).
+/// Cost: O(degree of f), for faces of many corners O(the smaller of degree and valence).
 template <bool Touch = false, class L>
 tuple_index<tuple_kind::vf> index_tuple(const vertex<L>& v, const face<L>& f)
 {
-    for (const auto& c : f.corners())
-        if (c.v() == v)
-            return {c.index()};
+    const auto first = f.first_corner();
+    auto c = first;
+    if (f.degree() > 64) {
+        for (const auto& around : v.corners()) { // and in the face, by turns
+            if (around.f() == f)
+                return {around.index()};
+            if (c.v() == v)
+                return {c.index()};
+            if (c = c.next(); c == first)
+                break;
+        }
+        return {tuple_index<tuple_kind::vf>::not_incident};
+    }
+    for (const auto& corner : f.corners())
+        if (corner.v() == v)
+            return {corner.index()};
     return {tuple_index<tuple_kind::vf>::not_incident};
 }
 template <bool Touch = false, class L>
@@ -96,13 +109,20 @@ tuple_index<tuple_kind::vfe> index_tuple(const corner<L>& c, const edge<L>& e)
         return {2 * c.index() + 1};
     return {tuple_index<tuple_kind::vfe>::not_incident};
 }
-/// Cost: O(degree of f).
 template <bool Touch = false, class L>
 tuple_index<tuple_kind::vfe> index_tuple(const vertex<L>& v, const face<L>& f, const edge<L>& e)
 {
-    for (const auto& c : f.corners())
-        if (c.v() == v)
-            return index_tuple<Touch>(c, e);
+    // The edge says where the vertex is in a face that has both.
+    const corner<L> side = e.seen_from();
+    for (const bool across : {false, true}) {
+        if (across and side.is_boundary())
+            break;
+        const corner<L> c = across ? side.across() : side;
+        if (c.f() == f and c.v() == v)
+            return {2 * c.index()};
+        if (c.f() == f and c.next().v() == v)
+            return {2 * c.next().index() + 1};
+    }
     return {tuple_index<tuple_kind::vfe>::not_incident};
 }
 /// Two neighbours are an edge; any two vertices may be asked for. Cost: O(valence).
