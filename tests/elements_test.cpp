@@ -42,6 +42,8 @@ TEST(elements, an_inner_vertex_lists_its_neighbours_counter_clockwise)
     EXPECT_EQ(numbers(g.v(4).neighbors()), (indices{1, 5, 7, 3}));
     EXPECT_EQ(numbers(g.v(4).faces()), (indices{1, 3, 2, 0}));
     EXPECT_EQ(g.v(4).valence(), 4U);
+    for (std::size_t n = 0; n < 8; ++n)
+        EXPECT_EQ(g.v(4).has_valence(n), n == 4);
     EXPECT_FALSE(g.v(4).is_boundary());
 }
 
@@ -51,6 +53,8 @@ TEST(elements, a_boundary_vertex_lists_its_neighbours_from_rim_to_rim)
     EXPECT_EQ(numbers(g.v(1).neighbors()), (indices{2, 4, 0}));
     EXPECT_EQ(numbers(g.v(1).faces()), (indices{1, 0}));
     EXPECT_EQ(g.v(1).valence(), 3U);
+    for (std::size_t n = 0; n < 8; ++n)
+        EXPECT_EQ(g.v(1).has_valence(n), n == 3);
     EXPECT_EQ(g.v(1).face_count(), 2U);
     EXPECT_TRUE(g.v(1).is_boundary());
     EXPECT_EQ(g.v(1).first_rim().index(), 2U);

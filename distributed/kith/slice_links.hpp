@@ -2,6 +2,7 @@
 #pragma once
 
 #include "all_to_all.hpp"
+#include "fan_lookup.hpp"
 #include "partition.hpp"
 #include "ply_slice.hpp"
 #include "tile_patch.hpp"
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -236,7 +238,7 @@ private:
         for (std::size_t v = 0; v < slice_.points.size(); ++v) {
             const global_id id = slice_.first_vertex + v;
             const auto fan = std::ranges::equal_range(fans_, id, {}, &fan_corner::vertex);
-            const fan_lookup at_prev(fan, &fan_corner::prev);
+            const fan_lookup<std::remove_const_t<decltype(fan)>, &fan_corner::prev> at_prev(fan);
             const auto start = start_of(fan, at_prev, problem);
             const global_id unknown = ~global_id(0); // at the boundary the rim tells it
             const bool is_inner = start != fan.end() and at_prev(start->next) != fan.end();
@@ -251,37 +253,11 @@ private:
         }
         comm_.agree(problem);
     }
-    /// Finds the corner of a fan that has this vertex on one side: in large fans O(log corners).
-    template <class Fan>
-    class fan_lookup {
-    public:
-        fan_lookup(const Fan& fan, global_id fan_corner::* side) : fan_(fan), side_(side)
-        {
-            if (fan.size() <= 64) // one after the other is faster
-                return;
-            for (auto c = fan.begin(); c != fan.end(); ++c)
-                sorted_.emplace_back((*c).*side, c);
-            std::ranges::sort(sorted_);
-        }
-        [[nodiscard]] auto operator()(global_id vertex) const
-        {
-            if (sorted_.empty())
-                return std::ranges::find(fan_, vertex, side_);
-            const auto found = std::ranges::lower_bound(sorted_, vertex, {}, &entry::first);
-            return found != sorted_.end() and found->first == vertex ? found->second : fan_.end();
-        }
-
-    private:
-        using entry = std::pair<global_id, decltype(std::declval<const Fan&>().begin())>;
-        Fan fan_;
-        global_id fan_corner::* side_;
-        std::vector<entry> sorted_;
-    };
     /// As in match: at the boundary the corner without a neighbour clockwise, inside the one that looks at the smallest.
     template <class Fan>
-    static auto start_of(const Fan& fan, const fan_lookup<Fan>& at_prev, std::string& problem)
+    static auto start_of(const Fan& fan, const fan_lookup<Fan, &fan_corner::prev>& at_prev, std::string& problem)
     {
-        const fan_lookup at_next(fan, &fan_corner::next);
+        const fan_lookup<Fan, &fan_corner::next> at_next(fan);
         auto start = fan.begin();
         for (auto c = fan.begin(); c != fan.end(); ++c) {
             const bool is_first = at_prev(c->next) == fan.end();

@@ -79,11 +79,7 @@ public:
     }
 
     /// What a mask comes to, without a vertex: a sum that several masks have in common.
-    template <mask Mask>
-    [[nodiscard]] sum evaluate(const Mask& mask) const
-    {
-        return mask.evaluate(*values_);
-    }
+    [[nodiscard]] sum evaluate(const mask auto& mask) const { return mask.evaluate(*values_); }
 
     /// Which elements have been made; empty unless Checked.
     [[nodiscard]] const std::vector<unsigned char>& vertex_is_set() const { return vertex_is_set_; }

@@ -133,6 +133,14 @@ public:
     [[nodiscard]] auto opposites() const { return first_corner().opposites_from_here(); }
     /// The number of edges, and the number of faces: one less at the boundary.
     [[nodiscard]] std::size_t valence() const { return face_count() + (is_boundary() ? 1 : 0); }
+    /// Cost: O(the smaller of n and the valence).
+    [[nodiscard]] bool has_valence(std::size_t n) const
+    {
+        std::size_t found = is_boundary() ? 1 : 0;
+        for (auto c = corners().begin(); not(c == corners().end()) and found <= n; ++c)
+            ++found;
+        return found == n;
+    }
     [[nodiscard]] std::size_t face_count() const
     {
         std::size_t result = 0;

@@ -74,7 +74,7 @@ struct butterfly {
             return;
         const auto n = std::int64_t(v.valence());
         for (const auto u : v.neighbors())
-            if (u.is_boundary() ? n == 6 : u.valence() != 6)
+            if (u.is_boundary() ? n == 6 : not u.has_valence(6))
                 return;
         const auto wave = [&v, n](auto f) {
             return sum(v.neighbors(), [f, n](std::size_t j) { return f(std::int64_t(j), n); });

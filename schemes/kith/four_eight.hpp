@@ -162,7 +162,13 @@ private:
     {
         const auto next = [](const auto& c) { return bisection_split::block_next(c); };
         const auto end = [](const auto& c) { return c.next().v(); };
-        const auto is_regular = [](const Vertex& u) { return is_inside(u) and block_count(u) == 4; };
+        const auto is_regular = [](const Vertex& u) {
+            std::size_t corners = 0;
+            for ([[maybe_unused]] const auto& c : u.corners())
+                if (++corners > 8) // more than four blocks have; a large fan is not walked for each of its neighbours
+                    return false;
+            return is_inside(u) and block_count(u) == 4;
+        };
         if (not is_inside(v))
             return;
         for (const auto c : sides(v))

@@ -52,7 +52,7 @@ struct kobbelt {
     template <class Level, class Use>
     void limit_tangents(const vertex<Level>& v, const Use& use) const
     {
-        const auto is_regular = [](const vertex<Level>& x) { return not x.is_boundary() and x.valence() == 4; };
+        const auto is_regular = [](const vertex<Level>& x) { return not x.is_boundary() and x.has_valence(4); };
         if (not is_regular(v))
             return;
         for (const auto u : v.neighbors())
