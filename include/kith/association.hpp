@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "refused.hpp"
 #include "tuples.hpp"
 
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace kith {
@@ -17,6 +20,10 @@ inline constexpr to_vertex V{};
 inline constexpr to_edge E{};
 inline constexpr to_face F{};
 } // namespace targets
+
+template <class T>
+concept target = std::same_as<T, targets::to_vertex> or std::same_as<T, targets::to_edge> or
+                 std::same_as<T, targets::to_face>;
 
 /// One side of a new edge, as a half-edge number of the new level.
 template <class Index>
@@ -48,6 +55,12 @@ public:
 
     edge_association(Space& space, std::size_t tuple) : space_(&space), tuple_(tuple) {}
 
+    /// Says that this is a mistake.
+    template <class Other>
+    void operator=(const Other&) const
+    {
+        static_cast<void>(refused::edge_that_is_set<(sizeof(Other) > 0)>());
+    }
     [[nodiscard]] index id() const { return space_->template edge_id<Kind>(tuple_); }
     [[nodiscard]] new_side<index> left() const { return {index(2 * id())}; }
     [[nodiscard]] new_side<index> right() const { return {index(2 * id() + 1)}; }
@@ -79,6 +92,12 @@ public:
         space_->template make_vertex<Kind>(tuple_, mask);
     }
     void operator=(const vertex_association& other) const { space_->template make_vertex<Kind>(tuple_, other); }
+    /// Says that this is a mistake.
+    template <class Other>
+    void operator=(const Other&) const
+    {
+        static_cast<void>(refused::vertex_of_other_things<(sizeof(Other) > 0)>());
+    }
 
     [[nodiscard]] index id() const { return space_->template vertex_id<Kind>(tuple_); }
     template <class Values>
@@ -98,6 +117,12 @@ private:
     std::size_t tuple_;
 };
 
+template <class T>
+concept face_lines = requires(const T& lines) {
+    (*lines.begin()).vertex;
+    (*lines.begin()).halfedge;
+};
+
 /// The association (tuple, F): assigned the lines of a face it makes the face.
 template <class Space, tuple_kind Kind>
 class face_association {
@@ -106,10 +131,16 @@ public:
 
     face_association(Space& space, std::size_t tuple) : space_(&space), tuple_(tuple) {}
 
-    template <class Lines>
+    template <face_lines Lines>
     void operator=(const Lines& lines) const
     {
         space_->template make_face<Kind>(tuple_, lines);
+    }
+    /// Says that this is a mistake, unless polygon() has.
+    template <class Other>
+    void operator=(const Other&) const
+    {
+        static_cast<void>(refused::face_of_other_things<not std::same_as<Other, refused::any_lines>>());
     }
     [[nodiscard]] index id() const { return space_->template face_id<Kind>(tuple_); }
     /// The number of its k-th corner on the new level.
@@ -144,6 +175,12 @@ public:
         space_->make_listed_vertex(tuple_, mask);
     }
     void operator=(const dictionary_association& other) const { operator= <dictionary_association>(other); }
+    /// Says that this is a mistake.
+    template <class Other>
+    void operator=(const Other&) const
+    {
+        static_cast<void>(refused::vertex_of_other_things<(sizeof(Other) > 0)>());
+    }
     /// Remembers a vertex that exists already under this tuple, too. Precondition: the tuple is not in a column.
     template <class Association>
     void refers_to(const Association& other) const
@@ -174,5 +211,17 @@ private:
     tuple_elements tuple_;
     std::size_t edge_;
 };
+
+namespace refused {
+
+/// In place of an association that is none.
+struct any_association : any_mask {
+    template <class Other>
+    void operator=(const Other&) const
+    {
+    }
+};
+
+} // namespace refused
 
 } // namespace kith

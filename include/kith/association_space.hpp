@@ -40,33 +40,40 @@ public:
     }
 
     /// assoc(elements..., target): the elements in any order.
-    template <element X, class Target>
-    auto operator()(const X& x, Target target) const
+    template <element X, target Target>
+    auto operator()(const X& x, Target to) const
     {
-        return associate(target, x);
+        return associate(to, x);
     }
-    template <element X, element Y, class Target>
-    auto operator()(const X& x, const Y& y, Target target) const
+    template <element X, element Y, target Target>
+    auto operator()(const X& x, const Y& y, Target to) const
     {
-        return associate(target, x, y);
+        return associate(to, x, y);
     }
-    template <element X, element Y, element Z, class Target>
-    auto operator()(const X& x, const Y& y, const Z& z, Target target) const
+    template <element X, element Y, element Z, target Target>
+    auto operator()(const X& x, const Y& y, const Z& z, Target to) const
     {
-        return associate(target, x, y, z);
+        return associate(to, x, y, z);
     }
     /// List forms, lazy: assoc(v.faces(), V) and assoc(f, f.vertices(), V).
-    template <class Range, class Target>
+    template <class Range, target Target>
         requires requires(const Range& r) { r.map([](const auto& x) { return x; }); }
-    auto operator()(const Range& range, Target target) const
+    auto operator()(const Range& range, Target to) const
     {
-        return range.map([this, target](const auto& x) { return (*this)(x, target); });
+        return range.map([this, to](const auto& x) { return (*this)(x, to); });
     }
-    template <element X, class Range, class Target>
+    template <element X, class Range, target Target>
         requires requires(const Range& r) { r.map([](const auto& x) { return x; }); }
-    auto operator()(const X& x, const Range& range, Target target) const
+    auto operator()(const X& x, const Range& range, Target to) const
     {
-        return range.map([this, x, target](const auto& y) { return (*this)(x, y, target); });
+        return range.map([this, x, to](const auto& y) { return (*this)(x, y, to); });
+    }
+    /// Says that all others are mistakes.
+    template <class... Other>
+    auto operator()(const Other&...) const
+    {
+        static_cast<void>(refused::no_target<(sizeof...(Other) < 100)>());
+        return refused::any_association();
     }
 
     /// A space between the coarse level and the next one, with vertices under the tuples of these columns, for schemes

@@ -77,7 +77,8 @@ void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
             const detail::loop_body inside(true);
             for (std::size_t number = begin; number < end; ++number) {
                 const block_of_level<Level> block(r.coarse, number, count);
-                body(refinement<block_of_level<Level>, Space, Scalar>{block, r.assoc, r.generation});
+                const refinement<block_of_level<Level>, Space, Scalar> part{block, r.assoc, r.generation};
+                body(part);
             }
         };
         detail::for_parts(count, Level::parallel, run, detail::worth_threads / faces_of_block);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "affine.hpp"
+#include "refused.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -24,6 +25,27 @@ concept mask_range = requires(const R& range) {
     { *range.begin() } -> mask;
     range.begin() == range.end();
 };
+
+namespace refused {
+
+/// In place of a mask that is none.
+struct any_mask : mask_base {
+    template <class Values>
+    [[nodiscard]] typename Values::sum evaluate(const Values&) const
+    {
+        return {};
+    }
+};
+
+/// Masks, elements and ranges of them, so that functions of others with the same names are left alone.
+template <class T>
+concept of_a_mesh = mask<T> or requires { typename T::handle_type; };
+template <class T>
+concept of_meshes = of_a_mesh<T> or requires(const T& range) {
+    { *range.begin() } -> mask;
+} or requires(const T& range) { typename decltype(*range.begin())::handle_type; };
+
+} // namespace refused
 
 template <class A, class B>
 struct mask_sum : mask_base {
@@ -207,6 +229,13 @@ template <class Weight, mask A>
     return mask_scaled<A, Weight>(a, weight);
 }
 
+template <mask A, class B>
+[[nodiscard]] auto operator*(const A& a, const B&)
+{
+    static_cast<void>(refused::product<mask<A>>());
+    return a;
+}
+
 template <mask A>
 [[nodiscard]] auto operator/(const A& a, double n)
 {
@@ -273,6 +302,36 @@ template <mask_range Range>
 [[nodiscard]] auto average(const Range& range)
 {
     return mask_average<Range>(range);
+}
+
+// Mistakes, each told in one sentence.
+
+template <mask A>
+[[nodiscard]] auto average(const A& a)
+{
+    static_cast<void>(refused::average_of_one<mask<A>>());
+    return a;
+}
+template <refused::of_meshes A, class... More>
+    requires((not mask<A> and not mask_range<A>) or (sizeof...(More) > 0 and not(mask<A> and ... and mask<More>)))
+[[nodiscard]] auto average(const A&, const More&...)
+{
+    static_cast<void>(refused::sum_of_other_things<refused::of_meshes<A>>());
+    return refused::any_mask();
+}
+template <class A, class B>
+    requires(mask<A> or mask<B>) and (not mask<A> or not mask<B>)
+[[nodiscard]] auto operator+(const A&, const B&)
+{
+    static_cast<void>(refused::sum_of_other_things<(mask<A> or mask<B>)>());
+    return refused::any_mask();
+}
+template <refused::of_meshes A, class... More>
+    requires(not mask_range<A> and not(mask<A> and ... and mask<More>))
+[[nodiscard]] auto sum(const A&, const More&...)
+{
+    static_cast<void>(refused::sum_of_other_things<refused::of_meshes<A>>());
+    return refused::any_mask();
 }
 
 } // namespace kith

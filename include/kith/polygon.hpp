@@ -14,9 +14,13 @@ template <class Association>
 typename Association::index index_of_line(const Association&);
 } // namespace detail
 
+/// What says a line of a new face: assoc(v, V), or that and a side.
+template <class T>
+concept face_line_source = requires(const T& x) { face_line<decltype(detail::index_of_line(x))>(x); };
+
 /// A new face: its vertices counter-clockwise, each with the side that leaves it (`assoc(v, V) >> side`); the sides may
 /// be left out where the scheme declares no edges.
-template <class First, class... More>
+template <face_line_source First, face_line_source... More>
     requires(sizeof...(More) >= 2)
 auto polygon(const First& first, const More&... more)
 {
@@ -26,6 +30,9 @@ auto polygon(const First& first, const More&... more)
 
 /// The same from a range of elements and the line that each of them gives; `line_of` has to outlive the result.
 template <class Range, class LineOf>
+    requires requires(const Range& range, const LineOf& line_of) {
+        { line_of(*range.begin()) } -> face_line_source;
+    }
 auto polygon(const Range& range, const LineOf& line_of)
 {
     using line = face_line<decltype(detail::index_of_line(line_of(*range.begin())))>;
@@ -34,11 +41,23 @@ auto polygon(const Range& range, const LineOf& line_of)
 
 /// The same from a range of associations: polygon(assoc(f, f.vertices(), V)).
 template <class Range>
-    requires mask_range<Range>
+    requires requires(const Range& range) {
+        { *range.begin() } -> face_line_source;
+    }
 auto polygon(const Range& range)
 {
     using line = face_line<typename decltype(*range.begin())::index>;
     return range.map([](const auto& association) { return line(association); });
+}
+
+/// Says what is wrong with any other.
+template <class First, class... More>
+auto polygon(const First&, const More&...)
+{
+    constexpr bool few = face_line_source<First> and (face_line_source<More> and ...) and sizeof...(More) < 2;
+    static_cast<void>(refused::polygon_of_few<few>());
+    static_cast<void>(refused::polygon_of_other_things<not few>());
+    return refused::any_lines();
 }
 
 } // namespace kith

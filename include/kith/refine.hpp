@@ -105,7 +105,7 @@ basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
 /// Errors: mesh_error for everything `validate` finds, for faces the scheme does not take, for negative levels and for
 /// levels that no index can number or no memory holds; association_error for faults of the scheme.
 /// Cost: that of the last level, times 4/3 for a scheme that quadruples faces.
-template <class Point, class Index, class Scheme>
+template <class Point, class Index, scheme Scheme>
 basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                                 const refine_options& options = {})
 {
@@ -126,7 +126,7 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
                                                 : refine_mesh<connect::everything>(coarse, last, ids);
 }
 
-template <refinable_mesh M, class Scheme>
+template <refinable_mesh M, scheme Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
     auto control = lift_valid(mesh);
@@ -142,14 +142,23 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
 
 /// Takes what the others do not, to say in one sentence what the type lacks.
 template <class M, class Scheme>
-    requires(not refinable_mesh<M>)
-void refine(const M&, const Scheme&, int, const refine_options& = {})
+    requires(not scheme<Scheme>)
+const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
 {
-    constexpr bool is_mesh = mesh<M>; // asserted itself, the concept would have the compiler tell all that it asks
+    static_cast<void>(refused::scheme_columns<(sizeof(Scheme) > 0)>());
+    return mesh;
+}
+template <class M, scheme Scheme>
+    requires(not refinable_mesh<M>)
+const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
+{
+    constexpr bool is_mesh =
+        kith::mesh<M>; // asserted itself, the concept would have the compiler tell all that it asks
     static_assert(is_mesh,
                   "kith::refine: this type is no mesh to kith; include its adapter (<kith/cgal.hpp>, "
                   "<kith/openmesh.hpp>) or specialise kith::mesh_traits for it");
     static_assert(not is_mesh, "kith::refine: this mesh can be read, not made; give its kith::mesh_traits a build()");
+    return mesh;
 }
 
 } // namespace kith

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -182,6 +183,16 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
         }
 }
 
+/// One step of a scheme.
+template <class Scheme, class Refinement>
+void call(const Scheme& scheme, const Refinement& r)
+{
+    if constexpr (std::invocable<const Scheme&, const Refinement&>)
+        scheme(r);
+    else
+        static_cast<void>(refused::scheme_call<(sizeof(Scheme) > 0)>());
+}
+
 } // namespace detail
 
 /// Runs a scheme once: fills `values` with the values of the next level and returns its connectivity, as far as
@@ -195,7 +206,7 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     using space = association_space<Level, Numbering, Values, Connect, Checked>;
     const space assoc(coarse, ids, values, fine);
     const detail::loop_body outside(false); // the caller's loops are not the scheme's
-    scheme(refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
+    detail::call(scheme, refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
     if constexpr (Checked and Connect != connect::nothing)
         detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set(), assoc.vertex_start());
     if constexpr (Connect != connect::nothing)
@@ -228,7 +239,7 @@ M run_scheme_into(const M& source, const Level& coarse, const Scheme& scheme, in
         association_space<Level, Numbering, point_values<Level>, connect::everything, false, foreign_level<M>>;
     const space assoc(coarse, ids, values, fine);
     const detail::loop_body outside(false);
-    scheme(refinement<Level, space, typename point_values<Level>::scalar>{coarse, assoc, generation});
+    detail::call(scheme, refinement<Level, space, typename point_values<Level>::scalar>{coarse, assoc, generation});
     fine.finish(generation + 1);
     return result;
 }

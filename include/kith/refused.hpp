@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// What the compiler says of a mistake in the text of a scheme. A scheme is compiled for several kinds of levels; each
+/// sentence depends on the mistake alone, so that it is said once. What a mistake gives fits everywhere, so that nothing
+/// more is said of it.
+namespace kith::refused {
+
+template <bool Mistake>
+struct face_of_other_things {
+    static_assert(not Mistake, "kith: a new face takes its vertices: assoc(x, F) = polygon(assoc(a, V), assoc(b, V), "
+                               "assoc(c, V)); a mask makes a vertex: assoc(x, V) = mask");
+};
+template <bool Mistake>
+struct vertex_of_other_things {
+    static_assert(not Mistake,
+                  "kith: a new vertex takes a mask: vertices, associations assoc(x, V), and sums of them with "
+                  "weights; an edge stands for average(e.org(), e.dst()), a face for average(f.vertices())");
+};
+template <bool Mistake>
+struct edge_that_is_set {
+    static_assert(not Mistake, "kith: a new edge is not set; the lines of its two faces name its sides: "
+                               "assoc(v, V) >> assoc(e, E).left()");
+};
+template <bool Mistake>
+struct no_target {
+    static_assert(not Mistake,
+                  "kith: assoc takes one to three elements, or a range of them, and last what they lead to: "
+                  "assoc(e, V), assoc(v, e, E), assoc(f, f.vertices(), V)");
+};
+template <bool Mistake>
+struct average_of_one {
+    static_assert(not Mistake,
+                  "kith: the average of one vertex is the vertex; leave average() out, or give it a range such "
+                  "as f.vertices() or several operands");
+};
+template <bool Mistake>
+struct sum_of_other_things {
+    static_assert(not Mistake,
+                  "kith: sum() and average() take vertices, associations assoc(x, V) and masks, or one range of "
+                  "them: v.neighbors(), assoc(v.faces(), V); an edge stands for average(e.org(), e.dst()), a "
+                  "face for average(f.vertices())");
+};
+template <bool Mistake>
+struct product {
+    static_assert(not Mistake, "kith: a mask is multiplied by a number that stands before it: 0.5 * v; masks have no "
+                               "product");
+};
+template <bool Mistake>
+struct polygon_of_few {
+    static_assert(not Mistake,
+                  "kith: a polygon has three vertices or more: polygon(a, b, c), polygon(assoc(f.vertices(), "
+                  "V)), polygon(f.corners(), line_of)");
+};
+template <bool Mistake>
+struct polygon_of_other_things {
+    static_assert(not Mistake,
+                  "kith: a polygon takes new vertices, assoc(v, V) or assoc(v, V) >> side; vertices of the "
+                  "coarse level and masks are none");
+};
+template <bool Mistake>
+struct scheme_call {
+    static_assert(not Mistake, "kith: a scheme needs a const operator that takes its refinement by const reference: "
+                               "template <class R> void operator()(const R& r) const");
+};
+template <bool Mistake>
+struct scheme_columns {
+    static_assert(not Mistake,
+                  "kith: a scheme needs columns() or columns(int generation), const or static, that returns "
+                  "kith::columns(...)");
+};
+
+/// The lines of a polygon that is none.
+struct any_lines {};
+
+} // namespace kith::refused

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compile_scheme.hpp"
+
+int main()
+{
+    compile_scheme([](const auto& coarse, const auto& assoc) {
+        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v + 1.; });
+    });
+}
