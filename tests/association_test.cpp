@@ -116,6 +116,10 @@ TEST(association, the_dictionary_refuses_to_read_what_is_not_set)
                   assoc(v[0], v[6], V) = assoc(v[1], v[7], V);
               }),
               "assoc(v 1, v 7) -> V is read before it is set");
+    EXPECT_EQ(fault([](const auto& coarse, const auto& assoc) { // whose column has been forgotten
+                  assoc(coarse.vertices()[0], coarse.vertices()[6], V) = average(assoc(coarse.faces()[2].edges(), V));
+              }),
+              "assoc(e 1) -> V is read before it is set; declare per_edge among the new vertices, or set it first");
 }
 
 TEST(association, the_dictionary_refuses_to_set_twice)

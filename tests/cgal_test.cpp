@@ -92,6 +92,27 @@ TEST(cgal, removed_elements_do_not_shift_associations)
     EXPECT_EQ(levels.origin(1, centre).f, bottom);
 }
 
+TEST(cgal, removed_elements_and_invalid_handles_are_refused)
+{
+    using namespace kith::targets;
+    kith::hierarchy levels(cube_after_removed_tetrahedron(), kith::catmull_clark());
+    levels.refine(1);
+    const auto asked = [&](const auto&... x) {
+        return error_text<kith::mesh_error>([&] { static_cast<void>(levels.assoc(0, x..., V)); });
+    };
+    EXPECT_EQ(asked(mesh::Vertex_index(0)),
+              "level 0 has no vertex 0, it was removed or is of another mesh; take handles from level 0");
+    EXPECT_EQ(asked(mesh::Edge_index(5)).find("level 0 has no edge 5, it was removed"), 0U);
+    EXPECT_EQ(asked(mesh::Face_index(3)).find("level 0 has no face 3, it was removed"), 0U);
+    EXPECT_EQ(asked(mesh::Vertex_index(4), mesh::Face_index(100)).find("level 0 has no face 100, it was removed"), 0U);
+    EXPECT_EQ(asked(mesh::Vertex_index()),
+              "level 0 has no vertex with this handle, which is invalid; take handles from level 0");
+    EXPECT_EQ(asked(mesh::Edge_index()).find("level 0 has no edge with this handle"), 0U);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(levels.origin(1, mesh::Face_index())); }),
+              "level 1 has no face with this handle, which is invalid; take handles from level 1");
+    EXPECT_EQ(asked(mesh::Vertex_index(4)), "no error");
+}
+
 TEST(cgal, an_inner_vertex_of_valence_two_is_refined)
 {
     const auto fine = kith::refine(make(shapes::valence_two()), kith::catmull_clark(), 1);

@@ -140,7 +140,57 @@ TEST(hierarchy, refuses_tuples_under_which_nothing_was_made)
     const std::string nothing = ": the scheme made nothing under this tuple";
     EXPECT_EQ(ask(0, handles::vertex{0}, handles::vertex{9}), "level 0" + nothing); // not neighbours
     EXPECT_EQ(ask(0, handles::vertex{0}, handles::face{0}), "level 0" + nothing);   // no such column
-    EXPECT_EQ(ask(2, handles::vertex{0}), "level 2" + nothing);                     // no next level
+    EXPECT_EQ(ask(2, handles::vertex{0}), "level 2 is the last, nothing belongs to its elements yet; refine() first");
+}
+
+TEST(hierarchy, refuses_levels_that_are_not_there)
+{
+    const refined_house h;
+    const auto fault = [](const auto& f) { return error_text<kith::mesh_error>(f); };
+    const auto no_level = [](int level) {
+        return "level " + std::to_string(level) +
+               " was asked for, there are 0 to 2; ask for one of them, or refine() first";
+    };
+    const auto points = h.levels[1].points();
+    for (const int level : {-1, 3, 1000}) {
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels[level]); }), no_level(level));
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels.scheme(level)); }), no_level(level));
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels.elements(level)); }), no_level(level));
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels.assoc(level, handles::face{0}, V)); }), no_level(level));
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels.origin(level, handles::face{0})); }), no_level(level));
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels.carry(1, level, points)); }), no_level(level));
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels.carry(level, 2, points)); }), no_level(level));
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels.matrix(0, level)); }), no_level(level));
+        EXPECT_EQ(fault([&] { static_cast<void>(h.levels.matrix(level, 1)); }), no_level(level));
+    }
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.carry(1, 0, points)); }),
+              "values were to be carried from level 1 to level 0; they are carried to the same level or a finer one");
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.matrix(2, 1)); }).find("values were to be carried"), 0U);
+    for (const auto& why : {fault([&] { static_cast<void>(h.levels.origin(0, handles::vertex{0})); }),
+                            fault([&] { static_cast<void>(h.levels.origin(0, handles::edge{0})); }),
+                            fault([&] { static_cast<void>(h.levels.origin(0, handles::face{0})); })})
+        EXPECT_EQ(
+            why,
+            "level 0 is the control mesh, whose elements come from no others; ask for the origin of those of level "
+            "1 or more");
+}
+
+TEST(hierarchy, refuses_handles_of_no_element_of_a_level)
+{
+    const refined_house h; // 11 vertices, 20 edges and 11 faces; 42, 80 and 40
+    const auto fault = [](const auto& f) { return error_text<kith::mesh_error>(f); };
+    const auto none = [](const std::string& level, const std::string& kind, const std::string& number) {
+        return "level " + level + " has no " + kind + " " + number +
+               ", it was removed or is of another mesh; take handles from level " + level;
+    };
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.assoc(0, handles::vertex{11}, V)); }), none("0", "vertex", "11"));
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.assoc(0, handles::edge{20}, V)); }), none("0", "edge", "20"));
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.assoc(1, handles::vertex{0}, handles::face{40}, F)); }),
+              none("1", "face", "40"));
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.origin(1, handles::vertex{})); }),
+              "level 1 has no vertex with this handle, which is invalid; take handles from level 1");
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.origin(1, handles::edge{80})); }), none("1", "edge", "80"));
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.origin(2, handles::face{4000})); }), none("2", "face", "4000"));
 }
 
 TEST(hierarchy, carries_values_as_the_points_are_carried)

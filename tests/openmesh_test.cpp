@@ -267,6 +267,29 @@ TEST(openmesh, meshes_without_marks_are_read)
     EXPECT_EQ(fine.point(OpenMesh::VertexHandle(6)), OpenMesh::Vec3f(5.F / 9, 5.F / 9, 5.F / 9));
 }
 
+TEST(openmesh, deleted_elements_and_invalid_handles_are_refused)
+{
+    using namespace kith::targets;
+    kith::hierarchy levels(cube_after_deleted_tetrahedron(), kith::catmull_clark());
+    levels.refine(1);
+    const auto asked = [&](const auto&... x) {
+        return error_text<kith::mesh_error>([&] { static_cast<void>(levels.assoc(0, x..., V)); });
+    };
+    EXPECT_EQ(asked(OpenMesh::VertexHandle(0)),
+              "level 0 has no vertex 0, it was removed or is of another mesh; take handles from level 0");
+    EXPECT_EQ(asked(OpenMesh::EdgeHandle(5)).find("level 0 has no edge 5, it was removed"), 0U);
+    EXPECT_EQ(asked(OpenMesh::FaceHandle(3)).find("level 0 has no face 3, it was removed"), 0U);
+    EXPECT_EQ(
+        asked(OpenMesh::VertexHandle(4), OpenMesh::FaceHandle(100)).find("level 0 has no face 100, it was removed"),
+        0U);
+    EXPECT_EQ(asked(OpenMesh::VertexHandle()),
+              "level 0 has no vertex with this handle, which is invalid; take handles from level 0");
+    EXPECT_EQ(asked(OpenMesh::EdgeHandle()).find("level 0 has no edge with this handle"), 0U);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(levels.origin(1, OpenMesh::FaceHandle())); }),
+              "level 1 has no face with this handle, which is invalid; take handles from level 1");
+    EXPECT_EQ(asked(OpenMesh::VertexHandle(4)), "no error");
+}
+
 TEST(openmesh, an_inner_vertex_of_valence_two_is_refined)
 {
     const auto fine = kith::refine(make(shapes::valence_two()), kith::catmull_clark(), 1);

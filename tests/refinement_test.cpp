@@ -6,6 +6,7 @@
 #include "own_scheme.hpp"
 #include "same_mesh.hpp"
 
+#include <kith/blocks.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/refine.hpp>
 
@@ -172,6 +173,26 @@ struct cut_by_faces {
 };
 
 } // namespace
+
+namespace {
+
+/// A copy whose operators take what they may.
+struct by_reference : copy_by_faces {
+    template <class R>
+    void operator()(R& r) const
+    {
+        in_blocks(r, [](auto& part) { static_cast<void>(part.generation); });
+        copy_by_faces::operator()(r);
+    }
+};
+
+} // namespace
+
+TEST(refinement, may_be_taken_by_any_reference)
+{
+    EXPECT_TRUE(same_bits(kith::refine(native(shapes::house()), by_reference(), 1),
+                          kith::refine(native(shapes::house()), copy_by_faces(), 1)));
+}
 
 TEST(refinement, refuses_more_corners_than_the_index_can_number)
 {

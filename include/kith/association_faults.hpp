@@ -68,6 +68,12 @@ inline std::string column_for(const tuple_elements& tuple)
     return found == columns_by_letters.end() ? ""
                                              : std::string("declare ") + found->name + " among the new vertices, or ";
 }
+/// A vertex that is in no column and that nobody has made so far.
+[[noreturn, gnu::noinline]] inline void read_early(const tuple_elements& tuple)
+{
+    const std::string column = column_for(tuple);
+    refuse(tuple, " -> V is read before it is set" + (column.empty() ? "" : "; " + column + "set it first"));
+}
 /// A vertex under a tuple that no column declares, in a scheme that numbers its edges.
 [[noreturn, gnu::noinline]] inline void undeclared(const tuple_elements& tuple)
 {

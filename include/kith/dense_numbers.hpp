@@ -51,6 +51,12 @@ public:
                 return traits::template at<Handle>(i);
         return handles_[i];
     }
+    /// Whether any handle, an invalid one or that of another mesh too, may be that of an element here.
+    [[nodiscard]] bool has(const M& mesh, Handle x) const
+    {
+        const auto index = std::size_t(traits::index(mesh, x));
+        return numbers_.empty() ? index < size_ : index < numbers_.size() and numbers_[index] != none;
+    }
     /// `none` for elements that have been removed.
     [[nodiscard]] std::size_t number(const M& mesh, Handle x) const
     {

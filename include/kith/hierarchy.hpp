@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -73,24 +74,24 @@ public:
 
     /// The number of the last level.
     [[nodiscard]] int depth() const { return int(levels_.size()) - 1; }
-    /// Level 0 is the control mesh. Precondition: 0 <= level <= depth().
-    [[nodiscard]] const M& operator[](int level) const { return levels_.at(std::size_t(level))->mesh; }
+    /// Level 0 is the control mesh. Errors, here and below: mesh_error for levels that are not there.
+    [[nodiscard]] const M& operator[](int level) const { return at(level).mesh; }
     [[nodiscard]] const M& finest() const { return levels_.back()->mesh; }
 
     /// The scheme as it is at a level, with the state of that level (creases).
-    [[nodiscard]] const Scheme& scheme(int level) const { return levels_.at(std::size_t(level))->scheme; }
+    [[nodiscard]] const Scheme& scheme(int level) const { return at(level).scheme; }
 
     /// The elements of a level as schemes see them: coarse.vertices(), v.corners() and so on.
     [[nodiscard]] const level_type& elements(int level) const
     {
-        const entry& here = *levels_.at(std::size_t(level));
+        const entry& here = at(level);
         std::call_once(here.viewed, [&] { here.view.emplace(here.mesh); });
         return *here.view;
     }
 
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
-    /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary. Cost:
-    /// O(1), O(valence) for pairs without their edge.
+    /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary, and on the
+    /// last level; mesh_error for handles of no element of this level. Cost: O(1), O(valence) for pairs without their edge.
     template <class X, class Target>
         requires(not std::integral<X>)
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const
@@ -108,33 +109,34 @@ public:
         return child(level, index_tuple(at(level, x), at(level, y), at(level, z)), target);
     }
 
-    /// The inverse: the elements of level-1 to which an element of `level` belongs. Precondition: level > 0. Cost: O(1), O(log n)
-    /// where the scheme leaves tuples of that kind out.
+    /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and for
+    /// handles of no element of this level. Cost: O(1), O(log n) where the scheme leaves tuples of that kind out.
     [[nodiscard]] birth<M> origin(int level, typename traits::vertex v) const
     {
-        return parents(level, levels_.at(std::size_t(level - 1))->ids.vertices, elements(level).index(v));
+        return parents(level, &numbering_type::vertices, at(level, v).index());
     }
     [[nodiscard]] birth<M> origin(int level, typename traits::edge e) const
     {
-        return parents(level, levels_.at(std::size_t(level - 1))->ids.edges, elements(level).index(e));
+        return parents(level, &numbering_type::edges, at(level, e).index());
     }
     [[nodiscard]] birth<M> origin(int level, typename traits::face f) const
     {
-        return parents(level, levels_.at(std::size_t(level - 1))->ids.faces, elements(level).index(f));
+        return parents(level, &numbering_type::faces, at(level, f).index());
     }
 
     /// Values at the vertices of level `from` carried to level `to` by the scheme's own text: colours, weights, hashes,
-    /// anything with an `affine`. In the order of the dense vertex numbers. Precondition: from <= to <= depth(). Errors:
-    /// mesh_error unless there is a value per vertex. Cost: that of refining again, without connectivity.
+    /// anything with an `affine`. In the order of the dense vertex numbers. Errors: mesh_error unless from <= to and there is a
+    /// value per vertex. Cost: that of refining again, without connectivity.
     template <affine_value T>
     [[nodiscard]] storage<T> carry(int from, int to, std::span<const T> values) const
     {
+        require_order(from, to);
         if (values.size() != elements(from).vertex_count())
             throw mesh_error("level " + std::to_string(from) + " has " + std::to_string(elements(from).vertex_count()) +
                              " vertices, " + std::to_string(values.size()) + " values were given; give one per vertex");
         storage<T> result(values);
         for (int level = from; level < to; ++level) {
-            const entry& here = *levels_.at(std::size_t(level));
+            const entry& here = at(level);
             attribute_values<T> run({result.data(), result.size()});
             run_scheme<connect::nothing, false>(elements(level),
                                                 here.scheme,
@@ -147,10 +149,11 @@ public:
         return result;
     }
 
-    /// The subdivision matrix from the vertices of one level to those of a finer one. Precondition: from <= to <= depth().
+    /// The subdivision matrix from the vertices of one level to those of a finer one. Errors: mesh_error unless from <= to.
     /// Cost: O(its entries log of those of a row) time and memory per level.
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
+        require_order(from, to);
         const std::size_t columns = elements(from).vertex_count();
         std::vector<stencil_row> unit(columns);
         for (std::size_t v = 0; v < columns; ++v)
@@ -159,6 +162,8 @@ public:
     }
 
 private:
+    using numbering_type = numbering_of<Scheme, index_type>;
+
     struct entry {
         /// Made in place: meshes of OpenMesh cannot be moved.
         template <class MakeMesh, class MakeScheme>
@@ -167,8 +172,8 @@ private:
         }
 
         M mesh;
-        Scheme scheme;                        ///< of the step to the next level
-        numbering_of<Scheme, index_type> ids; ///< of the next level
+        Scheme scheme;      ///< of the step to the next level
+        numbering_type ids; ///< of the next level
         mutable std::optional<level_type> view;
         mutable std::once_flag viewed;
     };
@@ -181,18 +186,59 @@ private:
             return refine_level_like(last.mesh, elements(depth()), last.scheme, generation_ + depth(), last.ids);
     }
 
-    [[nodiscard]] auto at(int level, typename traits::vertex v) const { return vertex<level_type>(elements(level), v); }
-    [[nodiscard]] auto at(int level, typename traits::edge e) const { return edge<level_type>(elements(level), e); }
-    [[nodiscard]] auto at(int level, typename traits::face f) const { return face<level_type>(elements(level), f); }
+    [[nodiscard]] const entry& at(int level) const
+    {
+        if (level < 0 or level > depth())
+            throw mesh_error("level " + std::to_string(level) + " was asked for, there are 0 to " +
+                             std::to_string(depth()) + "; ask for one of them, or refine() first");
+        return *levels_[std::size_t(level)];
+    }
+    [[nodiscard]] auto at(int level, typename traits::vertex v) const
+    {
+        return vertex<level_type>(level_with(level, v, "vertex"), v);
+    }
+    [[nodiscard]] auto at(int level, typename traits::edge e) const
+    {
+        return edge<level_type>(level_with(level, e, "edge"), e);
+    }
+    [[nodiscard]] auto at(int level, typename traits::face f) const
+    {
+        return face<level_type>(level_with(level, f, "face"), f);
+    }
+    template <class Handle>
+    [[nodiscard]] const level_type& level_with(int level, Handle x, const char* kind) const
+    {
+        const level_type& here = elements(level);
+        if (not here.has(x)) {
+            const auto number = std::size_t(traits::index(at(level).mesh, x));
+            const bool invalid = number >= std::numeric_limits<index_type>::max() / 2;
+            throw mesh_error("level " + std::to_string(level) + " has no " + kind +
+                             (invalid ? " with this handle, which is invalid"
+                                      : " " + std::to_string(number) + ", it was removed or is of another mesh") +
+                             "; take handles from level " + std::to_string(level));
+        }
+        return here;
+    }
+    void require_order(int from, int to) const
+    {
+        static_cast<void>(at(from));
+        static_cast<void>(at(to));
+        if (from > to)
+            throw mesh_error("values were to be carried from level " + std::to_string(from) + " to level " +
+                             std::to_string(to) + "; they are carried to the same level or a finer one");
+    }
 
     template <tuple_kind Kind, class Target>
     [[nodiscard]] auto child(int level, tuple_index<Kind> tuple, Target) const
     {
-        const auto& ids = levels_.at(std::size_t(level))->ids;
+        if (level == depth())
+            throw association_error("level " + std::to_string(level) +
+                                    " is the last, nothing belongs to its elements yet; refine() first");
+        const auto& ids = at(level).ids;
         const auto find = [&](const auto& column_ids) {
             index_type id = column_ids.none;
             if constexpr (std::remove_cvref_t<decltype(column_ids)>::template has<Kind>)
-                if (level < depth() and tuple.value != tuple.not_incident)
+                if (tuple.value != tuple.not_incident)
                     id = column_ids.template id<Kind>(tuple.value);
             if (id == column_ids.none)
                 throw association_error("level " + std::to_string(level) +
@@ -212,8 +258,13 @@ private:
     }
 
     template <class Ids>
-    [[nodiscard]] birth<M> parents(int level, const Ids& ids, std::size_t id) const
+    [[nodiscard]] birth<M> parents(int level, Ids numbering_type::* which, std::size_t id) const
     {
+        if (level == 0)
+            throw mesh_error(
+                "level 0 is the control mesh, whose elements come from no others; ask for the origin of those "
+                "of level 1 or more");
+        const Ids& ids = at(level - 1).ids.*which;
         if (id >= ids.total())
             throw association_error("level " + std::to_string(level) +
                                     ": this element belongs to no tuple of elements");

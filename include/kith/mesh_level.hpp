@@ -109,6 +109,11 @@ public:
     [[nodiscard]] face_handle face_at(std::size_t i) const { return faces_[i]; }
     [[nodiscard]] corner_handle corner_at(std::size_t i) const { return {corners_[i]}; }
 
+    /// Whether a handle is that of an element here: it is valid, and the element has not been removed.
+    [[nodiscard]] bool has(vertex_handle v) const { return vertices_.has(*mesh_, v); }
+    [[nodiscard]] bool has(edge_handle e) const { return edges_.has(*mesh_, e); }
+    [[nodiscard]] bool has(face_handle f) const { return faces_.has(*mesh_, f); }
+
     [[nodiscard]] std::size_t index(vertex_handle v) const { return vertices_.number(*mesh_, v); }
     [[nodiscard]] std::size_t index(edge_handle e) const { return edges_.number(*mesh_, e); }
     [[nodiscard]] std::size_t index(face_handle f) const { return faces_.number(*mesh_, f); }

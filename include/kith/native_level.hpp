@@ -57,6 +57,11 @@ public:
     [[nodiscard]] face_handle face_at(std::size_t i) const { return {Index(i)}; }
     [[nodiscard]] corner_handle corner_at(std::size_t i) const { return {Index(i)}; }
 
+    /// Whether a handle is that of an element here.
+    [[nodiscard]] bool has(vertex_handle v) const { return v.value < vertex_count(); }
+    [[nodiscard]] bool has(edge_handle e) const { return e.value < edge_count(); }
+    [[nodiscard]] bool has(face_handle f) const { return f.value < face_count(); }
+
     template <class Kind>
     [[nodiscard]] std::size_t index(element_id<Kind, Index> x) const
     {

@@ -25,7 +25,7 @@ public:
     {
         const auto found = ids_.find(tuple);
         if (found == ids_.end())
-            faults::refuse(tuple, faults::vertex_read_early);
+            faults::read_early(tuple);
         return found->second;
     }
     void clear() { ids_.clear(); }
