@@ -110,8 +110,15 @@ mesh_facts facts_of(const io::polygon_soup& soup, const mesh_report& report)
         ++valence[a];
         ++valence[b];
     }
-    for (const std::size_t n : valence)
-        ++result.valences[n];
+    std::vector<std::size_t> faces_at(vertices, 0);
+    for (std::size_t f = 0; f < soup.faces.size(); ++f)
+        for (const std::size_t v : soup.faces[f])
+            if (v < vertices)
+                ++faces_at[v];
+    for (std::size_t v = 0; v < vertices; ++v) {
+        ++result.valences[valence[v]];
+        result.between_two_faces += valence[v] == 2 and faces_at[v] == 2;
+    }
     return result;
 }
 

@@ -22,6 +22,7 @@ struct mesh_facts {
     std::optional<std::size_t> boundary_loops{}; ///< only a good mesh has such
     std::ptrdiff_t euler_characteristic = 0;
     std::map<std::size_t, std::size_t> valences{}; ///< how many vertices have so many edges
+    std::size_t between_two_faces = 0;             ///< inner vertices, which some schemes refuse
     std::map<std::size_t, std::size_t> degrees{};  ///< how many faces have so many corners
     std::optional<std::pair<std::array<double, 3>, std::array<double, 3>>> box{};
 };

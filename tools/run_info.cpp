@@ -94,6 +94,9 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
         line("boundary loops", *facts.boundary_loops);
     line("Euler characteristic", facts.euler_characteristic);
     line("valences", histogram_text(facts.valences));
+    if (facts.between_two_faces != 0)
+        line("between two faces",
+             std::to_string(facts.between_two_faces) + ", which dual schemes and schemes for triangles refuse");
     line("face degrees", histogram_text(facts.degrees));
     print_box(line, facts);
     if (facts.isolated != 0)
@@ -127,6 +130,8 @@ void print_json(const std::string& path, const mesh_facts& facts, const polygon_
         .add("face_degrees", histogram_json(facts.degrees));
     if (facts.box)
         result.add_json("bounding_box", "[" + to_json(facts.box->first) + "," + to_json(facts.box->second) + "]");
+    if (facts.between_two_faces != 0)
+        result.add("vertices_between_two_faces", facts.between_two_faces);
     if (facts.isolated != 0)
         result.add("isolated_vertices", facts.isolated);
     json_object tags;

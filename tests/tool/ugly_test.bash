@@ -335,6 +335,30 @@ for scheme in loop sqrt3; do
     done
 done
 
+# Triangles back to back, of which every level would have edges with the same ends.
+printf 'OFF\n3 2 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n' >in.off
+back_to_back='vertex 0 lies between 2 faces only, the scheme needs three; remove these triangles, which are back to back'
+run info in.off
+exits 0
+prints '^between two faces +3, which dual schemes and schemes for triangles refuse$'
+for scheme in loop sqrt3 butterfly linear-triangles; do
+    for options in '--mesh native' '--mesh cgal' '--mesh openmesh' '--tiles 2'; do
+        run refine in.off -s $scheme -n 1 -o out.ply $options
+        exits 1
+        says "^kith: $scheme: $back_to_back"
+        only_input_left in.off
+    done
+    run plan in.off -s $scheme -n 1
+    exits 1
+    says "$back_to_back"
+done
+run refine in.off -s catmull-clark -n 2 -o out.off
+exits 0
+run refine out.off -s catmull-clark -n 1 -o again.off
+exits 0
+rm out.off again.off
+cube >in.off
+
 # More than memory and indices hold: refused at once, on every kind of mesh.
 for mesh in native cgal openmesh; do
     for levels in 11 16 40 2147483647; do
