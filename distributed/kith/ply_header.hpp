@@ -236,17 +236,20 @@ private:
             if (element.name == "halfedge")
                 throw mesh_error("a file with half-edges is not read; save its faces as lists of vertices");
             if (element.is_vertex()) {
-                (void)element.place();
                 header_.vertices = element.count;
                 ++vertex_elements;
             } else if (element.is_face()) {
-                (void)element.corner_list();
                 header_.faces = element.count;
                 ++face_elements;
             }
         }
         if (vertex_elements != 1 or face_elements != 1)
             throw mesh_error("the file must have one element 'vertex' and one element 'face'");
+        for (const auto& element : header_.elements)
+            if (element.is_vertex())
+                (void)element.place();
+            else if (element.is_face())
+                (void)element.corner_list();
     }
 
     std::string_view bytes_;

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ply_header.hpp"
 #include "tile.hpp"
 
 #include <kith/error.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <initializer_list>
-#include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -37,16 +35,17 @@ struct mesh_slice {
 /// Errors of all members: mesh_error, which names the file. Local.
 class sliced_ply {
 public:
-    /// Reads the header.
+    /// Reads the header. Cost: that, and a pass over the bytes behind the faces if there are lists among them.
     explicit sliced_ply(std::string path) : path_(std::move(path)), in_(path_, std::ios::binary)
     {
         static_assert(std::endian::native == std::endian::little, "the file is read as it lies");
         read_header();
     }
 
-    [[nodiscard]] global_id vertices() const { return vertices_; }
-    [[nodiscard]] global_id faces() const { return faces_; }
+    [[nodiscard]] global_id vertices() const { return header_.vertices; }
+    [[nodiscard]] global_id faces() const { return header_.faces; }
     [[nodiscard]] int degree() const { return degree_; }
+    [[nodiscard]] const ply_header& header() const { return header_; }
     /// Of faces and vertices, so far.
     [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }
 
@@ -54,18 +53,18 @@ public:
     [[nodiscard]] mesh_slice<std::array<double, 3>> read(global_id first_face, global_id end_face,
                                                          global_id first_vertex, global_id end_vertex)
     {
-        mesh_slice<std::array<double, 3>> result{vertices_, faces_, degree_, first_face, first_vertex, {}, {}};
-        const auto faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes()),
-                                 (end_face - first_face) * face_bytes());
+        mesh_slice<std::array<double, 3>> result{vertices(), faces(), degree_, first_face, first_vertex, {}, {}};
+        const auto records_of_faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes()),
+                                            (end_face - first_face) * face_bytes());
         for (global_id f = first_face; f < end_face; ++f) {
-            const char* record = faces.data() + (f - first_face) * face_bytes();
+            const char* record = records_of_faces.data() + (f - first_face) * face_bytes();
             require(int(static_cast<unsigned char>(record[0])) == degree_,
                     "has face " + std::to_string(f) + " of another degree than face 0; read it on one rank");
             for (int k = 0; k < degree_; ++k) {
                 const auto v = value<std::uint32_t>(record + 1 + 4 * k);
-                require(v < vertices_,
+                require(v < vertices(),
                         "has face " + std::to_string(f) + " at vertex " + std::to_string(v) + " of " +
-                            std::to_string(vertices_));
+                            std::to_string(vertices()));
                 result.corners.push_back(v);
             }
         }
@@ -74,9 +73,13 @@ public:
         for (std::size_t i = 0; i < end_vertex - first_vertex; ++i) {
             const char* record = records.data() + i * vertex_bytes_;
             auto& point = result.points.emplace_back();
-            for (std::size_t x = 0; x < 3; ++x)
+            for (std::size_t x = 0; x < 3; ++x) {
                 point[x] = places_[x].is_double ? value<double>(record + places_[x].at)
                                                 : double(value<float>(record + places_[x].at));
+                require(std::isfinite(point[x]),
+                        "has vertex " + std::to_string(first_vertex + i) +
+                            " at a coordinate that is not a finite number; give it a place");
+            }
         }
         return result;
     }
@@ -108,112 +111,122 @@ private:
         bytes_read_ += size;
         return result;
     }
-    static std::size_t size_of(std::string_view type)
-    {
-        for (const auto& [name, size] : std::initializer_list<std::pair<std::string_view, std::size_t>>{{"char", 1},
-                                                                                                        {"uchar", 1},
-                                                                                                        {"int8", 1},
-                                                                                                        {"uint8", 1},
-                                                                                                        {"short", 2},
-                                                                                                        {"ushort", 2},
-                                                                                                        {"int16", 2},
-                                                                                                        {"uint16", 2},
-                                                                                                        {"int", 4},
-                                                                                                        {"uint", 4},
-                                                                                                        {"int32", 4},
-                                                                                                        {"uint32", 4},
-                                                                                                        {"float", 4},
-                                                                                                        {"float32", 4},
-                                                                                                        {"double", 8},
-                                                                                                        {"float64", 8}})
-            if (name == type)
-                return size;
-        return 0;
-    }
     [[nodiscard]] std::size_t face_bytes() const { return 1 + 4 * std::size_t(degree_); }
 
-    [[nodiscard]] global_id count_of(const std::string& element, const std::string& text) const
+    /// The first bytes of the file, up to the end of the header and beyond.
+    [[nodiscard]] std::string first_bytes()
     {
-        global_id count = 0;
-        const char* const end = text.data() + text.size();
-        const auto [rest, error] = std::from_chars(text.data(), end, count);
-        require(error == std::errc() and rest == end, "has '" + text + "' for the number of element " + element);
-        return count;
+        constexpr std::size_t block = 4096, most = std::size_t(1) << 24;
+        std::string result;
+        while (in_ and result.size() < most) {
+            const std::size_t before = result.size();
+            result.resize(before + block);
+            in_.read(result.data() + before, std::streamsize(block));
+            result.resize(before + std::size_t(in_.gcount()));
+            const std::size_t end = result.find("end_header", before < 16 ? 0 : before - 16);
+            if (not result.starts_with("ply") and not result.starts_with(byte_order_mark))
+                break;
+            if (end != result.npos and end + 16 < result.size())
+                break;
+        }
+        in_.clear();
+        return result;
     }
     void read_header()
     {
-        std::array<std::optional<place>, 3> found;
-        int elements = 0, face_properties = 0; // so far
-        bool has_format = false, has_corners = false;
-        std::string line;
-        require(bool(std::getline(in_, line)) and line.starts_with("ply"), "is no PLY file that can be read");
-        while (std::getline(in_, line) and not line.starts_with("end_header")) {
-            std::istringstream words(line);
-            std::string word, type, name;
-            words >> word >> type >> name;
-            if (word == "format") {
-                require(type == "binary_little_endian",
-                        "is not binary_little_endian; only such files are read in slices");
-                has_format = true;
-            }
-            if (word == "element") {
-                ++elements;
-                require((type == "vertex") == (elements == 1) and (type == "face") == (elements == 2),
-                        "has element " + type + " out of place; vertices come first, then faces, then others");
-                if (type == "vertex")
-                    vertices_ = count_of(type, name);
-                if (type == "face")
-                    faces_ = count_of(type, name);
-            } else if (word == "property" and elements == 1) {
-                const std::size_t size = size_of(type);
-                require(size != 0, "has a property of vertices of type " + type);
-                for (std::size_t x = 0; x < 3; ++x)
-                    if (name == std::array{"x", "y", "z"}[x]) {
-                        require(type.starts_with("float") or type == "double", "has places of type " + type);
-                        found[x] = {vertex_bytes_, size == 8};
-                    }
-                vertex_bytes_ += size;
-            } else if (word == "property" and elements == 2) {
-                std::string index, list;
-                words >> index >> list;
-                ++face_properties;
-                has_corners = type == "list" and size_of(name) == 1 and size_of(index) == 4 and
-                              index.find("int") != index.npos and (list == "vertex_indices" or list == "vertex_index");
-            }
+        const std::string first = first_bytes();
+        const std::size_t mark = first.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+        require(std::string_view(first).substr(mark).starts_with("ply"), "is no PLY file that can be read");
+        try {
+            header_ = read_ply_header(std::string_view(first).substr(mark));
+        } catch (const mesh_error& error) {
+            throw mesh_error(path_ + ": " + error.what());
         }
-        require(has_format, "has no line 'format' in its header; only binary_little_endian files are read in slices");
+        require(header_.encoding == ply_encoding::little_endian,
+                "is not binary_little_endian; only such files are read in slices");
+        const auto& elements = header_.elements;
+        require(elements[0].is_vertex() and elements[1].is_face(),
+                "has element " + (elements[0].is_vertex() ? elements[1] : elements[0]).name +
+                    " out of place; vertices come first, then faces, then others");
+        const auto& corners = elements[1].properties[0];
         require(
-            bool(in_) and found[0] and found[1] and found[2] and has_corners and face_properties == 1,
+            not elements[0].has_lists() and elements[1].properties.size() == 1 and corners.count.bytes == 1 and
+                not corners.count.is_signed and corners.value.bytes == 4,
             "needs vertices with x, y, z and faces with one list 'vertex_indices' of uchar and int, and nothing else");
-        require(faces_ != 0, "has no faces; nothing can be refined");
-        places_ = {*found[0], *found[1], *found[2]};
+        require(faces() != 0, "has no faces; nothing can be refined");
+        const auto place_of = elements[0].place();
+        for (std::size_t p = 0; p < elements[0].properties.size(); ++p) {
+            const ply_number& type = elements[0].properties[p].value;
+            if (const auto x = std::ranges::find(place_of, p); x != place_of.end()) {
+                require(type.floating, "has places that are no floating-point numbers; read it on one rank");
+                places_[std::size_t(x - place_of.begin())] = {vertex_bytes_, type.bytes == 8};
+            }
+            vertex_bytes_ += type.bytes;
+        }
+        vertices_at_ = std::streamoff(mark + header_.data_begin);
         find_places();
     }
     /// Where vertices and faces lie. The numbers in the header are not believed before the file is as long as they say.
     void find_places()
     {
-        vertices_at_ = in_.tellg();
         in_.seekg(0, std::ios::end);
         auto left = std::uint64_t(in_.tellg() - vertices_at_);
         const auto too_short = [&] {
-            return "is too short for " + std::to_string(vertices_) + " vertices and " + std::to_string(faces_) +
+            return "is too short for " + std::to_string(vertices()) + " vertices and " + std::to_string(faces()) +
                    " faces of one degree";
         };
-        require(vertices_ <= left / vertex_bytes_, too_short());
-        left -= vertices_ * vertex_bytes_;
-        faces_at_ = vertices_at_ + std::streamoff(vertices_ * vertex_bytes_);
+        require(vertices() <= left / vertex_bytes_, too_short());
+        left -= vertices() * vertex_bytes_;
+        faces_at_ = vertices_at_ + std::streamoff(vertices() * vertex_bytes_);
         require(left > 0, too_short());
         in_.seekg(faces_at_);
         degree_ = in_.get();
         require(degree_ == 3 or degree_ == 4,
                 "has faces of " + std::to_string(degree_) +
                     " vertices; files of triangles or of quads can be read in slices");
-        require(faces_ <= left / face_bytes(), too_short());
+        require(faces() <= left / face_bytes(), too_short());
+        left -= faces() * face_bytes();
+        in_.seekg(faces_at_ + std::streamoff(faces() * face_bytes()));
+        for (std::size_t e = 2; e < header_.elements.size(); ++e)
+            skip(header_.elements[e], left);
+        require(left == 0,
+                "goes on for " + std::to_string(left) + (left == 1 ? " byte" : " bytes") + " after its last element");
+        in_.clear();
     }
+    /// Goes behind the elements of a kind that nobody reads.
+    void skip(const ply_element& element, std::uint64_t& left)
+    {
+        const std::size_t least = element.least_bytes();
+        require(element.count == 0 or element.count <= left / least, "ends within its elements '" + element.name + "'");
+        if (not element.has_lists()) {
+            left -= element.count * least;
+            in_.seekg(std::streamoff(element.count * least), std::ios::cur);
+            return;
+        }
+        const auto take = [&](std::uint64_t size) {
+            require(size <= left, "ends within its elements '" + element.name + "'");
+            left -= size;
+        };
+        for (std::uint64_t item = 0; item < element.count; ++item)
+            for (const auto& property : element.properties) {
+                std::uint64_t length = 1;
+                if (property.is_list()) {
+                    take(property.count.bytes);
+                    length = 0;
+                    in_.read(reinterpret_cast<char*>(&length), std::streamsize(property.count.bytes));
+                    require(not property.count.is_signed or length >> (8 * property.count.bytes - 1) == 0,
+                            "has a list of less than no entries in element '" + element.name + "'");
+                }
+                take(length * property.value.bytes);
+                in_.ignore(std::streamsize(length * property.value.bytes));
+            }
+    }
+
+    static constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
     std::string path_;
     std::ifstream in_;
-    global_id vertices_ = 0, faces_ = 0;
+    ply_header header_;
     int degree_ = 0;
     std::uint64_t bytes_read_ = 0;
     std::size_t vertex_bytes_ = 0;

@@ -136,7 +136,7 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     const auto ply = [&](std::ostream& out) { write_ply<float>(out, cube); };
     EXPECT_EQ(error_of(ply), "no error");
     EXPECT_NE(error_of([](std::ostream& out) { out << "OFF\n"; }).find("is no PLY file"), std::string::npos);
-    EXPECT_NE(error_of([](std::ostream& out) { out << "ply\nformat ascii 1.0\n"; }).find("is not binary_little_endian"),
+    EXPECT_NE(error_of([](std::ostream& out) { out << "ply\nformat ascii 1.0\n"; }).find("'end_header' should be"),
               std::string::npos);
     std::ranges::reverse(cube.faces[3]);
     EXPECT_NE(error_of(ply).find("in the same direction; turn one of them round"), std::string::npos) << error_of(ply);
@@ -161,24 +161,46 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
         EXPECT_NE(text.find("read_tiles_"), std::string::npos) << text; // the file is named
         EXPECT_NE(text.find(part), std::string::npos) << text;
     };
-    for (const char* list : {"list uint8 short", "list uchar int16", "list int int", "list uchar float", "uint"})
+    for (const char* list : {"list uint8 short", "list uchar int16", "list int int"})
         expect(with("list uchar int", list), "faces with one list 'vertex_indices' of uchar and int");
-    for (const char* name : {"corners", "", "vertex_indices_2"})
-        expect(with("vertex_indices", name), "faces with one list 'vertex_indices' of uchar and int");
+    for (const char* list : {"list uchar float", "uint"})
+        expect(with("list uchar int", list), "the faces have no list 'vertex_indices' of whole numbers");
+    for (const char* name : {"corners", "vertex_indices_2"})
+        expect(with("vertex_indices", name), "the faces have no list 'vertex_indices' of whole numbers");
+    expect(with("vertex_indices", ""), "the property has no name");
     EXPECT_EQ(with("vertex_indices", "vertex_index"), "no error");
-    expect(with("format binary_little_endian 1.0\n", ""), "has no line 'format' in its header");
-    expect(with("format binary_little_endian 1.0", "comment binary"), "has no line 'format' in its header");
+    for (const char* format : {"ascii", "binary_big_endian"})
+        expect(with("binary_little_endian", format), "is not binary_little_endian");
+    expect(with("format binary_little_endian 1.0\n", ""), "the header has no line 'format'");
+    expect(with("format binary_little_endian 1.0", "comment binary"), "the header has no line 'format'");
     expect(with("element face 6", "element face 0"), "has no faces; nothing can be refined");
-    expect(with("element vertex 8", "element vertex -5"), "has '-5' for the number of element vertex");
-    expect(with("element face 6", "element face"), "has '' for the number of element face");
-    expect(with("element face 6", "element face 6x"), "has '6x' for the number of element face");
-    expect(with("element face 6", "element vertex 6"), "has element vertex out of place");
+    expect(with("element vertex 8", "element vertex -5"),
+           "the number of elements 'vertex' should be a whole number, it is '-5'");
+    expect(with("element face 6", "element face"), "the number of elements 'face' should be a whole number, it is ''");
+    expect(with("element face 6", "element face 6x"),
+           "the number of elements 'face' should be a whole number, it is '6x'");
+    expect(with("element face 6", "element vertex 6"), "must have one element 'vertex' and one element 'face'");
     expect(with("element vertex 8", "element edge 0\nelement vertex 8"), "has element edge out of place");
-    expect(with("end_header", "element vertex 9\nend_header"), "has element vertex out of place");
+    expect(with("end_header", "element vertex 9\nend_header"), "the elements 'vertex' have no property");
     expect(with("element face 6", "element face 7"), "is too short for 8 vertices and 7 faces");
     for (const char* many : {"99", "18446744073709551615"}) {
         expect(with("element vertex 8", std::string("element vertex ") + many), "is too short for");
         expect(with("element face 6", std::string("element face ") + many), "is too short for");
     }
-    EXPECT_EQ(with("end_header", "element edge 9\nend_header"), "no error");
+    expect(with("end_header", "element edge 9\nend_header"), "the elements 'edge' have no property");
+    EXPECT_EQ(with("end_header", "element edge 0\nproperty uchar a\nend_header"), "no error");
+    expect(with("end_header", "element edge 9\nproperty uchar a\nend_header"), "ends within its elements 'edge'");
+    const auto with_tail = [&](const std::string& properties, const std::string& tail) {
+        std::ostringstream whole;
+        ply(whole);
+        std::string bytes = whole.str();
+        bytes.insert(bytes.find("end_header"), properties);
+        return error_of([&](std::ostream& out) { out << bytes << tail; });
+    };
+    expect(with_tail("", "!"), "goes on for 1 byte after its last element");
+    EXPECT_EQ(with_tail("element edge 2\nproperty short a\n", "abcd"), "no error");
+    expect(with_tail("element edge 2\nproperty short a\n", "abcde"), "goes on for 1 byte after its last element");
+    EXPECT_EQ(with_tail("element edge 2\nproperty list char short a\n", std::string("\1ab\0", 4)), "no error");
+    expect(with_tail("element edge 2\nproperty list char short a\n", "\1ab\1a"), "ends within its elements 'edge'");
+    expect(with_tail("element edge 1\nproperty list char short a\n", "\377"), "has a list of less than no entries");
 }

@@ -3,7 +3,7 @@ source "$(dirname "$0")/check.bash"
 cube >cube.off
 tetrahedron >tetra.off
 
-# Every format gives back what was written, to the last bit: positions with 17 digits, or as doubles.
+# Every format gives back what was written, to the last bit: positions in the digits that read back, or as doubles.
 run refine cube.off -s doo-sabin -n 3 -o mesh.off
 for form in "copy.off" "copy.obj" "copy.ply" "COPY.PLY" "copy.ply --binary"; do
     file=${form%% *}
@@ -172,4 +172,30 @@ run refine tetra.off -s loop -n 0 -o a.stl --binary
 good a.stl
 (printf 'solid with a name'; tail -c +18 a.stl) >b.stl
 good b.stl
+(cat a.stl; printf more) >b.stl
+run compare tetra.off b.stl --tolerance 0
+exits 0
+says '^kith: note: b.stl: 4 bytes after the last of 4 triangles are left aside$'
+run refine b.stl -s loop -n 1 -o c.off
+exits 0
+says 'b.stl: 4 bytes after the last of 4 triangles are left aside'
+
+# What editors and other programs make of the same files: a byte order mark, capitals, everything on one line.
+run refine tetra.off -s loop -n 0 -o a.stl
+run refine tetra.off -s loop -n 0 -o a.obj
+run refine tetra.off -s loop -n 0 -o a.ply
+for file in tetra.off a.obj a.ply a.stl; do
+    (printf '\357\273\277'; cat $file) >b.${file##*.}
+    good b.${file##*.}
+    tr '\n' '\r' <$file >b.${file##*.}
+    good b.${file##*.}
+done
+sed 's/solid/SOLID/; s/facet/Facet/' a.stl >b.stl
+good b.stl
+tr '\n' ' ' <tetra.off >b.off
+good b.off
+sed '1s/.*/off/' tetra.off >b.off
+good b.off
+sed 's/double x/int x/; s/double y/short y/; s/uchar int/int16 uint8/' a.ply >b.ply
+good b.ply
 finish

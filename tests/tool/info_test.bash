@@ -82,8 +82,6 @@ run info bad.off
 check "a bad mesh has no boundary loops to count" test -z "$(grep 'boundary loops' "$results/out")"
 (cube | sed '$d'; echo '4 7 4 0 3') >bad.off
 bad 'edge 0-3'
-(cube | sed 's/^8 6/9 6/; s/^4 3 2 1 0/0 0 7\n&/') >bad.off
-bad 'vertex 8: belongs to no face'
 (cube | sed 's/^4 3 2 1 0/4 3 2 1 2/') >bad.off
 bad 'face 0: comes to vertex 2 twice'
 (cube | sed 's/^8 6/8 7/'; echo '2 0 1') >bad.off
@@ -102,4 +100,25 @@ END
 bad 'vertex 0'
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >bad.off
 bad 'no faces'
+
+# What can be refined has no problem: a vertex without a face is kept. What refining loses is told.
+(cube | sed 's/^8 6/9 6/; s/^4 3 2 1 0/0 0 7\n&/') >point.off
+run info point.off
+exits 0
+prints '^isolated vertices +1$'
+prints '^problems +none$'
+run info point.off --json
+prints '"isolated_vertices":1,"problems":\[\]\}$'
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\ng a\nf 1//1 2//1 3//1 4//1\n' >quad.obj
+printf 't crease 3/1/0 0 1 2 2\nt corner 1/1/0 3 1\nt strange 0/0/0\n' >>quad.obj
+run info quad.obj
+exits 0
+prints '^tags +2 sharp edges, 1 sharp vertex, 1 unknown tag$'
+prints '^not refined +normals, groups$'
+run info quad.obj --json
+prints '"tags":\{"sharp edge":2,"sharp vertex":1,"unknown tag":1\},"not_refined":\["normals","groups"\],"problems":\[\]\}$'
+echo 't crease 2/1/0 0 2 1' >>quad.obj
+run info quad.obj
+exits 1
+prints 'crease 0-2: there is no such edge; correct the tag'
 finish

@@ -64,7 +64,7 @@ off() { # off SED-SCRIPT MESSAGE
     cube | sed "$1" >a.off
     refused a.off "$2"
 }
-off '1s/.*/off/' "line 1: an OFF file begins with the word OFF, this one with 'off'"
+off '1s/.*/offset/' "line 1: an OFF file begins with the word OFF, this one with 'offset'"
 off '1d' "line 1: an OFF file begins with the word OFF, this one with '8'"
 off '1s/.*/nOFF/' 'another number of coordinates'
 off '1s/.*/OFF BINARY/' 'binary OFF is not read'
@@ -173,12 +173,12 @@ ply '3s/3/9000000000000000000/' 'the file ends where vertex'
 ply '3s/$/\nelement nothing 9000000000000000000/' "the elements 'vertex' have no property|no property"
 ply '3d' "line 3: the property belongs to no element"
 ply '4s/float/long/' "line 4: 'long' is no type"
-ply '4s/float/int/' "no property 'x' of type float or double"
+ply '4s/float x/list uchar float x/' "no property 'x' that is a number"
 ply '6s/z/w/' "no property 'z'"
 ply '6s/.*/property float/' 'the property has no name'
 ply '7s/1/2/' 'the file ends where face 1: vertex_indices, its length should be'
 ply '7s/1/0/' 'line 13: the file goes on after its last element'
-ply '8s/int/short/' "no list 'vertex_indices' of type int or uint"
+ply '8s/int/float/' "no list 'vertex_indices' of whole numbers"
 ply '8s/vertex_indices/corners/' "no list 'vertex_indices'"
 ply '8s/uchar/float/' 'the length of a list must be a whole number'
 ply '9d' "'0' is no line of a PLY header"
@@ -205,7 +205,7 @@ binary() { # binary COUNT BYTES MESSAGE: three vertices, then the bytes as the o
 binary uchar '\3\0\0\0\0\1\0\0\0\2\0\0' 'the file ends where face 0: vertex_indices should be'
 binary uchar '\3\0\0\0\0\1\0\0\0\3\0\0\0' 'face 0: vertex 3 does not exist'
 binary uchar '\3\0\0\0\0\1\0\0\0\377\377\377\377' 'face 0: vertex -1 does not exist'
-binary uchar '\3\0\0\0\0\1\0\0\0\2\0\0\0!' 'the file goes on for 1 bytes'
+binary uchar '\3\0\0\0\0\1\0\0\0\2\0\0\0!' 'the file goes on for 1 byte after'
 binary int '\377\377\377\377\0\0\0\0' 'the list has -1 entries'
 binary uint '\377\377\377\377\0\0\0\0' 'the file ends where face 0: vertex_indices should be'
 binary uchar '' 'the file ends where face 0: vertex_indices, its length should be'
@@ -233,13 +233,14 @@ stl '5s/1/one/' "line 5: triangle 0 should be a number, it is 'one'"
 stl '5s/1/inf/' 'line 5: triangle 0 is .inf., which is not a finite number'
 stl '5s/ 0$//' "line 6: triangle 0 should be a number, it is 'vertex'"
 stl '9s/$/\nmore/' "line 10: 'solid' should be here, it is 'more'"
+stl '2s/1$//; 3,$d; $s/$/\n/' 'the file ends where the normal of triangle 0 should be'
 stl '2s/facet/face/' "'facet' or 'endsolid' should be here, it is 'face'"
 binary_stl() { # binary_stl COUNT BYTES MESSAGE: a binary file with so many bytes after its count
     (head -c 80 /dev/zero; printf "$1"; head -c "$2" /dev/zero) >a.stl
     refused a.stl "$3"
 }
-binary_stl '\1\0\0\0' 49 '1 triangles would need 134 bytes, the file has 133'
-binary_stl '\1\0\0\0' 51 'would need 134 bytes'
+binary_stl '\1\0\0\0' 49 '1 triangle would need 134 bytes, the file has 133'
+binary_stl '\0\0\0\0' 51 '0 triangles would need 84 bytes, the file has 135'
 binary_stl '\377\377\377\377' 50 '4294967295 triangles would need 214748364834 bytes'
 (head -c 80 /dev/zero; printf '\1\0\0\0'; head -c 12 /dev/zero; printf '\0\0\300\177'; head -c 34 /dev/zero) >a.stl
 refused a.stl 'triangle 0: a coordinate is not a finite number'
@@ -262,8 +263,6 @@ not_refined 'edge 0-1: 3 faces'
 not_refined 'edge 0-3.*turn'
 (cube | sed '2s/8 6/8 7/'; echo '4 3 2 1 0') >in.off
 not_refined 'edge'
-(cube | sed '2s/8/9/; 10s/$/\n5 5 5/') >in.off
-not_refined 'vertex 8: belongs to no face; remove it or give it a face'
 cube | sed '11s/.*/4 3 2 1 2/' >in.off
 not_refined 'face 0: comes to vertex 2 twice; remove'
 (cube | sed '2s/6/7/'; echo '2 0 1') >in.off
@@ -295,7 +294,18 @@ cube | sed '2s/8/9/; 10s/$/\n5 5 5/; 12s/.*/4 4 5 6 4/' >in.off
 run refine in.off -s catmull-clark -n 1 -o out.off
 exits 1
 says 'face 1: comes to vertex 4 twice'
+says 'vertex 8: belongs to no face; remove it or give it a face'
 rm in.off
+# An OBJ file counts from 1, and so do the words about its mesh.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 3\n' >in.obj
+run refine in.obj -s catmull-clark -n 1 -o out.off
+exits 1
+says 'face 2: comes to vertex 3 twice'
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 2 3 4\n' >in.obj
+run info in.obj
+exits 1
+prints 'edge 2-3: faces 1 and 2 run through it in the same direction'
+rm in.obj
 
 # Coordinates that are finite and whose sums are not.
 cube | sed '3,10s/1/1e308/g' >in.off
@@ -309,6 +319,12 @@ printf 'OFF\n1 1' >in.off
 run_from in.off refine - -s linear -n 1 -o out.off
 exits 1
 says '^kith: standard input: line 2: '
+rm in.off
+tetrahedron | sed '3,6s/1/1e39/g' >in.off
+run refine in.off -s loop -n 1 -o out.stl --binary
+exits 1
+says '^kith: out.stl: vertex [0-9]+ is too far away for the floats of binary STL; write text'
+only_input_left in.off
 rm in.off
 
 # Tags that name what is not there.

@@ -13,6 +13,12 @@ static_assert(kith::refinable_mesh<CGAL::Surface_mesh<CGAL::Simple_cartesian<dou
 static_assert(kith::refinable_mesh<OpenMesh::PolyMesh_ArrayKernelT<>>);
 #endif
 
+#if defined(WITH_io)
+#include <kith/read_mesh.hpp>
+#include <kith/write_mesh.hpp>
+#include <sstream>
+#endif
+
 #include <array>
 #include <vector>
 
@@ -21,5 +27,11 @@ int main()
     const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const std::vector<std::array<int, 4>> faces{{0, 1, 2, 3}};
     const auto fine = kith::refine(kith::make_mesh(points, faces), kith::catmull_clark{}, 2);
+#if defined(WITH_io)
+    std::ostringstream out;
+    kith::io::write_mesh(out, kith::io::mesh_format::off, {fine});
+    if (kith::io::read_mesh(kith::io::mesh_format::off, out.str()).faces.size() != 16)
+        return 1;
+#endif
     return fine.face_count() == 16 ? 0 : 1;
 }

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files.hpp"
+
+#include <kith/file_error.hpp>
+#include <kith/read_mesh.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string_view>
+
+namespace {
+
+using namespace kith;
+using io::mesh_format;
+
+/// The same numbers on every machine.
+class dice {
+public:
+    explicit dice(unsigned seed) : engine_(seed) {}
+    std::size_t below(std::size_t end) { return std::size_t(engine_() % std::max<std::size_t>(end, 1)); }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+std::string damaged(std::string bytes, dice& dice)
+{
+    static const std::vector<std::string> words{"-1",
+                                                "0",
+                                                "4294967296",
+                                                "99999999999999999999",
+                                                "18446744073709551615",
+                                                "1e999",
+                                                "nan",
+                                                "-inf",
+                                                "1e-400",
+                                                "\n",
+                                                "\r",
+                                                " ",
+                                                "#",
+                                                "\\\n",
+                                                "\xef\xbb\xbf",
+                                                "/",
+                                                "//",
+                                                "+",
+                                                "-",
+                                                ".",
+                                                "\0\0",
+                                                "list",
+                                                "property",
+                                                "endsolid",
+                                                "facet",
+                                                "t crease 2/1/0 0 9 1\n",
+                                                "f -1 -2 -3\n",
+                                                "element vertex 9000000000000000000\n"};
+    for (std::size_t times = 1 + dice.below(4); times > 0; --times) {
+        const std::size_t at = dice.below(bytes.size()), length = dice.below(12);
+        switch (dice.below(7)) {
+        case 0: bytes.resize(at); break;
+        case 1: bytes.erase(at, length); break;
+        case 2: bytes.insert(at, words[dice.below(words.size())]); break;
+        case 3: bytes.replace(at, std::min(length, bytes.size() - at), words[dice.below(words.size())]); break;
+        case 4: bytes.insert(at, bytes.substr(dice.below(bytes.size() + 1), 4 * length)); break;
+        default:
+            if (not bytes.empty())
+                bytes[at] = char(dice.below(256));
+        }
+    }
+    return bytes;
+}
+
+/// Reads bytes that lie at the end of a block, so that the sanitizer sees who reads on. Whether they were a mesh.
+bool reads(mesh_format format, const std::string& bytes)
+{
+    const auto copy = std::make_unique<char[]>(bytes.size());
+    std::ranges::copy(bytes, copy.get());
+    io::polygon_soup soup;
+    try {
+        soup = io::read_mesh(format, {copy.get(), bytes.size()});
+    } catch (const io::file_error& error) {
+        EXPECT_NE(std::string_view(error.what()), "");
+        return false;
+    }
+    EXPECT_LE(soup.points.size(), bytes.size());
+    EXPECT_EQ(soup.faces.first.front(), 0);
+    EXPECT_EQ(soup.faces.first.back(), soup.faces.vertices.size());
+    EXPECT_TRUE(std::ranges::is_sorted(soup.faces.first));
+    for (const std::size_t v : soup.faces.vertices)
+        EXPECT_LT(v, soup.points.size());
+    for (const auto& point : soup.points)
+        for (const double x : point)
+            EXPECT_TRUE(std::isfinite(x));
+    return true;
+}
+
+/// Damages files in some thousand ways: each is refused in words or is a mesh that hangs together.
+void damage(mesh_format format, const std::vector<std::string>& files, unsigned seed)
+{
+    dice dice(seed);
+    std::size_t meshes = 0;
+    constexpr std::size_t all = 4000;
+    for (std::size_t i = 0; i < all; ++i)
+        meshes += reads(format, damaged(files[i % files.size()], dice));
+    EXPECT_GT(meshes, all / 100);
+    EXPECT_LT(meshes, all);
+}
+
+TEST(damaged_files, off)
+{
+    std::string colored = "COFF # colors\n4 4\n";
+    colored +=
+        "0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 0 0 0 1\n0 0 1 .5 .5 .5 1\n3 0 2 1 255 0 0\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+    std::string one_line = files::off;
+    std::ranges::replace(one_line, '\n', ' ');
+    damage(mesh_format::off, {files::off, colored, one_line}, 1);
+}
+
+TEST(damaged_files, obj)
+{
+    damage(mesh_format::obj, {files::obj}, 2);
+}
+
+TEST(damaged_files, ply)
+{
+    damage(mesh_format::ply,
+           {files::ply,
+            files::binary_ply<float, std::uint8_t, std::int32_t>("float", "uchar", "int", false),
+            files::binary_ply<double, std::int16_t, std::uint8_t>("double", "short", "uchar", true)},
+           3);
+}
+
+TEST(damaged_files, stl)
+{
+    damage(mesh_format::stl, {files::stl, files::binary_stl(), files::binary_stl("solid name")}, 4);
+}
+
+} // namespace

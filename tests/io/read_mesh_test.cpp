@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files.hpp"
+
+#include <kith/creases.hpp>
+#include <kith/file_error.hpp>
+#include <kith/read_mesh.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace {
+
+using namespace kith;
+using io::mesh_format;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+/// Reads the tetrahedron, with its vertices in any order if they were merged.
+io::polygon_soup expect_tetrahedron(mesh_format format, const std::string& bytes)
+{
+    auto soup = io::read_mesh(format, bytes);
+    EXPECT_EQ(soup.points.size(), 4);
+    EXPECT_EQ(soup.faces.size(), 4);
+    for (std::size_t f = 0; f < soup.faces.size() and f < 4; ++f) {
+        EXPECT_EQ(soup.faces[f].size(), 3);
+        for (std::size_t i = 0; i < soup.faces[f].size() and i < 3; ++i)
+            EXPECT_EQ(soup.points[soup.faces[f][i]], files::corners[files::triangles[f][i]]);
+    }
+    return soup;
+}
+
+std::string refusal(mesh_format format, const std::string& bytes)
+{
+    try {
+        (void)io::read_mesh(format, bytes);
+    } catch (const io::file_error& error) {
+        return error.what();
+    }
+    return "read";
+}
+
+const std::vector<std::pair<mesh_format, std::string>> texts{{mesh_format::off, files::off},
+                                                             {mesh_format::obj, files::obj},
+                                                             {mesh_format::ply, files::ply},
+                                                             {mesh_format::stl, files::stl}};
+
+TEST(read_mesh, texts_with_all_ends_of_lines_and_a_byte_order_mark)
+{
+    for (const auto& [format, text] : texts)
+        for (const std::string end : {"\n", "\r", "\r\n"})
+            for (const std::string mark : {"", "\xef\xbb\xbf"})
+                expect_tetrahedron(format, mark + replaced(text, "\n", end));
+}
+
+TEST(read_mesh, lines_are_counted_at_all_ends)
+{
+    for (const std::string end : {"\n", "\r", "\r\n"})
+        EXPECT_EQ(refusal(mesh_format::off, replaced(replaced(files::off, "3 1 2 3", "3 1 2 4"), "\n", end)),
+                  "line 9: face 2: vertex 4 does not exist, there are 4; correct the index");
+}
+
+TEST(read_off, keywords)
+{
+    for (const std::string keyword : {"off", "Off", "OFF"})
+        expect_tetrahedron(mesh_format::off, replaced(files::off, "OFF", keyword));
+    EXPECT_NE(refusal(mesh_format::off, replaced(files::off, "OFF", "nOFF")).find("another number of coordinates"),
+              std::string::npos);
+    EXPECT_NE(refusal(mesh_format::off, replaced(files::off, "OFF", "4nOFF")).find("another number of coordinates"),
+              std::string::npos);
+    EXPECT_EQ(refusal(mesh_format::off, replaced(files::off, "OFF", "OFFICE")),
+              "line 1: an OFF file begins with the word OFF, this one with 'OFFICE'");
+    EXPECT_EQ(refusal(mesh_format::off, replaced(files::off, "OFF", "OFF BINARY")).substr(0, 29),
+              "line 1: binary OFF is not rea");
+}
+
+TEST(read_off, one_line)
+{
+    expect_tetrahedron(mesh_format::off, replaced(files::off, "\n", " "));
+    expect_tetrahedron(mesh_format::off, "OFF\n4 4 6\n0 0 0 1 0 0 0 1 0 0 0 1\n3 0 2 1 3 0 1 3 3 1 2 3 3 2 0 3");
+    expect_tetrahedron(mesh_format::off,
+                       "noff 4 4 0 0 0 0 9 9 9 1 0 0 9 9 9 0 1 0 9 9 9 0 0 1 9 9 9 3 0 2 1 3 0 1 3 3 1 2 3 3 2 0 3");
+    EXPECT_EQ(refusal(mesh_format::off, "OFF 4 4 6 0 0 0 1 0 0 0 1 0 0 0 1 3 0 2 1 3 0 1 3 3 1 2 3 3 2 0"),
+              "line 1: face 3 should have 3 corners, 2 are there");
+    EXPECT_EQ(refusal(mesh_format::off, replaced(files::off, "4 4 6", "4 4 6 0 0 0")),
+              "line 2: more than the numbers of vertices, faces and edges stands on this line");
+}
+
+TEST(read_off, what_is_not_kept)
+{
+    EXPECT_TRUE(expect_tetrahedron(mesh_format::off, files::off).not_kept.empty());
+    const auto colored = replaced(replaced(files::off, "OFF", "STCNOFF"), "3 0 1 3", "3 0 1 3 255 0 0");
+    EXPECT_EQ(io::read_mesh(mesh_format::off, colored).not_kept,
+              (std::vector<std::string>{"normals", "colours", "texture coordinates"}));
+}
+
+TEST(read_obj, everything_else_is_named)
+{
+    const auto soup = expect_tetrahedron(mesh_format::obj, files::obj);
+    EXPECT_EQ(soup.first_number, 1);
+    EXPECT_EQ(soup.not_kept,
+              (std::vector<std::string>{"objects",
+                                        "weights of vertices",
+                                        "colours",
+                                        "texture coordinates",
+                                        "normals",
+                                        "groups",
+                                        "materials",
+                                        "smoothing groups"}));
+    ASSERT_EQ(soup.tags.edges.size(), 1);
+    EXPECT_EQ(soup.tags.edges[0].sharpness, 2.5);
+    ASSERT_EQ(soup.tags.vertices.size(), 1);
+    EXPECT_EQ(soup.tags.vertices[0], std::pair(std::size_t(3), infinitely_sharp));
+    ASSERT_EQ(soup.tags.unread.size(), 1);
+    EXPECT_EQ(soup.tags.unread[0].name, "other");
+    EXPECT_EQ(soup.tags.unread[0].line, 19);
+}
+
+TEST(read_obj, indices)
+{
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    EXPECT_EQ(refusal(mesh_format::obj, points + "f 1 2 -4\n"),
+              "line 4: face 1: vertex -4 does not exist, there are 3 so far; correct the index");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "f 1 2 3\nf 1 9 3\nv 1 1 1\n"),
+              "line 5: face 2: vertex 9 does not exist, there are 4; correct the index");
+    EXPECT_EQ(io::read_mesh(mesh_format::obj, "f 1 2 3\n" + points).faces.size(), 1);
+    // A comment that ends in a backslash does not swallow the next line.
+    EXPECT_EQ(io::read_mesh(mesh_format::obj, "# c:\\dir\\\n" + points + "f 1 2 3\n").points.size(), 3);
+}
+
+TEST(read_ply, types_of_numbers)
+{
+    for (const bool big : {false, true}) {
+        const auto soup = expect_tetrahedron(
+            mesh_format::ply, files::binary_ply<float, std::uint8_t, std::int32_t>("float", "uchar", "int", big));
+        EXPECT_EQ(soup.not_kept, (std::vector<std::string>{"texture coordinates", "the property 'area' of faces"}));
+        expect_tetrahedron(mesh_format::ply,
+                           files::binary_ply<double, std::int8_t, std::uint8_t>("double", "char", "uchar", big));
+        expect_tetrahedron(
+            mesh_format::ply,
+            files::binary_ply<std::int16_t, std::uint16_t, std::int16_t>("short", "ushort", "short", big));
+        expect_tetrahedron(mesh_format::ply,
+                           files::binary_ply<std::uint8_t, std::int32_t, std::int8_t>("uint8", "int32", "int8", big));
+        expect_tetrahedron(mesh_format::ply,
+                           files::binary_ply<std::int32_t, std::uint32_t, std::uint16_t>("int", "uint", "uint16", big));
+    }
+}
+
+TEST(read_ply, everything_else_is_named)
+{
+    EXPECT_EQ(expect_tetrahedron(mesh_format::ply, files::ply).not_kept,
+              (std::vector<std::string>{"colours", "the property 'weights' of faces", "the elements 'edge'"}));
+}
+
+TEST(read_ply, data_after_a_header_with_carriage_returns_may_begin_with_a_newline)
+{
+    auto file = files::binary_ply<std::uint8_t, std::uint8_t, std::int32_t>("uchar", "uchar", "int", false);
+    const std::size_t data = file.find("end_header\n") + 11;
+    file = replaced(file.substr(0, data), "\n", "\r") + "\n" + file.substr(data + 1); // x of vertex 0 is '\n'
+    EXPECT_EQ(io::read_mesh(mesh_format::ply, file).points[0][0], 10);
+}
+
+TEST(read_ply, bytes_after_the_end)
+{
+    const auto file = files::binary_ply<float, std::uint8_t, std::int32_t>("float", "uchar", "int", false);
+    EXPECT_EQ(refusal(mesh_format::ply, file + "!"), "the file goes on for 1 byte after its last element");
+    EXPECT_EQ(refusal(mesh_format::ply, file.substr(0, file.size() - 1)), "the file ends where face 3: area should be");
+}
+
+TEST(read_stl, text_and_binary)
+{
+    expect_tetrahedron(mesh_format::stl, replaced(replaced(files::stl, "solid", "SOLID"), "vertex", "Vertex"));
+    expect_tetrahedron(mesh_format::stl, "# exported by a program\n" + files::stl);
+    std::string nameless = files::stl.substr(files::stl.find("facet"));
+    expect_tetrahedron(mesh_format::stl, nameless);
+    expect_tetrahedron(mesh_format::stl, nameless.substr(0, nameless.find("endsolid")));
+    for (const std::string name : {"any words", "solid name"}) {
+        EXPECT_TRUE(expect_tetrahedron(mesh_format::stl, files::binary_stl(name)).notes.empty());
+        const auto soup = expect_tetrahedron(mesh_format::stl, files::binary_stl(name) + "more");
+        EXPECT_EQ(soup.notes, std::vector<std::string>{"4 bytes after the last of 4 triangles are left aside"});
+    }
+    EXPECT_EQ(io::read_mesh(mesh_format::stl, files::stl + files::stl).not_kept,
+              std::vector<std::string>{"the division into 2 solids"});
+}
+
+TEST(read_stl, cut_off)
+{
+    for (std::size_t size = 0; size < files::stl.size() - 10; ++size)
+        EXPECT_NE(refusal(mesh_format::stl, files::stl.substr(0, size)), "read") << size;
+    const std::size_t normal = files::stl.find("normal 0 0") + 10;
+    EXPECT_EQ(refusal(mesh_format::stl, files::stl.substr(0, normal)),
+              "the file ends where the normal of triangle 0 should be");
+    const auto binary = files::binary_stl();
+    for (std::size_t size = 0; size < binary.size(); ++size)
+        EXPECT_NE(refusal(mesh_format::stl, binary.substr(0, size)), "read") << size;
+}
+
+} // namespace

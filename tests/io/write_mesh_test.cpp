@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files.hpp"
+
+#include <kith/creases.hpp>
+#include <kith/facet_normal.hpp>
+#include <kith/file_error.hpp>
+#include <kith/obj_tag.hpp>
+#include <kith/read_mesh.hpp>
+#include <kith/write_mesh.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace {
+
+using namespace kith;
+using io::mesh_format;
+using points = std::vector<std::array<double, 3>>;
+
+basic_mesh<> tetrahedron(const points& corners = files::corners)
+{
+    return make_mesh(corners, files::triangles);
+}
+
+std::string written(mesh_format format, const io::written_mesh& what)
+{
+    io::require_writable(format, what);
+    std::ostringstream out;
+    io::write_mesh(out, format, what);
+    return out.str();
+}
+
+std::string refusal(mesh_format format, const io::written_mesh& what)
+{
+    try {
+        io::require_writable(format, what);
+    } catch (const io::file_error& error) {
+        return error.what();
+    }
+    return "written";
+}
+
+TEST(write_mesh, all_formats_read_back_to_the_same_bits)
+{
+    const points corners{{0.1, -0., 1e-300}, {5. / 9, 1e22, 5e-324}, {1 / 3., 123456789, -1e300}, {2, 3, 1e5}};
+    const basic_mesh<> mesh = tetrahedron(corners);
+    for (const auto format : {mesh_format::off, mesh_format::obj, mesh_format::ply})
+        for (const bool binary : {false, true})
+            for (const points& normals : {points(), points(4, {0.6, 0.8, 0.1})}) {
+                const io::written_mesh what{.mesh = mesh, .normals = normals, .binary = binary};
+                const auto soup = io::read_mesh(format, written(format, what));
+                ASSERT_EQ(soup.points.size(), 4);
+                for (std::size_t v = 0; v < 4; ++v)
+                    for (std::size_t i = 0; i < 3; ++i) {
+                        EXPECT_EQ(soup.points[v][i], corners[v][i]);
+                        EXPECT_EQ(std::signbit(soup.points[v][i]), std::signbit(corners[v][i]));
+                    }
+                EXPECT_EQ(soup.faces.size(), 4);
+                EXPECT_EQ(soup.not_kept,
+                          normals.empty() ? std::vector<std::string>() : std::vector<std::string>{"normals"});
+            }
+}
+
+TEST(write_mesh, the_text_of_each_format)
+{
+    const basic_mesh<> mesh = make_mesh(points{{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}},
+                                        std::vector<std::vector<int>>{{0, 1, 2}});
+    const io::written_mesh what{.mesh = mesh};
+    EXPECT_EQ(written(mesh_format::off, what), "OFF\n3 1 0\n\n0 0 0\n1 0 0\n0 0.5 0\n3 0 1 2\n");
+    EXPECT_EQ(written(mesh_format::obj, what), "# kith: 3 vertices, 1 face\nv 0 0 0\nv 1 0 0\nv 0 0.5 0\nf 1 2 3\n");
+    EXPECT_EQ(written(mesh_format::ply, what),
+              "ply\nformat ascii 1.0\ncomment written by kith\nelement vertex 3\nproperty double x\nproperty double y\n"
+              "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+              "0 0 0\n1 0 0\n0 0.5 0\n3 0 1 2\n");
+    EXPECT_EQ(written(mesh_format::stl, what),
+              "solid kith\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0.5 0\nendloop\n"
+              "endfacet\nendsolid kith\n");
+}
+
+TEST(write_mesh, isolated_points_come_last)
+{
+    const basic_mesh<> mesh = tetrahedron();
+    const points isolated{{7, 8, 9}};
+    for (const auto format : {mesh_format::off, mesh_format::obj, mesh_format::ply}) {
+        const auto soup = io::read_mesh(format, written(format, {.mesh = mesh, .isolated = isolated}));
+        ASSERT_EQ(soup.points.size(), 5);
+        EXPECT_EQ(soup.points[4], isolated[0]);
+        EXPECT_EQ(soup.faces.size(), 4);
+    }
+}
+
+TEST(write_mesh, large_meshes_are_written_in_blocks)
+{
+    points strip;
+    std::vector<std::vector<int>> faces;
+    for (int i = 0; i < 300000; ++i)
+        strip.push_back({double(i), double(i % 2), 0.1 * i});
+    for (int i = 0; i + 2 < 300000; ++i)
+        faces.push_back(i % 2 == 0 ? std::vector{i, i + 1, i + 2} : std::vector{i + 1, i, i + 2});
+    const basic_mesh<> mesh = make_mesh(strip, faces);
+    const auto soup = io::read_mesh(mesh_format::off, written(mesh_format::off, {.mesh = mesh}));
+    EXPECT_EQ(soup.points, strip);
+    ASSERT_EQ(soup.faces.size(), faces.size());
+    EXPECT_EQ(soup.faces[299997][2], 299999);
+}
+
+TEST(write_mesh, what_is_not_finite_is_refused)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    basic_mesh<> mesh = tetrahedron();
+    const points normals{{0, 0, 1}, {0, 0, 1}, {0, nan, 1}, {0, 0, 1}};
+    for (const auto format : {mesh_format::off, mesh_format::obj, mesh_format::ply})
+        EXPECT_EQ(refusal(format, {.mesh = mesh, .normals = normals}),
+                  "vertex 2 would have no finite normal; the coordinates of the input are too large");
+    mesh.points()[1][2] = 1e39;
+    EXPECT_EQ(refusal(mesh_format::stl, {.mesh = mesh, .binary = true}),
+              "vertex 1 is too far away for the floats of binary STL; write text, or .off, .obj or .ply");
+    EXPECT_EQ(refusal(mesh_format::stl, {.mesh = mesh}), "written");
+    mesh.points()[1][2] = std::numeric_limits<float>::max();
+    EXPECT_EQ(refusal(mesh_format::stl, {.mesh = mesh, .binary = true}), "written");
+    mesh.points()[3][0] = infinity;
+    for (const auto format : {mesh_format::off, mesh_format::obj, mesh_format::ply, mesh_format::stl})
+        EXPECT_EQ(refusal(format, {.mesh = mesh}),
+                  "vertex 3 would have no finite place; the coordinates of the input are too large");
+}
+
+TEST(facet_normal, is_finite_for_all_sizes)
+{
+    for (const double s : {1., 1e-300, 1e-160, 1e-100, 1e100, 1e160, 1e300, 1.7e308}) {
+        const auto n = io::facet_normal({-s, 0, 0}, {s, 0, 0}, {0, s, s});
+        EXPECT_NEAR(n[0], 0, 1e-15) << s;
+        EXPECT_NEAR(n[1], -std::sqrt(0.5), 1e-15) << s;
+        EXPECT_NEAR(n[2], std::sqrt(0.5), 1e-15) << s;
+    }
+    EXPECT_EQ(io::facet_normal({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), (std::array<double, 3>{1, 0, 0}));
+}
+
+TEST(obj_tags, are_written_as_they_are_read)
+{
+    const std::string lines = "t crease 2/1/0 0 1 2.5\nt crease 2/1/0 1 2 10\nt corner 1/1/0 3 0.5\nt hole 1/0/0 2\n"
+                              "t interpolateboundary 1/0/0 2\nt creasemethod 0/0/1 chaikin\n";
+    const auto soup = io::read_mesh(mesh_format::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n" + lines);
+    EXPECT_EQ(soup.tags.edges[1].sharpness, infinitely_sharp);
+    EXPECT_EQ(io::obj_tag_lines(soup.tags), lines);
+    const basic_mesh<> mesh = tetrahedron();
+    const auto again = io::read_mesh(mesh_format::obj, written(mesh_format::obj, {.mesh = mesh, .tags = &soup.tags}));
+    EXPECT_EQ(io::obj_tag_lines(again.tags), lines);
+}
+
+} // namespace
