@@ -6,6 +6,7 @@
 #include <kith/output_file.hpp>
 
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <ostream>
@@ -41,7 +42,7 @@ json_object json_of(const phase_seconds& seconds)
 {
     json_object result;
     for (std::size_t p = 0; p < phase_names.size(); ++p)
-        result.add(phase_names[p], seconds.all()[p]);
+        result.add(phase_names[p], std::round(1e6 * seconds.all()[p]) / 1e6);
     return result;
 }
 

@@ -19,7 +19,7 @@ failing() {
     check "no output" test ! -e out.vtu
 }
 # Of how many tiles the ranks of the last job wrote.
-refined_tiles() { echo $(($(sed 's/.*"tiles":\([0-9]*\),.*/\1/' stats | paste -sd+))); }
+refined_tiles() { echo $(($(grep '"rank":' stats | sed 's/.*"tiles":\([0-9]*\),.*/\1/' | paste -sd+))); }
 
 # goes_on RANKS ARGUMENTS...: the job goes on, with some of its 8 tiles.
 goes_on() {

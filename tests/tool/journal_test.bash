@@ -37,6 +37,77 @@ check "the changed byte is still there" test "$(od -An -tx1 -j302 -N1 out.ply | 
 check "one byte differs" test "$(cmp -l whole.ply out.ply | wc -l)" -eq 1
 rm before out.ply out.vtu
 
+# Unless --verify asks for it: then the file is read, the tile named and written again.
+run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
+exits 0
+printf '\x55' | dd of=kept/surface bs=1 seek=302 conv=notrunc status=none
+run refine --journal kept --verify
+exits 0
+prints ', verified$'
+says '^kith: note: tile [0-4] is damaged, byte 302 of kept/surface is another one; it is written again$'
+same whole.ply out.ply
+rm out.ply
+# Every byte of a finished tile that is another one is found, here in a face, by a job that refines another tile.
+run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0
+exits 0
+at=$(($(stat -c %s whole.ply) - 17 * 1536))
+written=$(cmp -l kept/surface whole.ply | awk -v at=$at '$1 > at { differ[$1] } END { for (i = at + 2;; ++i) if (!(i in differ)) { print i; exit } }')
+run refine --journal kept --only 1 --verify
+exits 0
+says_nothing
+prints '^kept: 2 of 6 tiles are finished, verified$'
+printf '\x77' | dd of=kept/surface bs=1 seek=$((written - 1)) conv=notrunc status=none
+run refine --journal kept --verify
+exits 0
+says "^kith: note: tile 0 is damaged, byte $((written - 1)) of kept/surface is another one; it is written again$"
+same whole.ply out.ply
+rm out.ply
+# A piece that was cut off.
+run refine cube.off -s catmull-clark -n 3 -o whole.pvtu --tiles 3
+run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 3 --journal kept --only 0..1
+truncate -s 100 kept/surface.pieces/1.vtu
+run refine --journal kept --verify
+exits 0
+says '^kith: note: tile 1 is damaged, the size of kept/surface.pieces/1.vtu is another one; it is written again$'
+check "the same pieces" diff -r whole.pieces out.pieces
+rm -r out.p* whole.p*s whole.pvtu
+# A tile that overflows is not finished; nothing appears under the name of the output.
+sed '3,10s/1/1e308/g' cube.off >large.off
+run refine large.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept
+exits 1
+says 'out.ply: vertex [0-9]+ would have no finite place'
+leaves cube.off kept large.off whole.ply whole.vtu
+rm -r kept large.off
+
+# Jobs at work in one journal at the same time all end well, and one of them gives the file its name.
+command="three restarts of one journal"
+run refine cube.off -s catmull-clark -n 7 -o whole7.vtu --tiles 12
+for begun in yes no; do
+    restart="refine cube.off -s catmull-clark -n 7 -o out.vtu --tiles 12 --journal kept"
+    if [ $begun = yes ]; then
+        # shellcheck disable=SC2086 # several words
+        run $restart --only 0
+        restart="refine --journal kept"
+    fi
+    jobs=()
+    for i in 1 2 3; do
+        # shellcheck disable=SC2086
+        timeout 60 "$kith" $restart >"$results/out$i" 2>>"$results/err" &
+        jobs+=($!)
+    done
+    for job in "${jobs[@]}"; do
+        wait "$job"
+        code=$?
+        # One that began after the end of the others finds no journal.
+        test $code -eq 1 && grep -q 'holds no recipe to go on with' "$results/err" && continue
+        exits 0
+    done
+    same whole7.vtu out.vtu
+    check "the journal is gone" test ! -e kept
+    rm out.vtu
+done
+rm whole7.vtu
+
 # A record that was torn, at whatever byte, is none; the tile is refined once more, and others stay.
 size=$(stat -c %s whole.ply)
 for torn in 0 1 7 8 15 16 23; do

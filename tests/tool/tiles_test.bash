@@ -4,7 +4,7 @@ cube >cube.off
 tetrahedron >tetra.off
 
 # The bytes do not depend on the tiles.
-run refine cube.off -s catmull-clark -n 4 -o one.vtu
+run refine cube.off -s catmull-clark -n 4 -o one.vtu --checksum
 exits 0
 says_nothing
 prints '^one.vtu: 1538 vertices, 3072 edges, 1536 faces, checksum [0-9a-f]+$'
@@ -17,6 +17,16 @@ for tiles in 2 5 6 9; do
 done
 has one.vtu 'NumberOfPoints="1538" NumberOfCells="1536"'
 has one.vtu 'Name="parent"'
+
+# Nor on the threads, which have a tile each; what is written is read back where asked for.
+for threads in 1 2 5; do
+    run refine cube.off -s catmull-clark -n 4 -o many.vtu --tiles 6 --threads $threads --verify
+    exits 0
+    prints '^many.vtu: .*, checksum [0-9a-f]+, verified$'
+    same one.vtu many.vtu
+done
+run refine cube.off -s catmull-clark -n 4 -o many.vtu --tiles 6
+prints '^many.vtu: 1538 vertices, 3072 edges, 1536 faces$'
 
 run refine cube.off -s catmull-clark -n 4 -o TWO.VTU # needs no --tiles, in any case of letters
 exits 0
@@ -47,9 +57,9 @@ prints '"tiles":2.*"faces":96'
 rm ./*.ply ./*.vtu
 
 # A file per tile and an index; tests/vtu_pieces_test.cpp looks at what they hold.
-run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 3
+run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 3 --threads 2 --verify
 exits 0
-prints '^out.pvtu: 386 vertices, 768 edges, 384 faces, checksum [0-9a-f]+$'
+prints '^out.pvtu: 386 vertices, 768 edges, 384 faces, checksum [0-9a-f]+, verified$'
 has out.pvtu 'Source="out.pieces/2.vtu"'
 check "three pieces" test "$(ls out.pieces)" = "$(printf '%s\n' 0.vtu 1.vtu 2.vtu)"
 check "all faces" test $(($(grep -ahoP 'NumberOfCells="\K[0-9]+' out.pieces/*.vtu | paste -sd+))) -eq 384
@@ -91,6 +101,27 @@ says 'nowhere/out.ply'
 run refine cube.off -s catmull-clark -n 40 -o out.ply --tiles 2
 exits 1
 leaves cube.off tetra.off
+
+# Coordinates that overflow are refused, and nothing is left.
+sed '3,10s/1/1e308/g' cube.off >large.off
+for output in out.vtu out.ply out.pvtu; do
+    run refine large.off -s catmull-clark -n 2 -o $output --tiles 3
+    exits 1
+    says "^kith: $output: vertex [0-9]+ would have no finite place; the coordinates of the input are too large\$"
+    leaves cube.off large.off tetra.off
+done
+rm large.off
+
+# Seconds of each phase, in a file and in the result line.
+phases='"seconds":\{"read":[0-9.e-]+,"partition":[0-9.e-]+,"cut":[0-9.e-]+,"send":0,"refine":[0-9.e-]+,"write":[0-9.e-]+,"wait":[0-9.e-]+\}'
+for arguments in '-o out.off' '-o out.vtu --tiles 3'; do
+    # shellcheck disable=SC2086 # several words
+    run refine cube.off -s catmull-clark -n 3 $arguments --json --stats stats
+    exits 0
+    prints "$phases\}\$"
+    has stats "^\{$phases,\"processor_seconds\":[0-9.e-]+,\"peak_bytes\":[0-9]+\}\$"
+done
+rm out.* stats
 
 # A surface too large for the memory is refined in tiles: 6 million faces in 300 MB.
 command="kith refine with little memory"
