@@ -63,7 +63,15 @@ on 2 refine holes.obj -s catmull-clark -n 1 -o out.vtu
 exits 1
 says 'the file has holes, which are not left out of tiles'
 one_message
-check "no output is left" test -z "$(ls | grep -E 'vtu|incomplete')"
+# Coordinates that overflow, on whichever rank.
+sed '3,10s/1/1e308/g' cube.off >large.off
+for output in out.vtu out.ply out.pvtu; do
+    on 3 refine large.off -s catmull-clark -n 2 -o $output
+    exits 1
+    says "^kith-mpi: (rank [12]: )?$output: vertex [0-9]+ would have no finite place; the coordinates of the input are too large\$"
+    one_message
+done
+check "no output is left" test -z "$(ls | grep -E 'out|incomplete')"
 
 # A tile that needs more memory than its rank has: no rank waits for another.
 for mode in spmd manager; do

@@ -100,6 +100,40 @@ check "nothing is left" test -z "$(find . -name 'out*')"
 # shellcheck disable=SC2086
 failing 1:150:kill 2 refine $job $tiles
 
+# What rank 0 leaves when it is killed is removed by the next job; other processes may be writing the same, too.
+# shellcheck disable=SC2086
+failing 0:150:kill 2 refine $job $tiles
+check "something is left" compgen -G 'out.vtu.incomplete-*' >/dev/null
+exec 9>out.vtu.incomplete-1
+flock 9
+# shellcheck disable=SC2086
+on 2 refine $job $tiles
+exits 0
+same whole.vtu out.vtu
+check "and removed" test "$(echo out.*)" = 'out.vtu out.vtu.incomplete-1'
+exec 9>&-
+rm out.*
+# A job that is ended from outside removes its pieces.
+command="mpirun -n 2 kith-mpi, pieces, ended from outside"
+# shellcheck disable=SC2086
+KITH_FAULT=1:30:slow timeout -s TERM 4 mpirun -n 2 -x LD_PRELOAD="$shim" -x KITH_FAULT "$kith_mpi" \
+    refine ${job%vtu}pvtu $tiles >"$results/out" 2>"$results/err" </dev/null
+code=$?
+check "was ended" test "$code" -ne 0
+check "nothing is left" test -z "$(find . -name 'out*')"
+
+# Finished tiles that were damaged are found when asked for, on any rank, and written again.
+# shellcheck disable=SC2086
+run refine $job --tiles 8 --journal kept --only 0..6
+yes U | head -c 4000 | dd of=kept/surface bs=1 seek=3000 conv=notrunc status=none
+on 3 refine --journal kept --verify
+exits 0
+prints '^out.vtu: .*, checksum [0-9a-f]+, verified$'
+says '^kith-mpi: note: tile [0-6] is damaged, byte [0-9]+ of kept/surface is another one; it is written again$'
+check "only finished ones are looked after" test "$(grep -c '^kith-mpi: note: tile 7' "$results/err")" -eq 0
+same whole.vtu out.vtu
+rm out.vtu
+
 # What no library stands for: a file that may not grow, and a disk that is full.
 command="mpirun -n 2 with ulimit -f"
 # shellcheck disable=SC2086

@@ -13,6 +13,10 @@ for scheme in catmull-clark kobbelt 'catmull-clark --crease-angle 10'; do
     test "$scheme" = catmull-clark && cp plan smooth.plan
     on 3 refine control.off -s $scheme -n 3 -o out.vtu --tiles-per-rank 2 --stats stats
     exits 0
+    for phase in read partition cut send refine write wait; do
+        check "seconds of $phase on each rank" test "$(grep -cE "^\{\"rank\":.*\"$phase\":[0-9.e-]+" stats)" -eq 3
+        check "and of all" grep -qE "^\{\"ranks\":3,.*\"$phase\":\{\"minimum\":[0-9.e-]+,\"mean\":[0-9.e-]+,\"maximum\":[0-9.e-]+\}" stats
+    done
     bytes=0
     for rank in 0 1 2; do
         check "tiles of rank $rank" test "$(of tiles $rank plan)" -eq "$(of tiles $rank stats)"

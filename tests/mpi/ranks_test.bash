@@ -38,6 +38,10 @@ compare() { # compare NAME IN SCHEME LEVELS [ARGUMENTS...]
             on "$ranks" refine "$in" -s "$scheme" -n "$levels" -o many.vtu --mode "$mode" --tiles-per-rank 2 "$@"
             exits 0
             check "the file of one rank" cmp -s one.vtu many.vtu
+            test "$name" = catmull-clark || continue # with threads, which have a tile each
+            on "$ranks" refine "$in" -s "$scheme" -n "$levels" -o many.vtu --mode "$mode" --tiles-per-rank 4 --threads 2
+            exits 0
+            check "the file of one rank" cmp -s one.vtu many.vtu
         done
     done
 }
