@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.hpp"
 #include "native_shape.hpp"
+#include "thread_count.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/checksum.hpp>
 #include <kith/refine_in_tiles.hpp>
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cstddef>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -47,4 +53,53 @@ TEST(tiled_refinement, refuses_levels_that_no_surface_has)
     EXPECT_EQ(refusal(cube, 1000), "the whole mesh has more elements than 64 bits can number; refine fewer times");
     EXPECT_EQ(refusal(cube, 2147483647),
               "catmull-clark: 2147483647 levels were asked for; no surface has so many, ask for at most 1000");
+}
+
+TEST(tiled_refinement, gives_the_same_bits_on_several_threads)
+{
+    const auto cube = native(shapes::cube());
+    const auto expected = kith::checksum(kith::refine(cube, kith::catmull_clark{}, 5));
+    kith::tiled_refinement tiles(cube, kith::catmull_clark{}, 5, kith::block_partition(cube, 6));
+    for (const int threads : {1, 2, 3, 6}) {
+        const thread_count so_many(threads);
+        std::atomic<std::uint64_t> sum = 0;
+        kith::for_each_at_once(tiles.tiles(), kith::tiles_at_once(tiles.tiles()), [&](std::size_t t) {
+            sum += kith::checksum(tiles.refine(t)).bits;
+        });
+        EXPECT_EQ(sum, expected.bits) << threads;
+    }
+}
+
+TEST(for_each_at_once, calls_each_once_and_ends_after_an_error)
+{
+    const thread_count four(4);
+    for (const std::size_t at_once : {1, 2, 4, 9}) {
+        std::vector<std::atomic<int>> calls(100);
+        kith::for_each_at_once(calls.size(), at_once, [&](std::size_t i) { ++calls[i]; });
+        for (const auto& count : calls)
+            EXPECT_EQ(count, 1);
+        std::atomic<int> begun = 0;
+        const auto fail = [&](std::size_t i) {
+            ++begun;
+            if (i == 3)
+                throw std::runtime_error("the fourth");
+        };
+        EXPECT_EQ(error_text<std::runtime_error>([&] { kith::for_each_at_once(1'000'000, at_once, fail); }),
+                  "the fourth");
+        EXPECT_LT(begun, 1'000'000);
+        kith::for_each_at_once(0, at_once, [](std::size_t) { FAIL(); });
+    }
+}
+
+TEST(tiles_at_once, is_one_per_thread_unless_there_are_too_few)
+{
+    const thread_count four(4);
+#if defined(_OPENMP)
+    EXPECT_EQ(kith::tiles_at_once(64), 4U);
+    EXPECT_EQ(kith::tiles_at_once(64, 3), 3U);
+    EXPECT_EQ(kith::tiles_at_once(4), 4U);
+#endif
+    EXPECT_EQ(kith::tiles_at_once(3), 1U); // with four threads in its loops
+    EXPECT_EQ(kith::tiles_at_once(0), 1U);
+    EXPECT_EQ(kith::tiles_at_once(64, 0), 1U);
 }

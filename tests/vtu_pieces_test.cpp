@@ -182,3 +182,103 @@ TEST(vtu_file, holds_what_any_reader_finds)
     EXPECT_EQ(found, std::vector<int>(whole.face_count(), 1));
     EXPECT_NE(reader.head().find("NumberOfPoints=\"" + std::to_string(whole.vertex_count()) + "\""), std::string::npos);
 }
+
+namespace {
+
+/// Changes the bytes of a file, one after the other, and back again.
+template <class Changed>
+void for_each_changed_byte(const fs::path& path, std::size_t begin, std::size_t end, const Changed& changed)
+{
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    for (std::size_t at = begin; at < end; ++at) {
+        file.seekg(std::streamoff(at));
+        const char before = char(file.get());
+        for (const char now : {char(before ^ 0x10), before}) {
+            file.seekp(std::streamoff(at));
+            file.put(now).flush();
+            changed(at, now != before);
+        }
+    }
+}
+
+/// Of every byte that is changed the one tile, or all that share it, says so; the ranks are nobody's business.
+template <class Layout>
+void expect_differences(const Layout& layout, kith::tiled_refinement<point, std::uint32_t, kith::doo_sabin>& tiles,
+                        std::size_t begin, std::size_t end)
+{
+    const directory here;
+    const auto path = here.path / "whole";
+    auto file = kith::offset_file::create(path.string(), layout.size());
+    layout.write_frame(file);
+    std::vector<kith::tile<point>> parts;
+    for (std::uint32_t t = 0; t < 3; ++t) {
+        parts.push_back(tiles.refine(t));
+        layout.write_tile(file, parts.back(), {t, t});
+        EXPECT_EQ(layout.difference(file, parts.back(), t), std::nullopt);
+    }
+    for_each_changed_byte(path, begin, end, [&](std::size_t at, bool is_changed) {
+        std::size_t found = 0;
+        for (std::uint32_t t = 0; t < 3; ++t)
+            found += layout.difference(file, parts[t], t) == "byte " + std::to_string(at) + " of " + path.string();
+        EXPECT_EQ(found, is_changed ? 1U : 0U) << at;
+    });
+}
+
+} // namespace
+
+TEST(stitched_file, finds_every_byte_that_is_another_one)
+{
+    const auto control = native(shapes::tetrahedron());
+    const kith::partition parts{partitions::blocks(control.face_count(), 3), 3};
+    kith::tiled_refinement tiles(control, kith::doo_sabin{}, 1, parts);
+    const auto counts = tiles.whole().counts(1);
+    const kith::ply_file ply(counts);
+    expect_differences(ply, tiles, ply.size() - 24 * counts.vertices - counts.faces - 4 * counts.corners, ply.size());
+    const kith::vtu_file vtu(counts, 1, false);
+    const std::size_t tail = std::string("\n</AppendedData>\n</VTKFile>\n").size();
+    expect_differences(vtu, tiles, vtu.size() - tail - counts.faces, vtu.size() - tail); // of the last array
+}
+
+TEST(vtu_pieces, finds_bytes_that_are_others_and_pieces_that_end_early)
+{
+    const auto control = native(shapes::grid());
+    kith::tiled_refinement tiles(control, kith::doo_sabin{}, 1, {partitions::blocks(control.face_count(), 2), 2});
+    const directory here;
+    const kith::vtu_pieces pieces(here.path.string(), "beside", 2, 1, false);
+    auto index = kith::offset_file::create((here.path / "index.pvtu").string(), pieces.size());
+    const auto part = tiles.refine(1);
+    pieces.write_tile(index, part, {1, 0});
+    EXPECT_EQ(pieces.difference(index, part, 1), std::nullopt);
+    const auto path = here.path / "1.vtu";
+    const std::size_t size = fs::file_size(path);
+    for_each_changed_byte(path, size - 300, size, [&](std::size_t at, bool is_changed) {
+        const auto differs = pieces.difference(index, part, 1);
+        EXPECT_EQ(differs.value_or("nothing"),
+                  is_changed ? "byte " + std::to_string(at) + " of " + path.string() : "nothing");
+    });
+    fs::resize_file(path, size - 1);
+    EXPECT_EQ(pieces.difference(index, part, 1), "the size of " + path.string());
+}
+
+TEST(stitched_file, refuses_vertices_without_a_finite_place)
+{
+    auto cube = shapes::cube();
+    for (auto& p : cube.points)
+        for (double& x : p)
+            x *= 1e308;
+    const auto control = native(cube);
+    kith::tiled_refinement tiles(control, kith::doo_sabin{}, 1, {partitions::blocks(control.face_count(), 2), 2});
+    const auto part = tiles.refine(1);
+    const auto counts = tiles.whole().counts(1);
+    const directory here;
+    auto file = kith::offset_file::create((here.path / "file").string(), 1);
+    const auto expect_refusal = [&](const kith::stitched_file& layout) {
+        const auto text = error_text<kith::mesh_error>([&] { layout.write_tile(file, part, {1, 0}); });
+        EXPECT_TRUE(text.starts_with("vertex ")) << text;
+        EXPECT_TRUE(text.ends_with(" would have no finite place; the coordinates of the input are too large")) << text;
+    };
+    expect_refusal(kith::vtu_file(counts, 1, false));
+    expect_refusal(kith::ply_file(counts));
+    expect_refusal(kith::vtu_pieces(here.path.string(), "beside", 2, 1, false));
+    EXPECT_FALSE(fs::exists(here.path / "1.vtu"));
+}

@@ -4,10 +4,16 @@
 #include <kith/all_to_all.hpp>
 #include <kith/send_window.hpp>
 
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <functional>
 #include <new>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace {
 
@@ -39,6 +45,36 @@ TEST(communicator, sends_long_messages_in_pieces)
         }
         EXPECT_EQ(comm.broadcast(comm.is_root() ? some_bytes(size, 77) : std::vector<std::byte>()),
                   some_bytes(size, 77));
+    }
+}
+
+TEST(communicator, waits_without_a_processor)
+{
+    kith::mpi::communicator comm(MPI_COMM_WORLD);
+    const auto processor_seconds = [] {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+    };
+    const auto late = std::chrono::milliseconds(400);
+    const std::vector<std::function<void()>> calls{[&] { comm.agree(""); },
+                                                   [&] { (void)comm.sum(std::array<std::uint64_t, 1>{1}); },
+                                                   [&] { (void)comm.broadcast(some_bytes(5, 1)); },
+                                                   [&] {
+                                                       int from = 0;
+                                                       if (not comm.is_root())
+                                                           (void)comm.receive(from);
+                                                       for (int to = 1; comm.is_root() and to < comm.size(); ++to)
+                                                           comm.send(some_bytes(5, 1), to);
+                                                   }};
+    for (const auto& call : calls) {
+        const double before = processor_seconds(), waited = comm.seconds()[kith::phase::wait];
+        if (comm.is_root())
+            std::this_thread::sleep_for(late);
+        call();
+        EXPECT_LT(processor_seconds() - before, 0.2);
+        if (not comm.is_root())
+            EXPECT_GT(comm.seconds()[kith::phase::wait] - waited, 0.3);
     }
 }
 
