@@ -2,17 +2,19 @@
 #include <kith/limit_surface.hpp>
 
 #include "every_scheme.hpp"
+#include "tiles.hpp"
 
 #include <kith/hierarchy.hpp>
+#include <kith/refine_in_tiles.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <limits>
-#include <optional>
-#include <string>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -96,7 +98,7 @@ point place(const hierarchy<mesh3d, Scheme>& levels, int level, descendant d)
     return result;
 }
 
-/// Deeper levels come nearer, by this factor per step at least, where the limit is that of the deepest.
+/// So many steps tell whether levels come near.
 template <class Scheme>
 struct depth_of {
     static constexpr int value = std::same_as<Scheme, kith::nasri_hasbini> ? 3
@@ -151,4 +153,152 @@ TEST(limit_surface, no_vertex_is_left_out_and_all_levels_agree)
 {
     for_each_of_all_schemes_and_shape(
         []<class Scheme>(const Scheme& scheme, const mesh3d& mesh) { expect_limits(mesh, scheme); });
+}
+
+namespace {
+
+/// Creases for ever and such that end, darts, corners inside, everywhere on the mesh.
+template <class Scheme>
+Scheme with_creases(const mesh3d& mesh, kith::crease_method method)
+{
+    Scheme scheme;
+    scheme.sharpness.method = method;
+    const kith::level_of<mesh3d> level(mesh);
+    for (const auto e : level.edges()) {
+        if (e.index() % 7 == 0)
+            scheme.sharpness.sharpen_edge(e.index(), kith::infinitely_sharp);
+        else if (e.index() % 7 == 3)
+            scheme.sharpness.sharpen_edge(e.index(), 0.4 + double(e.index() % 5) / 2);
+    }
+    scheme.sharpness.sharpen_vertex(0, kith::infinitely_sharp);
+    scheme.sharpness.sharpen_vertex(mesh.vertex_count() - 1, 1.5);
+    return scheme;
+}
+
+} // namespace
+
+TEST(limit_surface, of_creases_darts_and_what_decays)
+{
+    using kith::crease_method;
+    for (const auto& [name, shape] : shapes::all_shapes())
+        for (const auto method : {crease_method::uniform, crease_method::chaikin}) {
+            SCOPED_TRACE(name);
+            const auto mesh = native(shape);
+            expect_limits(mesh, with_creases<kith::catmull_clark>(mesh, method));
+            if (mesh.topology().degree == 3)
+                expect_limits(mesh, with_creases<kith::loop>(mesh, method));
+        }
+}
+
+TEST(limit_surface, of_edges_that_are_sharp_for_longer_than_digits_last)
+{
+    const auto torus = native(shapes::shaken(shapes::torus(5, 7)));
+    kith::catmull_clark for_long, for_ever;
+    for (const std::size_t e : {0U, 3U, 20U}) {
+        for_long.sharpness.sharpen_edge(e, 1e9);
+        for_ever.sharpness.sharpen_edge(e, kith::infinitely_sharp);
+    }
+    const auto a = limit_surface_of(torus, for_long), b = limit_surface_of(torus, for_ever);
+    for (std::size_t v = 0; v < torus.vertex_count(); ++v)
+        EXPECT_LT(distance(a.positions[v], b.positions[v]), 1e-13) << "vertex " << v;
+}
+
+/// 112 of its vertices had no limit, on any level.
+TEST(limit_surface, of_the_triangulated_cube_on_a_deep_level)
+{
+    const auto cube = native(shapes::shaken(shapes::triangulated(shapes::cube())));
+    const auto expect_all = [&](const mesh3d& control, const auto& scheme, int level, int deeper, double tolerance) {
+        hierarchy levels(control, scheme);
+        levels.refine(level + deeper);
+        const auto limits = limit_surface_of(levels, level);
+        ASSERT_EQ(limits.positions.size(), levels[level].vertex_count());
+        for (std::size_t v = 0; v < limits.positions.size(); ++v) {
+            descendant d{'v', v};
+            for (int i = level; i < level + deeper; ++i)
+                d = next(levels, i, d);
+            EXPECT_LT(distance(place(levels, level + deeper, d), limits.positions[v]), tolerance) << "vertex " << v;
+        }
+    };
+    expect_all(kith::tri_quad(cube), kith::four_eight(), 4, 6, 2e-3);
+    expect_all(cube, kith::nasri_hasbini(), 2, 2, 2e-3);
+    expect_all(native(shapes::shaken(shapes::triangulated(shapes::grid()))), kith::sqrt3(), 4, 4, 2e-2);
+    expect_all(cube, kith::unified{.degree = 8}, 3, 3, 2e-2);
+}
+
+/// Coordinates times a power of two move limits alike and change no bit of a normal, as long as they are numbers at all.
+TEST(limit_surface, normals_neither_overflow_nor_vanish)
+{
+    for_each_of_all_schemes_and_shape([]<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {
+        const auto limits = limit_surface_of(mesh, scheme);
+        for (const int exponent : {-1000, -700, 600, 1000}) {
+            kith::storage<point> points(mesh.points());
+            for (auto& p : points)
+                for (auto& x : p)
+                    x = std::scalbn(x, exponent);
+            const auto scaled = limit_surface_of(mesh3d(std::move(points), mesh.topology(), mesh.generation()), scheme);
+            for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+                for (std::size_t i = 0; i < 3; ++i) {
+                    ASSERT_EQ(scaled.positions[v][i], std::scalbn(limits.positions[v][i], exponent));
+                    ASSERT_EQ(scaled.normals[v][i], limits.normals[v][i]) << "times 2^" << exponent;
+                }
+        }
+    });
+}
+
+TEST(limit_surface, normals_are_those_of_the_sphere_that_the_surface_comes_near_to)
+{
+    const auto cube = native(shapes::cube());
+    for (int degree = 2; degree < 10; ++degree) {
+        hierarchy levels(cube, kith::unified{.degree = degree});
+        levels.refine(3);
+        const auto limits = limit_surface_of(levels, 3);
+        for (std::size_t v = 0; v < limits.normals.size(); ++v) {
+            const auto& p = limits.positions[v];
+            const auto& n = limits.normals[v];
+            const double length = std::hypot(p[0], p[1], p[2]);
+            EXPECT_GT((p[0] * n[0] + p[1] * n[1] + p[2] * n[2]) / length, 0.9) << degree << ", vertex " << v;
+        }
+    }
+}
+
+/// A tile with rings of shadows knows the limits of its faces as the whole mesh does, bit for bit.
+TEST(limit_surface, of_a_tile_is_that_of_the_whole)
+{
+    std::size_t vertices = 0;
+    const auto expect_same = [&]<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {
+        if constexpr (kith::reaching_scheme<Scheme>) {
+            constexpr int levels = 1;
+            hierarchy whole(mesh, scheme);
+            whole.refine(levels);
+            const auto limits = limit_surface_of(whole, levels);
+            const kith::partition parts{partitions::scattered(mesh.face_count(), 3, 1), 3};
+            kith::tiled_refinement tiles(mesh, scheme, levels, parts, limit_rings(scheme));
+            for (std::size_t t = 0; t < tiles.tiles(); ++t) {
+                kith::phase_seconds seconds;
+                const auto job = tiles.refine_job(t, kith::connect::everything, seconds);
+                std::vector<unsigned char> marks(job.part.mesh.vertex_count(), 0);
+                for (std::size_t f = 0; f < job.part.mesh.face_count(); ++f)
+                    if (job.part.owns_face(f))
+                        for (const auto v : job.part.mesh.face(f))
+                            marks[v] = 1;
+                const auto part = limit_surface_around(
+                    job.part.mesh, job.scheme, std::span<const unsigned char>(marks));
+                for (std::size_t v = 0; v < marks.size(); ++v)
+                    if (marks[v] != 0) {
+                        const std::size_t id = job.part.vertex_ids[v];
+                        ASSERT_EQ(part.positions[v], limits.positions[id]) << "vertex " << id;
+                        ASSERT_EQ(part.normals[v], limits.normals[id]) << "vertex " << id;
+                        ++vertices;
+                    }
+            }
+        }
+    };
+    for_each_of_all_schemes_and_shape(expect_same);
+    for (const auto& [name, shape] : shapes::all_shapes())
+        for (const auto method : {kith::crease_method::uniform, kith::crease_method::chaikin}) {
+            SCOPED_TRACE(name);
+            const auto mesh = native(shape);
+            expect_same(with_creases<kith::catmull_clark>(mesh, method), mesh);
+        }
+    EXPECT_GT(vertices, 10000U);
 }

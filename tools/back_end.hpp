@@ -26,7 +26,6 @@ struct refined_mesh {
     std::uint64_t edges = 0;
     std::vector<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
     io::mesh_tags tags{};                         ///< the sharpness that is left, if it was asked for
-    std::size_t without_limit = 0;                ///< vertices that stay, as no closed mask is known for them
 };
 
 /// Refine on one kind of mesh each, level by level, and give the last level back as the native one.

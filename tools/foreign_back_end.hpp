@@ -36,15 +36,15 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
                                         scheme,
                                         {.memory_limit = request.memory_limit});
             levels.refine(request.levels);
-            auto result = with_points<std::array<double, 3>>(lift(levels.finest()));
-            const std::uint64_t edges = result.edge_count();
-            refined_mesh refined{std::move(result), edges};
+            const auto last = with_points<std::array<double, 3>>(lift(levels.finest()));
+            const int generation = control.generation() + request.levels; // which other libraries forget
+            refined_mesh refined{{storage(last.points()), last.topology(), generation}, last.edge_count()};
             if constexpr (has_creases<Scheme>)
                 if (request.with_tags)
                     refined.tags = io::tags_of(levels.scheme(request.levels).sharpness,
                                                levels.elements(request.levels));
             if (request.limit)
-                move_to_limit(refined, levels.elements(request.levels), levels.scheme(request.levels));
+                refined.normals = move_to_limit(refined.mesh, levels.scheme(request.levels));
             return refined;
         },
         request.scheme);

@@ -33,6 +33,7 @@ po::options_description options_of_refine()
         options, "partitioner", "P", "metis, block or file:PATH (a part per face, as METIS writes)");
     add_option<std::string>(options, "journal", "DIR", journal_help);
     add_option<std::int64_t>(options, "threads", "N", "threads of each rank; 1 unless told, as ranks fill the machine");
+    add_flag(options, "limit", "write the vertices at their limits, with the normals there");
     add_flag(options, "cell-origin", "write tile and rank of every cell; the file then depends on the ranks");
     add_flag(options, "verify", "read back what is written, and refine on one rank as well and compare");
     add_flag(options, "checksum", "print a number that stands for the surface, whatever the tiles and ranks");

@@ -104,7 +104,8 @@ recipe recipe_of(const tile_request& request, partition parts)
                        {"scheme", request.scheme_name},
                        {"levels", std::to_string(request.levels)},
                        {"format", std::filesystem::path(request.output).extension().string()},
-                       {"cell-origin", request.with_origin ? "yes" : "no"}};
+                       {"cell-origin", request.with_origin ? "yes" : "no"},
+                       {"limit", request.limit ? "yes" : "no"}};
     for (const auto& [name, word] : words_with_names(request.words))
         result.settings.emplace_back(name, word);
     result.control = pack_control(request.control, request.scheme);
@@ -131,6 +132,7 @@ tile_request request_from(const recipe& recipe)
     result.levels = std::stoi(word("levels"));
     result.output = recipe.output;
     result.with_origin = word("cell-origin") == "yes";
+    result.limit = word("limit") == "yes";
     return result;
 }
 

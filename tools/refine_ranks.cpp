@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refine_ranks.hpp"
 
+#include "back_end.hpp"
 #include "errors.hpp"
 #include "journal.hpp"
+#include "limit_surface.hpp"
 #include "partition_options.hpp"
 #include "rank_stats.hpp"
 #include "run_stats.hpp"
@@ -145,6 +147,23 @@ void print(mpi::communicator& comm, const rank_request& request, const whole_cou
     });
 }
 
+template <class Scheme>
+mesh_checksum checksum_on_one_rank(const tile_request& what, const Scheme& scheme)
+{
+    if (not what.limit)
+        return checksum(refine(what.control, scheme, what.levels, {connect::faces}));
+    return checksum(
+        refine_native(what.control,
+                      {.scheme = scheme, .levels = what.levels, .memory_limit = ~std::uint64_t(0), .limit = true})
+            .mesh);
+}
+
+/// The rings of shadows that the last level needs, nothing where it needs no edges.
+std::optional<int> last_rings(const tile_request& what)
+{
+    return what.limit ? std::optional(rings_for_limit(what.scheme)) : std::nullopt;
+}
+
 /// Refines, and writes the surface. `kept` is on rank 0, and `seconds` is what was spent so far.
 template <class Scheme>
 void write_surface(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, const found_recipe& kept,
@@ -166,6 +185,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
                                     .journal = request.journal,
                                     .levels = what.levels,
                                     .with_origin = what.with_origin,
+                                    .with_normals = what.limit,
                                     .with_checksum = with_checksum,
                                     .verify = request.verify},
                      surface);
@@ -178,7 +198,9 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
     }
     std::mutex adding;
     mesh_checksum sum;
-    const auto write = [&](std::uint64_t number, const auto& part) {
+    const auto write = [&](std::uint64_t number, auto part, const Scheme& scheme_there) {
+        if (what.limit)
+            move_to_limit(part, scheme_there);
         finished_tile tile;
         std::optional<std::string> damage;
         const bool is_finished = std::ranges::binary_search(job.finished, number);
@@ -205,7 +227,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
         if (sums[0] + job.faces != counts.faces)
             throw std::logic_error("the tiles have " + std::to_string(sums[0] + job.faces) + " faces, not " +
                                    std::to_string(counts.faces) + "; this is an error in kith");
-        if (request.verify and checksum(refine(what.control, scheme, what.levels, {connect::faces})) != all)
+        if (request.verify and checksum_on_one_rank(what, scheme) != all)
             throw std::logic_error("the surface differs from that of one rank; this is an error in kith");
         timed(seconds[phase::write], [&] { output.commit(); });
     });
@@ -233,7 +255,8 @@ void refine_by(mpi::communicator& comm, const rank_request& request, const Schem
         else
             kept = recipe_for(request.journal, request.what, make);
     });
-    mpi::rank_refinement refinement(comm, request.what.control, scheme, request.what.levels, kept.value.parts);
+    mpi::rank_refinement refinement(
+        comm, request.what.control, scheme, request.what.levels, kept.value.parts, last_rings(request.what));
     write_surface(comm, request, scheme, kept, refinement, seconds);
 }
 
@@ -242,9 +265,10 @@ void refine_slices(mpi::communicator& comm, const rank_request& request, const S
 {
     const int levels = request.what.levels;
     int rings = 1;
-    mpi::in_agreement(comm, [&] { rings = std::max(rings, ring_schedule(scheme, levels)[0]); });
+    mpi::in_agreement(
+        comm, [&] { rings = std::max(rings, ring_schedule(scheme, levels, last_rings(request.what).value_or(0))[0]); });
     auto read = timed(seconds[phase::read], [&] { return mpi::read_tiles(comm, request.input, rings); });
-    mpi::rank_refinement refinement(comm, std::move(read.tiles), read.counts, scheme, levels);
+    mpi::rank_refinement refinement(comm, std::move(read.tiles), read.counts, scheme, levels, last_rings(request.what));
     write_surface(comm, request, scheme, {}, refinement, seconds);
 }
 

@@ -2,6 +2,7 @@
 #include "refine_tiles.hpp"
 
 #include "errors.hpp"
+#include "limit_surface.hpp"
 #include "tile_output.hpp"
 
 #include <kith/refine_in_tiles.hpp>
@@ -44,13 +45,16 @@ struct sums {
 
 /// A tile that is missing, or one that is looked after.
 template <class Refinement>
-finished_tile finish(Refinement& refinement, tile_output& file, std::size_t number, bool is_finished,
+finished_tile finish(Refinement& refinement, bool limit, tile_output& file, std::size_t number, bool is_finished,
                      phase_seconds& spent)
 {
     if (not is_finished)
         if (const auto meanwhile = file.finished(number)) // by another job
             return *meanwhile;
-    const auto part = refinement.refine(number, connect::faces, spent);
+    auto job = refinement.refine_job(number, limit ? connect::everything : connect::faces, spent);
+    auto& part = job.part;
+    if (limit)
+        timed(spent[phase::refine], [&] { move_to_limit(part, job.scheme); });
     const phase_timer timer(spent[phase::write]);
     if (is_finished) {
         const auto damage = file.damage(part, number);
@@ -70,7 +74,7 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     auto made = [&] {
         const phase_timer timer(done.seconds[phase::cut]);
         return std::make_unique<tiled_refinement<std::array<double, 3>, std::uint32_t, Scheme>>(
-            request.control, scheme, request.levels, kept.value.parts);
+            request.control, scheme, request.levels, kept.value.parts, request.limit ? rings_for_limit(scheme) : 0);
     }();
     auto& refinement = *made;
     const bool with_checksum = how.with_checksum or how.verify;
@@ -79,6 +83,7 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
                       .journal = how.journal,
                       .levels = request.levels,
                       .with_origin = request.with_origin,
+                      .with_normals = request.limit,
                       .with_checksum = with_checksum,
                       .verify = how.verify},
                      {.counts = result.counts,
@@ -104,7 +109,7 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     for_each_at_once(numbers.size(), at_once, [&](std::size_t i) {
         phase_seconds spent;
         const bool is_finished = not finished.empty() and finished[numbers[i]];
-        const auto tile = finish(refinement, file, numbers[i], is_finished, spent);
+        const auto tile = finish(refinement, request.limit, file, numbers[i], is_finished, spent);
         done.add(tile, spent, at_once);
     });
     done.seconds[phase::wait] += std::max(0., since.seconds() - (done.seconds.sum() - before));

@@ -135,8 +135,6 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
                            .memory_limit = given("memory-limit") ? bytes_from(required(*values, "memory-limit"))
                                                                  : physical_memory(),
                            .limit = given("limit")};
-    if (request.limit)
-        require_limit_masks(request.scheme);
     const back_end refine_on = back_end_named(mesh_kind);
     const mesh_format format = output_format_of(output);
     request.with_tags = format == mesh_format::obj;
@@ -164,10 +162,6 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
         write_mesh_file(output, {result.mesh, result.normals, control.isolated, &result.tags, binary});
     });
     note_losses(input, control.not_kept);
-    if (result.without_limit != 0)
-        std::cerr << "kith: note: " << result.without_limit << " of " << result.mesh.vertex_count()
-                  << " vertices stay where level " << request.levels
-                  << " has them, as no closed limit mask is known there; refine once more\n";
 
     const auto vertices = result.mesh.vertex_count() + control.isolated.size();
     const auto faces = result.mesh.face_count();

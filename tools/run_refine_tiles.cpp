@@ -69,7 +69,7 @@ bool is_tile_format_only(const po::variables_map& values)
 
 int run_refine_tiles(const po::variables_map& values)
 {
-    for (const char* option : {"mesh", "limit", "memory-limit"})
+    for (const char* option : {"mesh", "memory-limit"})
         if (values.count(option) != 0)
             throw usage_error("--" + std::string(option) + " and tiles do not go together; leave one of them out");
     tiling how{.journal = journal_from(values), .only = {}, .make_parts = {}};

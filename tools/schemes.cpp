@@ -6,7 +6,6 @@
 #include "word_list.hpp"
 
 #include <kith/counted.hpp>
-#include <kith/limit.hpp>
 #include <kith/make_creases.hpp>
 #include <kith/scheme.hpp>
 #include <kith/tags_of_creases.hpp>
@@ -134,10 +133,6 @@ std::string names_of(const Wanted& wanted)
     return result;
 }
 
-template <class Scheme>
-inline constexpr bool has_masks_for_vertices =
-    has_limit_positions<Scheme, vertex<level_of<basic_mesh<>>>, level_of<basic_mesh<>>>;
-
 /// Names the lines that nobody understood, the first few of them.
 void note_unread(const mesh_tags& tags)
 {
@@ -236,17 +231,6 @@ basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control)
 std::string scheme_names()
 {
     return names_of([]<class Scheme>(const scheme_entry<Scheme>&) { return true; });
-}
-
-void require_limit_masks(const any_scheme& scheme)
-{
-    const auto has_masks = []<class Scheme>(const Scheme&) { return has_masks_for_vertices<Scheme>; };
-    if (std::visit(has_masks, scheme))
-        return;
-    const auto name = std::visit([]<class Scheme>(const Scheme&) { return scheme_name<Scheme>(); }, scheme);
-    throw usage_error(
-        "--limit: no closed limit masks are known for " + std::string(name) + ", but for " +
-        names_of([]<class Scheme>(const scheme_entry<Scheme>&) { return has_masks_for_vertices<Scheme>; }));
 }
 
 } // namespace kith::tool

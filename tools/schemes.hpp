@@ -90,7 +90,4 @@ basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control);
 /// "catmull-clark, loop, ..."
 std::string scheme_names();
 
-/// Errors: usage_error for a scheme without closed limit masks, with the names of those that have them.
-void require_limit_masks(const any_scheme& scheme);
-
 } // namespace kith::tool

@@ -43,6 +43,7 @@ tile_request tile_request_from(const po::variables_map& values)
     request.scheme = make_scheme(request.scheme_name, request.words);
     request.levels = levels_of(values);
     request.with_origin = values.count("cell-origin") != 0;
+    request.limit = values.count("limit") != 0;
     return request;
 }
 

@@ -71,11 +71,12 @@ tile_output::tile_output(const output_request& request, const output_surface& su
                                                fs::path(source).filename().string(),
                                                surface.tiles,
                                                request.levels,
-                                               request.with_origin);
+                                               request.with_origin,
+                                               request.with_normals);
     } else if (extension_of(request.path) == ".ply") {
-        layout_ = std::make_unique<ply_file>(surface.counts);
+        layout_ = std::make_unique<ply_file>(surface.counts, request.with_normals);
     } else {
-        layout_ = std::make_unique<vtu_file>(surface.counts, request.levels, request.with_origin);
+        layout_ = std::make_unique<vtu_file>(surface.counts, request.levels, request.with_origin, request.with_normals);
     }
     if (not request.journal.empty())
         journal_.emplace(layout_->size(), surface.tiles, surface.recipe);

@@ -26,6 +26,7 @@ struct output_request {
     std::string journal; ///< the directory, or nothing
     int levels = 0;
     bool with_origin = false;
+    bool with_normals = false;
     bool with_checksum = false;
     bool verify = false; ///< read back what has been written
 };

@@ -17,6 +17,7 @@ struct tile_request {
     int levels = 0;
     std::string output;
     bool with_origin = false; ///< rank and tile of each cell, so that the bytes depend on the job as well
+    bool limit = false;       ///< the vertices at their places on the limit surface, with the normals there
     basic_mesh<> control;
 };
 

@@ -20,13 +20,15 @@ template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class tiled_refinement {
 public:
     using tile_type = tile<Point, Index>;
+    using job_type = tile_job<tile_type, Scheme>;
 
-    /// The mesh must outlive this object. Errors: mesh_error for everything that `refine` refuses but for lack of memory,
+    /// The mesh must outlive this object. `last_rings`: of shadows on the last level, where it keeps its edges. Errors: mesh_error for everything that `refine` refuses but for lack of memory,
     /// for a mesh of face-vertex lists only, for a partition of another mesh, and for more elements than 64 bits can number.
     /// Cost: that of the control mesh, and of refining its boundary.
-    tiled_refinement(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels, const partition& parts)
+    tiled_refinement(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels, const partition& parts,
+                     int last_rings = 0)
         : cutter_(checked(mesh, scheme, levels), scheme, parts.part_of, parts.parts)
-        , whole_(whole_of(cutter_, scheme, levels))
+        , whole_(whole_of(cutter_, scheme, levels, last_rings))
     {
     }
 
@@ -44,13 +46,19 @@ public:
     /// The same, which tells how long it took to cut the part and to refine it.
     [[nodiscard]] tile_type refine(std::size_t part, connect last, phase_seconds& seconds)
     {
+        return std::move(refine_job(part, last, seconds).part);
+    }
+    /// The same with the scheme for the next level, if this one keeps its edges.
+    [[nodiscard]] job_type refine_job(std::size_t part, connect last, phase_seconds& seconds)
+    {
         auto job = [&] {
             const std::lock_guard lock(cutting_);
             const phase_timer timer(seconds[phase::cut]);
             return cutter_.cut(part, whole_.rings(0));
         }();
         const phase_timer timer(seconds[phase::refine]);
-        return kith::refine(std::move(job.part), std::move(job.scheme), whole_, last);
+        kith::refine(job, whole_, last, [](const auto&) {});
+        return job;
     }
 
 private:
@@ -59,10 +67,11 @@ private:
         detail::require_control<Scheme>(mesh, levels);
         return mesh;
     }
-    static whole_levels<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme, int levels)
+    static whole_levels<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme, int levels,
+                                         int last_rings)
     {
         auto rim = cutter.cut_rim(ring_schedule(scheme, levels, 1)[0]);
-        return {cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels};
+        return {cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels, last_rings};
     }
 
     std::mutex cutting_;

@@ -128,7 +128,7 @@ public:
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
 
     /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
-    /// `use` may move away. Tiles that lay on their ranks are refined there, once. A rank with several threads refines up to
+    /// `use` may move away; a third argument is the scheme for the next level, if this one keeps its edges. Tiles that lay on their ranks are refined there, once. A rank with several threads refines up to
     /// `most_at_once` of its tiles at the same time (tiles_at_once); then `use` is called on these threads at the same time.
     /// Errors: phase_error, of the first rank that has one.
     template <class Use>
@@ -288,10 +288,14 @@ private:
             more.useful_faces += owned_count(part.face_marks);
         };
         phase_seconds spent;
-        timed(spent[phase::refine],
-              [&] { job.part = kith::refine(std::move(job.part), std::move(job.scheme), *whole_, last_, count); });
+        timed(spent[phase::refine], [&] { kith::refine(job, *whole_, last_, count); });
         more.owned_faces = owned_count(job.part.face_marks);
-        timed(spent[phase::write], [&] { use(number, std::move(job.part)); });
+        timed(spent[phase::write], [&] {
+            if constexpr (std::invocable<const Use&, std::uint64_t, tile_type, const Scheme&>)
+                use(number, std::move(job.part), std::as_const(job.scheme));
+            else
+                use(number, std::move(job.part));
+        });
         more.seconds.add(spent, at_once_);
         const std::lock_guard lock(adding_);
         done += more;

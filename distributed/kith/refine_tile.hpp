@@ -2,6 +2,7 @@
 #pragma once
 
 #include "refine_last.hpp"
+#include "tile_job.hpp"
 #include "tile_step.hpp"
 #include "whole_levels.hpp"
 
@@ -25,19 +26,26 @@ tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme,
     return result;
 }
 
-/// Refines a tile of level 0 through all levels that `whole` was made for. `connect::faces` gives the last level without
-/// edges and shadows. `each(tile)` is called with every level but the first.
+/// Refines a tile of level 0 through all levels that `whole` was made for, and its scheme with it. `connect::faces` gives the
+/// last level without edges and shadows, and the scheme of the level before. `each(tile)` is called with every level but the
+/// first.
+template <class Tile, reaching_scheme Scheme, class Each>
+void refine(tile_job<Tile, Scheme>& job, const whole_levels<Scheme>& whole, connect last, const Each& each)
+{
+    for (int level = 0; level < whole.levels(); ++level) {
+        const bool is_last = level + 1 == whole.levels();
+        job.part = is_last and last == connect::faces ? refine_last(job.part, job.scheme, level, whole)
+                                                      : refine_once(job.part, job.scheme, level, whole);
+        each(std::as_const(job.part));
+    }
+}
 template <class Point, class Index, reaching_scheme Scheme, class Each>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole, connect last,
                           const Each& each)
 {
-    for (int level = 0; level < whole.levels(); ++level) {
-        const bool is_last = level + 1 == whole.levels();
-        part = is_last and last == connect::faces ? refine_last(part, scheme, level, whole)
-                                                  : refine_once(part, scheme, level, whole);
-        each(std::as_const(part));
-    }
-    return part;
+    tile_job<tile<Point, Index>, Scheme> job{std::move(part), std::move(scheme)};
+    refine(job, whole, last, each);
+    return std::move(job.part);
 }
 template <class Point, class Index, reaching_scheme Scheme>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole,

@@ -62,6 +62,8 @@ inline void require_finite(const tile<std::array<double, 3>>& part)
                              " would have no finite place; the coordinates of the input are too large");
 }
 
+inline constexpr const char* vtu_normals = "type=\"Float64\" Name=\"Normals\" NumberOfComponents=\"3\"";
+
 inline std::optional<std::string> named_difference(const offset_file& file, const compared_bytes& compared)
 {
     if (const auto at = compared.difference())
@@ -75,7 +77,9 @@ inline std::optional<std::string> named_difference(const offset_file& file, cons
 /// level; tile and rank, which depend on how the work was shared out, only where asked for.
 class vtu_file : public stitched_file {
 public:
-    vtu_file(const whole_counts& counts, int level, bool with_origin) : level_(level), with_origin_(with_origin)
+    /// With normals, tiles have theirs, which are point data.
+    vtu_file(const whole_counts& counts, int level, bool with_origin, bool with_normals = false)
+        : level_(level), with_origin_(with_origin), with_normals_(with_normals)
     {
         layout_.open("Points");
         points_ = layout_.add(counts.vertices * 24, "type=\"Float64\" NumberOfComponents=\"3\"");
@@ -83,7 +87,13 @@ public:
         connectivity_ = layout_.add(counts.corners * 8, "type=\"Int64\" Name=\"connectivity\"");
         offsets_ = layout_.add(counts.faces * 8, "type=\"Int64\" Name=\"offsets\"");
         types_ = layout_.add(counts.faces, "type=\"UInt8\" Name=\"types\"");
-        layout_.close("Cells").open("CellData");
+        layout_.close("Cells");
+        if (with_normals) {
+            layout_.open("PointData Normals=\"Normals\"");
+            normals_ = layout_.add(counts.vertices * 24, detail::vtu_normals);
+            layout_.close("PointData");
+        }
+        layout_.open("CellData");
         parents_ = layout_.add(counts.faces * 8, "type=\"Int64\" Name=\"parent\"");
         levels_ = layout_.add(counts.faces, "type=\"UInt8\" Name=\"level\"");
         if (with_origin) {
@@ -124,6 +134,11 @@ private:
             if (part.owns_vertex(v))
                 points.put(layout_.offset(points_) + 24 * part.vertex_ids[v], part.mesh.point(v));
         points.flush();
+        if (with_normals_)
+            for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+                if (part.owns_vertex(v))
+                    points.put(layout_.offset(normals_) + 24 * part.vertex_ids[v], part.normals[v]);
+        points.flush();
         joined_writes corners(file);
         for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
             if (part.owns_face(f))
@@ -143,24 +158,27 @@ private:
     }
 
     int level_;
-    bool with_origin_;
+    bool with_origin_, with_normals_;
     vtu_layout layout_;
-    std::size_t points_, connectivity_, offsets_, types_, parents_, levels_, tiles_ = 0, ranks_ = 0; // arrays there
+    std::size_t points_, connectivity_, offsets_, types_, parents_, levels_; // arrays there
+    std::size_t normals_ = 0, tiles_ = 0, ranks_ = 0;
 };
 
 /// Binary PLY. Faces of up to 255 corners, and as many vertices as 32 bits can number.
 class ply_file : public stitched_file {
 public:
-    /// Errors: mesh_error for more vertices than the format can number.
-    explicit ply_file(const whole_counts& counts) : counts_(counts)
+    /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number.
+    explicit ply_file(const whole_counts& counts, bool with_normals = false)
+        : counts_(counts), bytes_of_vertex_(with_normals ? 48 : 24)
     {
         if (counts.vertices > std::numeric_limits<std::int32_t>::max())
             throw mesh_error("PLY numbers " + std::to_string(std::numeric_limits<std::int32_t>::max()) +
                              " vertices at most, there are " + std::to_string(counts.vertices) + "; write .vtu");
         head_ = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(counts.vertices) +
-                "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                "\nproperty double x\nproperty double y\nproperty double z\n" +
+                (with_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") + "element face " +
                 std::to_string(counts.faces) + "\nproperty list uchar int vertex_indices\nend_header\n";
-        size_ = head_.size() + 24 * counts.vertices + counts.faces + 4 * counts.corners;
+        size_ = head_.size() + bytes_of_vertex_ * counts.vertices + counts.faces + 4 * counts.corners;
     }
 
     void write_frame(offset_file& file) const override { file.write(0, head_.data(), head_.size()); }
@@ -182,11 +200,15 @@ private:
     {
         joined_writes points(file);
         for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
-            if (part.owns_vertex(v))
-                points.put(head_.size() + 24 * part.vertex_ids[v], part.mesh.point(v));
+            if (part.owns_vertex(v)) {
+                const std::uint64_t at = head_.size() + bytes_of_vertex_ * part.vertex_ids[v];
+                points.put(at, part.mesh.point(v));
+                if (bytes_of_vertex_ == 48)
+                    points.put(at + 24, part.normals[v]);
+            }
         points.flush();
         joined_writes faces(file);
-        const std::uint64_t begin = head_.size() + 24 * counts_.vertices;
+        const std::uint64_t begin = head_.size() + bytes_of_vertex_ * counts_.vertices;
         for (std::size_t f = 0; f < part.mesh.face_count(); ++f) {
             if (not part.owns_face(f))
                 continue;
@@ -206,6 +228,7 @@ private:
     }
 
     whole_counts counts_;
+    std::uint64_t bytes_of_vertex_;
     std::string head_;
 };
 

@@ -21,8 +21,9 @@ namespace kith {
 class vtu_pieces : public stitched_file {
 public:
     /// Pieces are written to `directory`, which exists, and looked for in `source`, as seen from the index.
-    vtu_pieces(std::string directory, const std::string& source, std::uint64_t tiles, int level, bool with_origin)
-        : directory_(std::move(directory)), level_(level), with_origin_(with_origin)
+    vtu_pieces(std::string directory, const std::string& source, std::uint64_t tiles, int level, bool with_origin,
+               bool with_normals = false)
+        : directory_(std::move(directory)), level_(level), with_origin_(with_origin), with_normals_(with_normals)
     {
         const auto array = [](const std::string& type, const std::string& name) {
             return "<PDataArray type=\"" + type + "\" Name=\"" + name + "\"/>\n";
@@ -31,9 +32,11 @@ public:
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
             "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n"
             "<PDataArray type=\"Float64\" NumberOfComponents=\"3\"/>\n</PPoints>\n"
-            "<PPointData GlobalIds=\"GlobalPointIds\">\n" +
-            array("Int64", "GlobalPointIds") + "</PPointData>\n<PCellData GlobalIds=\"GlobalCellIds\">\n" +
-            array("Int64", "GlobalCellIds") + array("Int64", "parent") + array("UInt8", "level");
+            "<PPointData GlobalIds=\"GlobalPointIds\"" +
+            std::string(with_normals ? " Normals=\"Normals\"" : "") + ">\n" + array("Int64", "GlobalPointIds") +
+            (with_normals ? "<PDataArray " + std::string(detail::vtu_normals) + "/>\n" : "") +
+            "</PPointData>\n<PCellData GlobalIds=\"GlobalCellIds\">\n" + array("Int64", "GlobalCellIds") +
+            array("Int64", "parent") + array("UInt8", "level");
         if (with_origin)
             index_ += array("UInt32", "tile") + array("UInt32", "rank");
         index_ += "</PCellData>\n";
@@ -49,7 +52,7 @@ public:
     void write_tile(offset_file&, const tile<std::array<double, 3>>& part, cell_origin origin) const override
     {
         detail::require_finite(part);
-        const piece out(part, with_origin_);
+        const piece out(part, with_origin_, with_normals_);
         auto file = offset_file::create(path(origin.tile), out.layout.size());
         put_piece(file, part, out, origin.tile, with_origin_ ? std::optional(origin.rank) : std::nullopt);
         file.flush();
@@ -58,7 +61,7 @@ public:
     [[nodiscard]] std::optional<std::string> difference(offset_file&, const tile<std::array<double, 3>>& part,
                                                         std::uint32_t tile) const override
     {
-        const piece expected(part, with_origin_);
+        const piece expected(part, with_origin_, with_normals_);
         if (std::filesystem::file_size(path(tile)) != expected.layout.size())
             return "the size of " + path(tile);
         auto file = offset_file::open(path(tile));
@@ -75,9 +78,11 @@ private:
     struct piece {
         std::vector<std::size_t> faces, vertices, number; ///< of the tile; the numbers of its vertices in the piece
         vtu_layout layout;
-        std::size_t points, connectivity, offsets, types, point_ids, cell_ids, parents, levels, tiles = 0, ranks = 0;
+        std::size_t points, connectivity, offsets, types, point_ids, cell_ids, parents, levels, normals = 0, tiles = 0,
+                                                                                                ranks = 0;
 
-        piece(const tile<std::array<double, 3>>& part, bool with_origin) : number(part.mesh.vertex_count(), none)
+        piece(const tile<std::array<double, 3>>& part, bool with_origin, bool with_normals)
+            : number(part.mesh.vertex_count(), none)
         {
             std::uint64_t corners = 0;
             for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
@@ -98,8 +103,11 @@ private:
             connectivity = layout.add(corners * 8, "type=\"Int64\" Name=\"connectivity\"");
             offsets = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"offsets\"");
             types = layout.add(faces.size(), "type=\"UInt8\" Name=\"types\"");
-            layout.close("Cells").open("PointData GlobalIds=\"GlobalPointIds\"");
+            layout.close("Cells").open("PointData GlobalIds=\"GlobalPointIds\"" +
+                                       std::string(with_normals ? " Normals=\"Normals\"" : ""));
             point_ids = layout.add(vertices.size() * 8, "type=\"Int64\" Name=\"GlobalPointIds\"");
+            if (with_normals)
+                normals = layout.add(vertices.size() * 24, detail::vtu_normals);
             layout.close("PointData").open("CellData GlobalIds=\"GlobalCellIds\"");
             cell_ids = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"GlobalCellIds\"");
             parents = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"parent\"");
@@ -128,6 +136,8 @@ private:
         };
         write(p.points, p.vertices, [&](std::size_t v) { return part.mesh.point(v); });
         write(p.point_ids, p.vertices, [&](std::size_t v) { return std::int64_t(part.vertex_ids[v]); });
+        if (with_normals_)
+            write(p.normals, p.vertices, [&](std::size_t v) { return part.normals[v]; });
         joined_writes out(file);
         std::uint64_t at = p.layout.offset(p.connectivity);
         for (const std::size_t f : p.faces)
@@ -152,7 +162,7 @@ private:
 
     std::string directory_, index_;
     int level_;
-    bool with_origin_;
+    bool with_origin_, with_normals_;
 };
 
 } // namespace kith
