@@ -118,9 +118,19 @@ TEST(plan, refuses_what_the_index_cannot_number_and_says_what_it_can)
     const std::string text = error_text<kith::mesh_error>([] { plan(cube, kith::catmull_clark(), 20); });
     EXPECT_EQ(text,
               "catmull-clark: level 14 has 1610612738 vertices and 3221225472 edges, more than a 32-bit index "
-              "can number; refine at most 13 times or use a 64-bit index");
+              "can number; refine at most 13 times, in tiles, or on a native mesh with a 64-bit index");
     EXPECT_NO_THROW(plan(cube, kith::catmull_clark(), 13));
     EXPECT_NO_THROW(plan(cube, kith::catmull_clark(), 20, 0, 24, 8));
+}
+
+TEST(plan, what_fits_is_planned_and_what_does_not_is_told)
+{
+    const auto fits = kith::plan_what_fits(cube, kith::catmull_clark(), 20);
+    EXPECT_EQ(fits.levels.size(), 14U);
+    EXPECT_EQ(fits.levels.back().counts.faces, 6U << 26);
+    EXPECT_EQ(fits.problem,
+              "level 14 has 1610612738 vertices and 3221225472 edges, more than a 32-bit index can number");
+    EXPECT_EQ(kith::plan_what_fits(cube, kith::catmull_clark(), 3).problem, "");
 }
 
 TEST(plan, refuses_what_64_bits_cannot_count)

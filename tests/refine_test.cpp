@@ -223,7 +223,7 @@ TEST(refine, refuses_more_elements_than_the_index_can_number_before_it_starts)
     const auto mesh = kith::make_mesh<std::uint16_t>(points, faces);
     EXPECT_EQ(refusal(mesh, never_run(), 6),
               "catmull-clark: level 6 has 24578 vertices and 49152 edges, more than a 16-bit index can number; "
-              "refine at most 5 times or use a 64-bit index");
+              "refine at most 5 times, in tiles, or on a native mesh with a 64-bit index");
     EXPECT_EQ(refine(mesh, kith::catmull_clark(), 5).face_count(), 6144U);
     EXPECT_NE(refusal(mesh, never_run(), 1000).find("refine at most 5 times"), std::string::npos);
 }

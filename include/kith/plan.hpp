@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kith {
@@ -27,12 +28,17 @@ inline planned_level plan_level(const counts& c, int degree, std::size_t point_b
     return {c, least + (c.corners() + 2 * c.edges + c.vertices) * index_bytes, least};
 }
 
-/// V, E, F and bytes of levels 0 to n before anything is allocated; thesis table 1.1.
-/// Errors: mesh_error for negative n, for a boundary that the scheme refuses, and for a level with more elements than 64 bits count or `index_bytes` number.
-/// Cost: O(n).
+/// The levels of a plan that can be numbered, and what is wrong with the next one; nothing where all are there.
+struct partial_plan {
+    std::vector<planned_level> levels;
+    std::string problem{}; ///< "level 14 has 1610612738 vertices ..., more than a 32-bit index can number"
+};
+
+/// Levels 0 to n, or those before the first that has more elements than 64 bits count or `index_bytes` number.
+/// Errors: mesh_error for negative n and for a boundary that the scheme refuses. Cost: O(n).
 template <countable_scheme S>
-std::vector<planned_level> plan(const counts& control, const S& scheme, int levels, int generation = 0,
-                                std::size_t point_bytes = 3 * sizeof(double), std::size_t index_bytes = 4)
+partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, int generation = 0,
+                            std::size_t point_bytes = 3 * sizeof(double), std::size_t index_bytes = 4)
 {
     using numbers = numbering<decltype(columns_of(scheme, 0)), std::uint64_t>;
     const std::string name(scheme_name<S>());
@@ -42,26 +48,43 @@ std::vector<planned_level> plan(const counts& control, const S& scheme, int leve
         if (control.boundary_edges != 0)
             throw mesh_error(name + ": the mesh has " + std::to_string(control.boundary_edges) +
                              " boundary edges; close it first, or take a scheme with a boundary rule");
-    std::vector<planned_level> result{plan_level(control, 0, point_bytes, index_bytes)};
+    partial_plan result{{plan_level(control, 0, point_bytes, index_bytes)}};
     for (int level = 1; level <= levels; ++level) {
-        const counts& last = result.back().counts;
+        const counts& last = result.levels.back().counts;
+        const std::string has = "level " + std::to_string(level) + " has ";
         // A step multiplies by 16 at most, and there are more bytes than elements.
         constexpr std::uint64_t countable = std::uint64_t(1) << 50;
-        const bool too_many = std::max({last.vertices, last.edges, last.faces, last.boundary_corners}) > countable;
-        if (too_many)
-            throw mesh_error(name + ": level " + std::to_string(level) + " has more elements than 64 bits can count; " +
-                             "refine at most " + std::to_string(level - 1) + " times");
-        result.push_back(plan_level(
-            next_counts(scheme, last, generation + level - 1), int(numbers::common_degree), point_bytes, index_bytes));
-        const counts& next = result.back().counts;
+        if (std::max({last.vertices, last.edges, last.faces, last.boundary_corners}) > countable) {
+            result.problem = has + "more elements than 64 bits can count";
+            break;
+        }
+        const auto planned = plan_level(
+            next_counts(scheme, last, generation + level - 1), int(numbers::common_degree), point_bytes, index_bytes);
+        const counts& next = planned.counts;
         if (index_bytes < 8 and
-            std::max({next.vertices, 2 * next.edges}) >= (std::uint64_t(1) << (8 * index_bytes)) - 1)
-            throw mesh_error(name + ": level " + std::to_string(level) + " has " + std::to_string(next.vertices) +
-                             " vertices and " + std::to_string(next.edges) + " edges, more than a " +
-                             std::to_string(8 * index_bytes) + "-bit index can number; refine at most " +
-                             std::to_string(level - 1) + " times or use a 64-bit index");
+            std::max({next.vertices, 2 * next.edges}) >= (std::uint64_t(1) << (8 * index_bytes)) - 1) {
+            result.problem = has + std::to_string(next.vertices) + " vertices and " + std::to_string(next.edges) +
+                             " edges, more than a " + std::to_string(8 * index_bytes) + "-bit index can number";
+            break;
+        }
+        result.levels.push_back(planned);
     }
     return result;
+}
+
+/// V, E, F and bytes of levels 0 to n before anything is allocated; thesis table 1.1.
+/// Errors: mesh_error for negative n, for a boundary that the scheme refuses, and for a level with more elements than 64 bits count or `index_bytes` number.
+/// Cost: O(n).
+template <countable_scheme S>
+std::vector<planned_level> plan(const counts& control, const S& scheme, int levels, int generation = 0,
+                                std::size_t point_bytes = 3 * sizeof(double), std::size_t index_bytes = 4)
+{
+    auto result = plan_what_fits(control, scheme, levels, generation, point_bytes, index_bytes);
+    if (not result.problem.empty())
+        throw mesh_error(std::string(scheme_name<S>()) + ": " + result.problem + "; refine at most " +
+                         std::to_string(result.levels.size() - 1) + " times" +
+                         (index_bytes < 8 ? ", in tiles, or on a native mesh with a 64-bit index" : ""));
+    return std::move(result.levels);
 }
 
 /// The most memory that is in use at once while levels 0 to n are made: all of them where they are kept, else the last two.
