@@ -15,6 +15,7 @@
 
 /// Every corner becomes a quad and nothing is smoothed.
 struct linear_split {
+    static constexpr auto traits() { return kith::scheme_traits{.name = "linear-split"}; }
     static constexpr auto columns()
     {
         return kith::columns(kith::new_vertices(kith::per_vertex, kith::per_edge, kith::per_face),

@@ -44,7 +44,7 @@ struct scheme_traits {
     /// Its state of a level, such as creases: a pointer to the member, or [](auto& scheme) -> auto& {...}; see level_state.
     State state{};
     /// bool ignores_numbers(): it keeps nothing by the numbers of elements, so that it may be given levels whose elements are
-    /// in another order. Precondition: said without the scheme only by schemes without state.
+    /// in another order. One with state says it of itself, [](const my_scheme& s) {...}: it may be empty.
     IgnoresNumbers ignores_numbers{};
 };
 
@@ -154,6 +154,11 @@ consteval void require_signatures()
     static_assert(not is_said<decltype(Traits::ignores_numbers)> or says_ignores_numbers<S, Traits>,
                   "traits().ignores_numbers of a scheme is a function of (), or of (const the_scheme&), that returns "
                   "bool");
+    static_assert(
+        not is_said<decltype(Traits::ignores_numbers)> or not is_said<decltype(Traits::state)> or
+            std::invocable<decltype(Traits::ignores_numbers), const S&>,
+        "traits().ignores_numbers of a scheme with state is a function of (const the_scheme&): its state, kept by "
+        "numbers, may be empty or not");
 }
 
 template <class S>
