@@ -80,7 +80,7 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
                                 const refine_options& options)
 {
     require_levels<Scheme>(levels);
-    require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(control), control.generation());
+    with_native_level<Scheme>(control, [&](const auto& level) { require_input<Scheme>(level, control.generation()); });
     return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 

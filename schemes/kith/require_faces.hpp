@@ -17,11 +17,11 @@ template <class Scheme, class Level>
 void require_three_faces(const Level& coarse)
 {
     for_each_by_number(coarse.vertices(), [&](const auto& v) {
-        const auto first = v.first_corner();
-        if (first.is_boundary() or first.prev().is_boundary())
+        const auto first = v.first_corner(), before = first.prev();
+        if (first.is_boundary() or before.is_boundary())
             return;
-        const auto second = first.prev().across();
-        if (second.prev().is_boundary() or not(second.prev().across() == first))
+        const auto second = before.across();
+        if (not(first.across().next() == second)) // what lies clockwise and what lies counter-clockwise
             return;
         const bool triangles = first.f().degree() == 3 and second.f().degree() == 3;
         throw mesh_error(std::string(scheme_name<Scheme>()) + ": vertex " + std::to_string(v.index()) +
