@@ -119,7 +119,7 @@ TEST(association, the_dictionary_refuses_to_read_what_is_not_set)
     EXPECT_EQ(fault([](const auto& coarse, const auto& assoc) { // whose column has been forgotten
                   assoc(coarse.vertices()[0], coarse.vertices()[6], V) = average(assoc(coarse.faces()[2].edges(), V));
               }),
-              "assoc(e 1) -> V is read before it is set; declare per_edge among the new vertices, or set it first");
+              "assoc(e 0) -> V is read before it is set; declare per_edge among the new vertices, or set it first");
 }
 
 TEST(association, the_dictionary_refuses_to_set_twice)
