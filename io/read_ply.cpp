@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/counted.hpp>
-#include <kith/ply_header.hpp>
+#include <kith/ply_not_kept.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/text_cursor.hpp>
 
@@ -248,6 +248,8 @@ std::string_view known_property(std::string_view name)
     return {};
 }
 
+} // namespace
+
 std::vector<std::string> not_kept(const ply_header& header)
 {
     std::vector<std::string> result;
@@ -275,8 +277,6 @@ std::vector<std::string> not_kept(const ply_header& header)
     }
     return result;
 }
-
-} // namespace
 
 polygon_soup read_ply(std::string_view bytes)
 {

@@ -5,12 +5,14 @@
 #include "errors.hpp"
 #include "journal.hpp"
 #include "limit_surface.hpp"
+#include "mesh_input.hpp"
 #include "partition_options.hpp"
 #include "rank_stats.hpp"
 #include "run_stats.hpp"
 #include "tile_output.hpp"
 
 #include <kith/checksum.hpp>
+#include <kith/ply_not_kept.hpp>
 #include <kith/refine.hpp>
 #include <kith/tiles_of_slices.hpp>
 
@@ -268,6 +270,10 @@ void refine_slices(mpi::communicator& comm, const rank_request& request, const S
     mpi::in_agreement(
         comm, [&] { rings = std::max(rings, ring_schedule(scheme, levels, last_rings(request.what).value_or(0))[0]); });
     auto read = timed(seconds[phase::read], [&] { return mpi::read_tiles(comm, request.input, rings); });
+    mpi::in_agreement(comm, [&] {
+        if (comm.is_root())
+            note_losses(request.input, io::not_kept(sliced_ply(request.input).header()));
+    });
     mpi::rank_refinement refinement(comm, std::move(read.tiles), read.counts, scheme, levels, last_rings(request.what));
     write_surface(comm, request, scheme, {}, refinement, seconds);
 }

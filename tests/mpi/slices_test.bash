@@ -51,6 +51,19 @@ on 3 refine quads.ply -s catmull-clark -n 1 -o out.vtu --slices --verify
 exits 2
 says '.-verify: needs the whole mesh on one rank; leave out this or --slices'
 one_message
+# What refine refuses --slices refuses, too, and what is not kept is named as there.
+run refine cube.off -s catmull-clark -n 1 -o normals.ply --binary --limit
+on 3 refine normals.ply -s catmull-clark -n 1 -o slices.vtu --slices
+exits 0
+says 'normals.ply: not kept: normals'
+(cat quads.ply; printf '!') >longer.ply
+on 1 refine longer.ply -s catmull-clark -n 1 -o out.vtu
+exits 1
+says 'longer.ply: the file goes on for 1 byte after its last element'
+on 3 refine longer.ply -s catmull-clark -n 1 -o out.vtu --slices
+exits 1
+says 'longer.ply: goes on for 1 byte after its last element'
+one_message
 check "no output is left" test -z "$(ls | grep -E '^out|incomplete')"
 
 finish
