@@ -56,16 +56,17 @@ void write_off(std::ostream& out, const written_mesh& what)
     write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
         text << point_of(what, v);
         if (has_normals)
-            text << ' ' << normal_of(what, v);
+            text << "  " << normal_of(what, v);
         text << '\n';
     });
     write_blocks(out, what.mesh.face_count(), [&](text_block& text, std::size_t f) {
         const auto face = what.mesh.face(f);
-        text << face.size();
+        text << face.size() << ' ';
         for (const auto v : face)
             text << ' ' << std::size_t(v);
         text << '\n';
     });
+    out << '\n';
 }
 
 void write_obj(std::ostream& out, const written_mesh& what)
@@ -81,7 +82,7 @@ void write_obj(std::ostream& out, const written_mesh& what)
             text << "vn " << normal_of(what, v) << '\n';
     });
     write_blocks(out, what.mesh.face_count(), [&](text_block& text, std::size_t f) {
-        text << 'f';
+        text << "f ";
         for (const auto v : what.mesh.face(f)) {
             text << ' ' << std::size_t(v) + 1;
             if (has_normals)

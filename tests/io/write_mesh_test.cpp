@@ -70,8 +70,8 @@ TEST(write_mesh, the_text_of_each_format)
     const basic_mesh<> mesh = make_mesh(points{{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}},
                                         std::vector<std::vector<int>>{{0, 1, 2}});
     const io::written_mesh what{.mesh = mesh};
-    EXPECT_EQ(written(mesh_format::off, what), "OFF\n3 1 0\n\n0 0 0\n1 0 0\n0 0.5 0\n3 0 1 2\n");
-    EXPECT_EQ(written(mesh_format::obj, what), "# kith: 3 vertices, 1 face\nv 0 0 0\nv 1 0 0\nv 0 0.5 0\nf 1 2 3\n");
+    EXPECT_EQ(written(mesh_format::off, what), "OFF\n3 1 0\n\n0 0 0\n1 0 0\n0 0.5 0\n3  0 1 2\n\n");
+    EXPECT_EQ(written(mesh_format::obj, what), "# kith: 3 vertices, 1 face\nv 0 0 0\nv 1 0 0\nv 0 0.5 0\nf  1 2 3\n");
     EXPECT_EQ(written(mesh_format::ply, what),
               "ply\nformat ascii 1.0\ncomment written by kith\nelement vertex 3\nproperty double x\nproperty double y\n"
               "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
