@@ -38,7 +38,8 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
             levels.refine(request.levels);
             const auto last = with_points<std::array<double, 3>>(lift(levels.finest()));
             const int generation = control.generation() + request.levels; // which other libraries forget
-            refined_mesh refined{{storage(last.points()), last.topology(), generation}, last.edge_count()};
+            refined_mesh refined{{storage<std::array<double, 3>>(last.points()), last.topology(), generation},
+                                 last.edge_count()};
             if constexpr (has_creases<Scheme>)
                 if (request.with_tags)
                     refined.tags = io::tags_of(levels.scheme(request.levels).sharpness,
