@@ -73,8 +73,9 @@ TEST(communicator, waits_without_a_processor)
             std::this_thread::sleep_for(late);
         call();
         EXPECT_LT(processor_seconds() - before, 0.2);
-        if (not comm.is_root())
-            EXPECT_GT(comm.seconds()[kith::phase::wait] - waited, 0.3);
+        if (not comm.is_root()) {
+            EXPECT_GT(comm.seconds()[kith::phase::wait] - waited, 0.1);
+        }
     }
 }
 
