@@ -203,8 +203,7 @@ private:
         comm_.agree(problem);
     }
 
-    /// A worker asks for so many tiles, none if its last ones went wrong; the answer are up to so many, each with its
-    /// number, or nothing when there is none left.
+    /// A worker asks for so many tiles, none after an error; the answer are up to so many, numbered, or nothing at the end.
     template <class Use>
     void refine_handed_out(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
