@@ -53,8 +53,8 @@ mesh_format output_format_of(const std::string& path)
     if (const auto format = find_format(path))
         return *format;
     throw file_error(path +
-                     ": the extension decides the format and must be .off, .obj, .ply or .stl, or .vtu, .pvtu or "
-                     ".ply in tiles");
+                     ": the extension decides the format and must be .off, .obj, .ply or .stl, or .vtu or .pvtu, which "
+                     "are written in tiles");
 }
 
 } // namespace kith::io

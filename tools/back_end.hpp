@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "job_memory.hpp"
 #include "schemes.hpp"
 
 #include <kith/basic_mesh.hpp>
@@ -16,9 +17,10 @@ namespace kith::tool {
 struct refine_request {
     any_scheme scheme;
     int levels = 0;
-    std::uint64_t memory_limit = 0; ///< in bytes
-    bool with_tags = false;         ///< the sharpness that is left is wanted
-    bool limit = false;             ///< the last level at its place on the limit surface, with the normals there
+    memory_limit memory;
+    bool with_tags = false; ///< the sharpness that is left is wanted
+    bool limit = false;     ///< the last level at its place on the limit surface, with the normals there
+    bool holes = false;     ///< some faces are left out in the end
 };
 
 struct refined_mesh {
@@ -29,7 +31,7 @@ struct refined_mesh {
 };
 
 /// Refine on one kind of mesh each, level by level, and give the last level back as the native one.
-/// Errors: mesh_error, as kith::refine.
+/// Errors: mesh_error, as kith::refine, but all memory is counted that the job needs.
 refined_mesh refine_native(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_cgal(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request);

@@ -16,6 +16,7 @@ struct double_traits : OpenMesh::DefaultTraits {
 
 refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request)
 {
+    require_possible(request, control, mesh_kind::openmesh);
     return refine_on<OpenMesh::PolyMesh_ArrayKernelT<double_traits>>(control, request);
 }
 

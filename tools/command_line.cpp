@@ -10,8 +10,6 @@
 #include <cmath>
 #include <iostream>
 
-#include <unistd.h>
-
 namespace kith::tool {
 
 namespace po = boost::program_options;
@@ -41,14 +39,14 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
         throw usage_error(error.what());
     }
     if (values.count("version") != 0) {
-        print_version();
+        print_version(verb.program);
         return std::nullopt;
     }
     if (values.count("help") != 0) {
-        std::cout << "kith " << verb.name;
+        std::cout << verb.program << ' ' << verb.name;
         for (const auto& operand : operands)
             std::cout << ' ' << operand;
-        std::cout << " [options]\n" << verb.summary << "\n\n" << options;
+        std::cout << " [options]\n" << verb.summary << "\n\n" << options << "\n" << verb.examples;
         return std::nullopt;
     }
     for (const auto& operand : operands)
@@ -57,9 +55,9 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
     return values;
 }
 
-void print_version()
+void print_version(std::string_view program)
 {
-    std::cout << "kith " << KITH_VERSION << '\n';
+    std::cout << program << ' ' << KITH_VERSION << '\n';
 }
 
 std::string required(const po::variables_map& values, const std::string& name)
@@ -69,21 +67,31 @@ std::string required(const po::variables_map& values, const std::string& name)
     return values[name].as<std::string>();
 }
 
+std::string output_of(const po::variables_map& values)
+{
+    const std::string output = required(values, "output");
+    if (output.empty())
+        throw file_error("the output has no name; name a file with -o");
+    return output;
+}
+
 int levels_of(const po::variables_map& values)
 {
     if (values.count("levels") == 0)
         throw usage_error("--levels is missing");
     const int levels = values["levels"].as<int>();
     if (levels < 0)
-        throw usage_error("--levels: " + std::to_string(levels) + " were asked for; ask for 0 or more");
+        throw usage_error("--levels: " + std::to_string(levels) + " levels were asked for; ask for 0 or more");
     return levels;
 }
 
 std::uint64_t count_from(const po::variables_map& values, const std::string& option, std::int64_t most)
 {
     const auto count = values.count(option) != 0 ? values[option].as<std::int64_t>() : 1;
+    const std::string noun = option == "tiles-per-rank" ? "tiles per rank" : option;
     if (count < 1 or count > most)
-        throw usage_error("--" + option + ": " + std::to_string(count) + " were asked for; ask for 1 or more" +
+        throw usage_error("--" + option + ": " + std::to_string(count) + " " + noun +
+                          " were asked for; ask for 1 or more" +
                           (most == INT64_MAX ? "" : ", up to " + std::to_string(most)));
     return std::uint64_t(count);
 }
@@ -102,11 +110,6 @@ std::uint64_t bytes_from(const std::string& text)
     if (error != std::errc() or rest != end or not(bytes >= 1 and bytes < 1e19))
         throw usage_error("'" + text + "' is no number of bytes such as 500M or 1.5G");
     return std::uint64_t(bytes);
-}
-
-std::uint64_t physical_memory()
-{
-    return std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGE_SIZE));
 }
 
 } // namespace kith::tool

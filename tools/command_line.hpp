@@ -18,6 +18,8 @@ struct verb {
     std::string_view name;
     std::string_view summary;
     int (*run)(const verb&, const std::vector<std::string>& arguments);
+    std::string_view examples;         ///< lines for --help
+    std::string_view program = "kith"; ///< which --help names
 };
 
 int run_refine(const verb&, const std::vector<std::string>& arguments);
@@ -45,10 +47,13 @@ std::optional<boost::program_options::variables_map> parse(const verb& verb,
                                                            const std::vector<std::string>& operands,
                                                            const std::vector<std::string>& arguments);
 
-void print_version();
+void print_version(std::string_view program = "kith");
 
 /// The value of a required option or operand. Errors: usage_error when it is missing.
 std::string required(const boost::program_options::variables_map& values, const std::string& name);
+
+/// --output, which has a name. Errors: usage_error when it is missing, file_error when it is empty.
+std::string output_of(const boost::program_options::variables_map& values);
 
 /// --levels: 0 or more. Errors: usage_error.
 int levels_of(const boost::program_options::variables_map& values);
@@ -62,6 +67,5 @@ constexpr std::int64_t most_ranks = 1 << 20, most_tiles_per_rank = UINT32_MAX, m
 
 /// A number of bytes: 500M, 1.5G; K, M, G and T are powers of 1024. Errors: usage_error.
 std::uint64_t bytes_from(const std::string& text);
-std::uint64_t physical_memory();
 
 } // namespace kith::tool

@@ -14,6 +14,23 @@
 
 namespace kith::tool {
 
+/// Whether sharpness is wanted and left, so that the levels are kept on which it was passed on.
+inline bool keeps_tags(const refine_request& request)
+{
+    return request.with_tags and sharp_after(request.scheme, request.levels).any();
+}
+
+/// Errors: mesh_error for a mesh that the scheme does not take, and for a job that needs more memory than it may have.
+inline void require_possible(const refine_request& request, const basic_mesh<>& control, mesh_kind mesh)
+{
+    require_scheme_takes(request.scheme, control);
+    require_memory(request.scheme,
+                   control,
+                   request.levels,
+                   {mesh, request.limit, request.holes, keeps_tags(request)},
+                   request.memory);
+}
+
 /// The same mesh with points of another type.
 template <class To, class From>
 basic_mesh<To> with_points(const basic_mesh<From>& mesh)
@@ -34,7 +51,7 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
         [&]<class Scheme>(const Scheme& scheme) {
             hierarchy<M, Scheme> levels(traits::build(with_points<typename traits::point>(control)),
                                         scheme,
-                                        {.memory_limit = request.memory_limit});
+                                        {.memory_limit = request.memory.bytes});
             levels.refine(request.levels);
             const auto last = with_points<std::array<double, 3>>(lift(levels.finest()));
             const int generation = control.generation() + request.levels; // which other libraries forget

@@ -3,6 +3,7 @@
 
 #include <kith/limit_surface.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <variant>
@@ -13,7 +14,7 @@ std::vector<std::array<double, 3>> move_to_limit(basic_mesh<>& mesh, const any_s
                                                  std::span<const unsigned char> marks)
 {
     auto limits = std::visit([&](const auto& s) { return limit_surface_around(mesh, s, marks); }, scheme);
-    mesh = basic_mesh<>(std::move(limits.positions), mesh.topology(), mesh.generation());
+    std::ranges::copy(limits.positions, mesh.points().begin());
     return std::move(limits.normals);
 }
 

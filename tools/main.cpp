@@ -23,13 +23,39 @@ constexpr int bad_input = 1;
 constexpr int wrong_use = 2;
 
 constexpr std::array verbs{
-    verb{"refine", "Refines a mesh and writes the result.", run_refine},
-    verb{"info", "Tells what a file holds and what is wrong with it; exit code 1 if something is.", run_info},
+    verb{"refine",
+         "Refines a mesh and writes the result.",
+         run_refine,
+         "Examples:\n"
+         "  kith refine cow.off -s loop -n 3 -o fine.ply --binary\n"
+         "  kith refine house.obj -s loop --triangulate -n 4 -o fine.obj --limit\n"
+         "  kith refine cow.off -s loop -n 9 -o fine.vtu --tiles 500     larger than the memory\n"
+         "Files are OFF, OBJ, PLY or STL by their extension, - is OFF on standard input or output. OUT may be .vtu\n"
+         "or .pvtu, too, which are written in tiles; tiles make binary .vtu, .pvtu or .ply, with --binary or "
+         "without.\n"},
+    verb{"info",
+         "Tells what a file holds and what is wrong with it; exit code 1 if something is.",
+         run_info,
+         "Examples:\n"
+         "  kith info cow.off\n"
+         "  kith info cow.off --json\n"},
     verb{"compare",
          "Compares two meshes, whatever their numbering or bit by bit; exit code 1 if they differ.",
-         run_compare},
-    verb{"plan", "Tells how large each level would be, and what ranks would do; nothing is refined.", run_plan},
-    verb{"schemes", "Lists the subdivision schemes.", run_schemes},
+         run_compare,
+         "Examples:\n"
+         "  kith compare a.off b.ply --tolerance 1e-9\n"
+         "  kith compare a.off b.ply --bitwise\n"},
+    verb{"plan",
+         "Tells how large each level would be, and what ranks would do; nothing is refined.",
+         run_plan,
+         "Examples:\n"
+         "  kith plan cow.off -s loop -n 9\n"
+         "  kith plan cow.off -s loop -n 9 --ranks 64 --tiles-per-rank 4\n"},
+    verb{"schemes",
+         "Lists the subdivision schemes, the faces they take and their options.",
+         run_schemes,
+         "Examples:\n"
+         "  kith schemes --json\n"},
 };
 
 void print_help(std::ostream& out)
@@ -37,8 +63,8 @@ void print_help(std::ostream& out)
     out << "kith VERB [arguments]: subdivision surfaces\n\n";
     for (const auto& verb : verbs)
         out << "  " << std::left << std::setw(9) << verb.name << verb.summary << '\n';
-    out << "\n`kith VERB --help` tells the options of a verb. Files are OFF, OBJ, PLY or STL by their extension,\n"
-           "`-` is OFF on standard input or output.\n"
+    out << "\n`kith VERB --help` tells the options of a verb, with examples. Files are OFF, OBJ, PLY or STL by their\n"
+           "extension, `-` is OFF on standard input or output; `kith refine` writes VTU (.vtu, .pvtu), too.\n"
            "Exit codes: 0 success, 1 bad input or a difference, 2 wrong use.\n";
 }
 

@@ -19,7 +19,25 @@ namespace kith::tool {
 
 namespace {
 
-constexpr verb refine_verb{"refine", "Refines a mesh in tiles, on all ranks of an MPI job.", nullptr};
+constexpr verb refine_verb{"refine",
+                           "Refines a mesh in tiles, on all ranks of an MPI job.",
+                           nullptr,
+                           "Examples:\n"
+                           "  mpirun -n 64 kith-mpi refine cow.off -s loop -n 9 -o fine.vtu\n"
+                           "  mpirun -n 64 kith-mpi refine cow.off -s loop -n 9 -o fine.ply --journal kept     and, to "
+                           "go on after an accident:\n"
+                           "  mpirun -n 16 kith-mpi refine --journal kept\n"
+                           "The file has the same bytes on any number of ranks. All its formats are binary.\n",
+                           "kith-mpi"};
+
+void print_help()
+{
+    std::cout << "kith-mpi refine [IN] [options]: subdivision surfaces in tiles, on all ranks of an MPI job\n\n"
+                 "`kith-mpi refine --help` tells the options, with examples. IN is OFF, OBJ, PLY or STL by its "
+                 "extension, the\n"
+                 "output .vtu, .pvtu or .ply. All else is done by the program kith, see `kith --help`.\n"
+                 "Exit codes: 0 success, 1 bad input, 2 wrong use, others where MPI ended the job.\n";
+}
 
 /// Exit codes as `kith`; what goes wrong is told once, by rank 0.
 int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
@@ -29,10 +47,20 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
             std::cerr << "kith-mpi: " << text << '\n';
     };
     try {
-        if (arguments.empty() or arguments[0] != refine_verb.name)
-            throw usage_error("the verb is missing; there is refine");
         if (not comm.is_root())
             std::cout.setstate(std::ios::failbit); // --help is answered once
+        if (arguments.empty())
+            throw usage_error("the verb is missing; there is refine, see `kith-mpi --help`");
+        if (arguments[0] == "--help" or arguments[0] == "-h") {
+            print_help();
+            return 0;
+        }
+        if (arguments[0] == "--version") {
+            print_version(refine_verb.program);
+            return 0;
+        }
+        if (arguments[0] != refine_verb.name)
+            throw usage_error("'" + arguments[0] + "' is no verb; there is refine, see `kith-mpi --help`");
         auto request = rank_request_from(refine_verb, {arguments.begin() + 1, arguments.end()});
         if (request) {
 #if defined(_OPENMP)

@@ -37,7 +37,9 @@ partition make_partition(const std::string& partitioner, const basic_mesh<>& mes
     try {
         return read_partition(in, mesh);
     } catch (const mesh_error& error) {
-        throw file_error(path + ": " + error.what());
+        throw file_error(
+            path + ": " + error.what() +
+            "; faces are those that `kith plan` counts on level 0, which for 4-8 are triangles made of yours");
     }
 }
 

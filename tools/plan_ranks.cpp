@@ -2,6 +2,8 @@
 #include "plan_ranks.hpp"
 
 #include "errors.hpp"
+#include "job_memory.hpp"
+#include "limit_surface.hpp"
 
 #include <kith/cut_tiles.hpp>
 #include <kith/pack.hpp>
@@ -23,21 +25,22 @@ double bytes_of_tile(double vertices, double faces, double corners)
     return vertex * vertices + face * faces + corner * corners;
 }
 
-/// Coordinates, faces and their cell data: see vtu_file.
-double bytes_of_output(double vertices, double faces, double corners)
+/// Coordinates, with normals where there are such, faces and their cell data: see vtu_file.
+double bytes_of_output(double vertices, double faces, double corners, bool with_normals)
 {
-    constexpr double vertex = 24, face = 8 + 1 + 8 + 1, corner = 8;
+    const double vertex = with_normals ? 24 + 24 : 24;
+    constexpr double face = 8 + 1 + 8 + 1, corner = 8;
     return vertex * vertices + face * faces + corner * corners;
 }
 
 template <class Scheme>
 planned_ranks plan_by(const Scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
-                      std::uint64_t ranks)
+                      std::uint64_t ranks, bool limit)
 {
-    require_input<Scheme>(level_of<basic_mesh<>>(control));
     const auto last = plan(count(control.topology()), scheme, levels, control.generation(), 24, 8).back().counts;
-    const int rings = ring_schedule(scheme, levels)[0];
-    planned_ranks result{rings, std::vector<planned_rank>(ranks)};
+    const int rings = ring_schedule(scheme, levels, limit ? rings_for_limit(scheme) : 0)[0];
+    planned_ranks result{
+        rings, tiled_job_bytes(scheme, control, levels, parts, {.limit = limit}), std::vector<planned_rank>(ranks)};
     tile_cutter cutter(control, scheme, parts.part_of, parts.parts);
     for (std::size_t t = 0; t < parts.parts; ++t) {
         const auto job = cutter.cut(t, rings);
@@ -55,7 +58,7 @@ planned_ranks plan_by(const Scheme& scheme, const basic_mesh<>& control, int lev
         rank.last_faces += std::uint64_t(faces_here + 0.5);
         rank.tile_bytes = std::max(rank.tile_bytes,
                                    std::uint64_t(bytes_of_tile(vertices_here, faces_here, corners_here)));
-        rank.output_bytes += std::uint64_t(bytes_of_output(vertices_here, faces_here, corners_here));
+        rank.output_bytes += std::uint64_t(bytes_of_output(vertices_here, faces_here, corners_here, limit));
     }
     return result;
 }
@@ -63,15 +66,14 @@ planned_ranks plan_by(const Scheme& scheme, const basic_mesh<>& control, int lev
 } // namespace
 
 planned_ranks plan_ranks(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
-                         std::uint64_t ranks)
+                         std::uint64_t ranks, bool limit)
 {
     return std::visit(
         [&]<class Scheme>(const Scheme& s) -> planned_ranks {
             if constexpr (reaching_scheme<Scheme>)
-                return plan_by(s, control, levels, parts, ranks);
+                return plan_by(s, control, levels, parts, ranks, limit);
             else
-                throw usage_error("--ranks: " + std::string(scheme_name<Scheme>()) +
-                                  " has no reach, so no tiles; plan without ranks");
+                throw usage_error("--ranks: " + not_in_tiles(scheme_name<Scheme>()) + "; plan without ranks");
         },
         scheme);
 }

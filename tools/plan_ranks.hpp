@@ -23,15 +23,16 @@ struct planned_rank {
 };
 
 struct planned_ranks {
-    int rings = 0; ///< of shadows on level 0
+    int rings = 0;                        ///< of shadows on level 0
+    std::uint64_t largest_tile_bytes = 0; ///< in use at most while it is refined, the control mesh included
     std::vector<planned_rank> ranks;
 };
 
-/// Cuts every tile as `kith-mpi` would, tile t for rank t modulo `ranks`. Faces of level 0 and messages are counted; what
+/// Cuts every tile as `kith-mpi` would, with `limit` for --limit, tile t for rank t modulo `ranks`. Faces of level 0 and messages are counted; what
 /// the last level has is shared out by the corners that a tile owns on level 0, which is exact where every new face comes
 /// from a corner, or all faces have one degree and every new one comes from a face.
 /// Errors: usage_error for a scheme without reach, mesh_error. Cost: that of the control mesh and its shadows.
 planned_ranks plan_ranks(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
-                         std::uint64_t ranks);
+                         std::uint64_t ranks, bool limit = false);
 
 } // namespace kith::tool

@@ -55,7 +55,8 @@ void require_slices_alone(const po::variables_map& values)
                                "journal",
                                "verify",
                                "crease-angle",
-                               "crease-sharpness"})
+                               "crease-sharpness",
+                               "triangulate"})
         if (values.count(option) != 0)
             throw usage_error("--" + std::string(option) +
                               ": needs the whole mesh on one rank; leave out this or --slices");

@@ -7,6 +7,7 @@
 #include "limit_surface.hpp"
 #include "mesh_input.hpp"
 #include "partition_options.hpp"
+#include "rank_memory.hpp"
 #include "rank_stats.hpp"
 #include "run_stats.hpp"
 #include "tile_output.hpp"
@@ -14,6 +15,7 @@
 #include <kith/checksum.hpp>
 #include <kith/ply_not_kept.hpp>
 #include <kith/refine.hpp>
+#include <kith/tiles_at_once.hpp>
 #include <kith/tiles_of_slices.hpp>
 
 #include <algorithm>
@@ -36,26 +38,25 @@ namespace kith::tool {
 
 namespace {
 
-/// How many tiles there must be so that refining one stays within the memory of a rank: the last level twice, once with
-/// what shadows add to it and once with its ids. The surface may have more elements than the 32-bit index of a tile counts,
-/// which takes half of the bytes of the index that it is planned with.
-template <class Scheme>
-std::uint64_t tiles_for(const rank_request& request, const Scheme& scheme, const basic_mesh<>& control)
+tiling_kind tiling_of(const rank_request& request)
 {
-    const auto last = plan(count(control.topology()), scheme, request.what.levels, control.generation(), 24, 8).back();
-    const double bytes_of_points = 24 * double(last.counts.vertices);
-    const double bytes_of_tile = 2.5 * (bytes_of_points + (double(last.least_bytes) - bytes_of_points) / 2);
-    return std::uint64_t(
-        std::clamp(bytes_of_tile / double(request.memory_per_rank) + 1, 1., double(control.face_count())));
+    return {.threads = tiles_at_once(SIZE_MAX, request.threads), .limit = request.what.limit};
 }
 
-template <class Scheme>
-partition partition_for(const rank_request& request, const Scheme& scheme, int ranks)
+/// As many tiles as are asked for, or as it takes to stay within the memory of a rank.
+partition partition_for(const rank_request& request, int ranks)
 {
+    const tile_request& what = request.what;
     auto tiles = request.tiles_per_rank * std::uint64_t(ranks);
     if (request.memory_per_rank != 0)
-        tiles = std::max(tiles, tiles_for(request, scheme, request.what.control));
-    return make_partition(request.partitioner, request.what.control, tiles);
+        tiles = std::max(tiles,
+                         tiles_that_fit(what.scheme,
+                                        what.control,
+                                        what.levels,
+                                        request.partitioner,
+                                        request.memory_per_rank,
+                                        tiling_of(request)));
+    return make_partition(request.partitioner, what.control, tiles);
 }
 
 /// Reads what is refined on rank 0; without IN the others hear of it from there. The recipe of a journal stays on rank 0.
@@ -156,7 +157,7 @@ mesh_checksum checksum_on_one_rank(const tile_request& what, const Scheme& schem
         return checksum(refine(what.control, scheme, what.levels, {connect::faces}));
     return checksum(
         refine_native(what.control,
-                      {.scheme = scheme, .levels = what.levels, .memory_limit = ~std::uint64_t(0), .limit = true})
+                      {.scheme = scheme, .levels = what.levels, .memory = {.bytes = ~std::uint64_t(0)}, .limit = true})
             .mesh);
 }
 
@@ -191,6 +192,19 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
                                     .with_checksum = with_checksum,
                                     .verify = request.verify},
                      surface);
+    });
+    const memory_limit memory = memory_of_ranks(comm, request);
+    mpi::in_agreement(comm, [&] {
+        if (comm.is_root() and not request.slices)
+            require_memory(what.scheme,
+                           what.control,
+                           what.levels,
+                           kept.value.parts,
+                           request.partitioner,
+                           memory,
+                           tiling_of(request),
+                           "--tiles-per-rank",
+                           std::uint64_t(comm.size()));
     });
     tile_output& output = *made;
     const begun job = begin(comm, output, refinement.tiles(), kept, request.verify);
@@ -249,7 +263,7 @@ void refine_by(mpi::communicator& comm, const rank_request& request, const Schem
         if (not comm.is_root())
             return;
         const phase_timer timer(seconds[phase::partition]);
-        const auto make = [&] { return partition_for(request, scheme, comm.size()); };
+        const auto make = [&] { return partition_for(request, comm.size()); };
         if (request.journal.empty())
             kept.value = {.parts = make()};
         else if (given)
@@ -292,8 +306,7 @@ void refine_ranks(mpi::communicator& comm, rank_request& request)
                 request.slices ? refine_slices(comm, request, scheme, seconds)
                                : refine_by(comm, request, scheme, std::move(kept), seconds);
             else
-                throw usage_error(std::string(kith::scheme_name<Scheme>()) + // on all ranks
-                                  " has no reach, so no tiles; use kith refine");
+                throw usage_error(not_in_tiles(kith::scheme_name<Scheme>()) + "; use kith refine"); // on all ranks
         },
         request.what.scheme);
 }

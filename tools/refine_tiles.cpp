@@ -147,7 +147,8 @@ void require_reach(const tile_request& request)
 {
     const auto check = []<class Scheme>(const Scheme&) {
         if constexpr (not reaching_scheme<Scheme>)
-            throw usage_error("--tiles: " + std::string(scheme_name<Scheme>()) + " has no reach; refine without tiles");
+            throw usage_error(not_in_tiles(scheme_name<Scheme>()) +
+                              "; leave out --tiles and write .off, .obj, .ply or .stl");
     };
     std::visit(check, request.scheme);
 }
@@ -166,6 +167,15 @@ tiled_result refine_tiles(const tile_request& request, const tiling& how)
     if (range.last >= parts.parts)
         throw usage_error("--only: there is no tile " + std::to_string(range.last) + ", there are " +
                           std::to_string(parts.parts) + ", numbered from 0");
+    const std::uint64_t wanted = how.verify ? parts.parts : range.last - range.first + 1;
+    require_memory(request.scheme,
+                   request.control,
+                   request.levels,
+                   parts,
+                   how.partitioner,
+                   how.memory,
+                   {.threads = tiles_at_once(wanted), .limit = request.limit},
+                   "--tiles");
     auto result = std::visit(
         [&]<class Scheme>(const Scheme& scheme) -> tiled_result {
             if constexpr (reaching_scheme<Scheme>)

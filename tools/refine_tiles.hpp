@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "job_memory.hpp"
 #include "journal.hpp"
 #include "tile_request.hpp"
 
@@ -35,6 +36,8 @@ struct tiling {
     bool verify = false;             ///< read back what is written, and look after what was finished before
     bool with_checksum = false;      ///< there is one in any case where there is a journal
     std::optional<recipe> kept = {}; ///< when the journal has said what is refined
+    std::string partitioner = {};    ///< of new tiles
+    memory_limit memory = {};
     std::function<partition()> make_parts;
 };
 
@@ -48,8 +51,8 @@ struct tiled_result {
 
 /// Refines in tiles and writes each where it belongs; the whole surface is never in memory. On several threads each has a
 /// tile of its own. With a journal, tiles that are finished are left out and, if there is a range, all others outside of it.
-/// Errors: usage_error for a scheme without reach and for tiles that do not exist, file_error, mesh_error, write_error; no
-/// file is left then but the journal.
+/// Errors: usage_error for a scheme without reach and for tiles that do not exist, mesh_error for what needs more memory than
+/// there may be, file_error, write_error; no file is left then but the journal.
 tiled_result refine_tiles(const tile_request& request, const tiling& how);
 
 } // namespace kith::tool

@@ -21,7 +21,9 @@ double tolerance_of(const po::variables_map& values)
         throw usage_error("--tolerance is missing, or --bitwise");
     const double tolerance = values["tolerance"].as<double>();
     if (not(tolerance >= 0) or std::isinf(tolerance))
-        throw usage_error("--tolerance: " + to_json(tolerance) + " is not a number of 0 or more");
+        throw usage_error(
+            "--tolerance: " + (std::isfinite(tolerance) ? to_json(tolerance) : std::to_string(tolerance)) +
+            " is no distance; give a number of 0 or more");
     return tolerance;
 }
 

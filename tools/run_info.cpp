@@ -5,15 +5,21 @@
 #include "json.hpp"
 #include "mesh_facts.hpp"
 #include "mesh_input.hpp"
+#include "schemes.hpp"
 #include "word_list.hpp"
 
 #include <kith/counted.hpp>
+#include <kith/error.hpp>
 #include <kith/tags_of_creases.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <iomanip>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace kith::tool {
 
@@ -47,40 +53,89 @@ void print_box(const Line& line, const mesh_facts& facts)
         line("bounding box", text(facts.box->first) + " to " + text(facts.box->second));
 }
 
-/// What the tags of a file are about, with how much of it.
-std::vector<std::pair<std::string, std::size_t>> tag_counts(const mesh_tags& tags)
+/// What `info` tells beside facts.
+struct verdict {
+    std::vector<std::string> problems;     ///< all that `refine` would refuse, whatever the scheme
+    std::vector<std::string> tags;         ///< "edge 0-1: sharpness 2"
+    std::vector<std::string_view> schemes; ///< that take the mesh
+};
+
+std::string sharpness_text(double sharpness)
 {
-    std::vector<std::pair<std::string, std::size_t>> result;
+    return sharpness == infinitely_sharp ? "sharp for ever" : "sharpness " + to_json(sharpness);
+}
+
+std::vector<std::string> lines_of(const mesh_tags& tags)
+{
+    std::vector<std::string> result;
+    for (const auto& [from, to, sharpness] : tags.edges)
+        result.push_back("edge " + std::to_string(from) + "-" + std::to_string(to) + ": " + sharpness_text(sharpness));
+    for (const auto& [vertex, sharpness] : tags.vertices)
+        result.push_back("vertex " + std::to_string(vertex) + ": " + sharpness_text(sharpness));
+    for (const std::size_t face : tags.holes)
+        result.push_back("face " + std::to_string(face) + ": a hole");
+    if (tags.boundary_is_hole)
+        result.emplace_back("boundary: the faces at it are holes");
+    else if (tags.corners)
+        result.emplace_back(*tags.corners == boundary_corner::kept ? "boundary: its corners are kept"
+                                                                   : "boundary: its corners are smoothed");
+    if (tags.method)
+        result.emplace_back(*tags.method == crease_method::chaikin ? "creases: by Chaikin's rule"
+                                                                   : "creases: by the uniform rule");
+    for (const auto& [line, name] : tags.unread)
+        result.push_back("line " + std::to_string(line) + ": '" + name + "' is not understood");
+    return result;
+}
+
+/// "2 sharp edges, 1 hole"
+std::string numbers_of(const mesh_tags& tags)
+{
+    std::string result;
     const auto add = [&](const char* name, std::size_t number) {
         if (number != 0)
-            result.emplace_back(name, number);
+            append_to_list(result, counted(number, name));
     };
     add("sharp edge", tags.edges.size());
     add("sharp vertex", tags.vertices.size());
     add("hole", tags.holes.size());
-    add("boundary rule", tags.corners ? 1 : 0);
+    add("boundary rule", tags.corners or tags.boundary_is_hole ? 1 : 0);
     add("crease method", tags.method ? 1 : 0);
     add("unknown tag", tags.unread.size());
+    return result.empty() ? "none" : result;
+}
+
+verdict verdict_on(const polygon_soup& soup, const mesh_report& report)
+{
+    verdict result{report.lines(), lines_of(soup.tags), {}};
+    if (not report.ok())
+        return result;
+    const auto look_at = [&](const auto& part) {
+        try {
+            part();
+        } catch (const mesh_error& error) {
+            result.problems.emplace_back(error.what());
+        }
+    };
+    look_at([&] {
+        const control_mesh control = control_mesh_of(soup);
+        look_at([&] { (void)creases_of(control.tags, control.mesh); });
+        look_at([&] { (void)holes_of(control.tags, control.mesh); });
+        if (result.problems.empty())
+            result.schemes = schemes_that_take(control);
+    });
     return result;
 }
 
-/// What is wrong with the mesh, or with its tags.
-std::vector<std::string> problems_of(const polygon_soup& soup, const mesh_report& report)
+void print_list(const std::vector<std::string>& lines)
 {
-    if (not report.ok() or tag_counts(soup.tags).empty())
-        return report.lines();
-    const control_mesh control = control_mesh_of(soup);
-    try {
-        (void)creases_of(control.tags, control.mesh);
-        (void)holes_of(control.tags, control.mesh);
-    } catch (const mesh_error& error) {
-        return {error.what()};
-    }
-    return {};
+    constexpr std::size_t most = 100;
+    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
+        std::cout << "  " << lines[i] << '\n';
+    if (lines.size() > most)
+        std::cout << "  and " << lines.size() - most << " more, which --json lists\n";
 }
 
-void print_text(const std::string& path, const mesh_facts& facts, const polygon_soup& soup,
-                const std::vector<std::string>& problems)
+void print_text(const std::string& path, const mesh_facts& facts, const polygon_soup& soup, const verdict& found)
 {
     const auto line = [](std::string_view name, const auto& value) {
         std::cout << std::left << std::setw(22) << name << value << '\n';
@@ -101,22 +156,22 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
     print_box(line, facts);
     if (facts.isolated != 0)
         line("isolated vertices", facts.isolated);
-    std::string others, tags;
+    line("tags", numbers_of(soup.tags));
+    print_list(found.tags);
+    std::string others, schemes;
     for (const auto& what : soup.not_kept)
         append_to_list(others, what);
-    for (const auto& [name, number] : tag_counts(soup.tags))
-        append_to_list(tags, counted(number, name));
-    if (not tags.empty())
-        line("tags", tags);
     if (not others.empty())
         line("not refined", others);
-    line("problems", problems.empty() ? "none" : "found");
-    for (const auto& problem : problems)
+    for (const auto& name : found.schemes)
+        append_to_list(schemes, name);
+    line("refined by", schemes.empty() ? "none of the schemes" : schemes);
+    line("problems", found.problems.empty() ? "none" : "found");
+    for (const auto& problem : found.problems)
         std::cout << "  " << problem << '\n';
 }
 
-void print_json(const std::string& path, const mesh_facts& facts, const polygon_soup& soup,
-                const std::vector<std::string>& problems)
+void print_json(const std::string& path, const mesh_facts& facts, const polygon_soup& soup, const verdict& found)
 {
     json_object result;
     result.add("file", path)
@@ -134,14 +189,10 @@ void print_json(const std::string& path, const mesh_facts& facts, const polygon_
         result.add("vertices_between_two_faces", facts.between_two_faces);
     if (facts.isolated != 0)
         result.add("isolated_vertices", facts.isolated);
-    json_object tags;
-    for (const auto& [name, number] : tag_counts(soup.tags))
-        tags.add(name, number);
-    if (not tag_counts(soup.tags).empty())
-        result.add("tags", tags);
+    result.add("tags", found.tags);
     if (not soup.not_kept.empty())
         result.add("not_refined", soup.not_kept);
-    result.add("problems", problems);
+    result.add("schemes", found.schemes).add("problems", found.problems);
     std::cout << result.text() << '\n';
 }
 
@@ -158,12 +209,12 @@ int run_info(const verb& verb, const std::vector<std::string>& arguments)
     const polygon_soup soup = read_soup(path);
     const mesh_report report = report_of(soup);
     const mesh_facts facts = facts_of(soup, report);
-    const std::vector<std::string> problems = problems_of(soup, report);
+    const verdict found = verdict_on(soup, report);
     if (values->count("json") != 0)
-        print_json(path, facts, soup, problems);
+        print_json(path, facts, soup, found);
     else
-        print_text(path, facts, soup, problems);
-    return problems.empty() ? 0 : 1;
+        print_text(path, facts, soup, found);
+    return found.problems.empty() ? 0 : 1;
 }
 
 } // namespace kith::tool

@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 #include "errors.hpp"
 #include "holes.hpp"
+#include "job_memory.hpp"
 #include "json.hpp"
 #include "mesh_input.hpp"
 #include "partition_options.hpp"
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -23,20 +25,28 @@ namespace {
 
 namespace po = boost::program_options;
 
-void print_table(const std::vector<planned_level>& levels)
+/// What refining once would need, beside the program.
+struct planned_job {
+    std::vector<planned_level> levels;
+    std::uint64_t bytes = 0;
+};
+
+void print_table(const planned_job& job)
 {
+    const auto& levels = job.levels;
     std::cout << "level        vertices           edges           faces           bytes\n";
     for (std::size_t level = 0; level < levels.size(); ++level) {
         const auto& [counts, bytes, least_bytes] = levels[level];
         std::cout << std::setw(5) << level << std::setw(16) << counts.vertices << std::setw(16) << counts.edges
                   << std::setw(16) << counts.faces << std::setw(16) << bytes << '\n';
     }
-    std::cout << "refining needs " << peak_bytes(levels, false, true) << " bytes at once, keeping all levels "
-              << peak_bytes(levels, true) << '\n';
+    std::cout << "refining needs " << job.bytes << " bytes at once, keeping all levels " << peak_bytes(levels, true)
+              << '\n';
 }
 
-void print_json(const std::vector<planned_level>& levels)
+void print_json(const planned_job& job)
 {
+    const auto& levels = job.levels;
     std::vector<json_object> objects;
     for (const auto& [counts, bytes, least_bytes] : levels)
         objects.push_back(json_object()
@@ -46,7 +56,7 @@ void print_json(const std::vector<planned_level>& levels)
                               .add("bytes", bytes));
     std::cout << json_object()
                      .add("levels", objects)
-                     .add("bytes_at_once", peak_bytes(levels, false, true))
+                     .add("bytes_at_once", job.bytes)
                      .add("bytes_of_all_levels", peak_bytes(levels, true))
                      .text()
               << '\n';
@@ -62,6 +72,7 @@ void print_table(const planned_ranks& plan)
                   << r.shadows << std::setw(15) << r.message_bytes << std::setw(16) << r.last_faces << std::setw(15)
                   << r.tile_bytes << std::setw(16) << r.output_bytes << '\n';
     }
+    std::cout << "refining the largest tile needs " << plan.largest_tile_bytes << " bytes at once\n";
 }
 
 void print_json(const planned_ranks& plan)
@@ -76,7 +87,12 @@ void print_json(const planned_ranks& plan)
                               .add("last_faces", r.last_faces)
                               .add("tile_bytes", r.tile_bytes)
                               .add("output_bytes", r.output_bytes));
-    std::cout << json_object().add("rings", plan.rings).add("ranks", objects).text() << '\n';
+    std::cout << json_object()
+                     .add("rings", plan.rings)
+                     .add("bytes_at_once", plan.largest_tile_bytes)
+                     .add("ranks", objects)
+                     .text()
+              << '\n';
 }
 
 void print_ranks(const po::variables_map& values, const any_scheme& scheme, const basic_mesh<>& control, int levels)
@@ -84,7 +100,7 @@ void print_ranks(const po::variables_map& values, const any_scheme& scheme, cons
     const std::uint64_t ranks = count_from(values, "ranks", most_ranks);
     const std::uint64_t tiles = ranks * count_from(values, "tiles-per-rank", most_tiles_per_rank);
     const partition parts = make_partition(partitioner_from(values), control, tiles);
-    const planned_ranks plan = plan_ranks(scheme, control, levels, parts, ranks);
+    const planned_ranks plan = plan_ranks(scheme, control, levels, parts, ranks, values.count("limit") != 0);
     if (values.count("json") != 0)
         print_json(plan);
     else
@@ -97,6 +113,9 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
 {
     po::options_description options("Options");
     add_scheme_options(options);
+    add_option<std::string>(
+        options, "mesh", "MESH", "count what refining on this kind of mesh needs: " + mesh_kind_names());
+    add_flag(options, "limit", "count what --limit of `kith refine` needs as well");
     add_option<std::int64_t>(options, "ranks", "N", "tell what each of N ranks of kith-mpi would do instead");
     add_option<std::int64_t>(options, "tiles-per-rank", "K", "with so many tiles for each");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
@@ -114,22 +133,28 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     give_creases(scheme, input, words);
     if (values->count("ranks") != 0)
         require_no_holes(input);
+    const bool has_holes = not holes_of(input.tags, input.mesh).empty();
     const basic_mesh<> control = prepared(scheme, std::move(input.mesh));
+    require_scheme_takes(scheme, control);
     if (values->count("ranks") != 0) {
         print_ranks(*values, scheme, control, levels);
         return 0;
     }
 
-    const auto planned = std::visit(
-        [&]<class Scheme>(const Scheme& s) {
-            require_input<Scheme>(level_of<basic_mesh<>>(control));
-            return plan(count(control.topology()), s, levels, control.generation());
-        },
-        scheme);
+    const auto fits = [&](const auto& s) {
+        return plan_what_fits(count(control.topology()), s, levels, control.generation());
+    };
+    const partial_plan planned = std::visit(fits, scheme);
+    const job_kind kind{mesh_kind_from(*values), values->count("limit") != 0, has_holes};
+    const planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels))};
     if (values->count("json") != 0)
-        print_json(planned);
+        print_json(job);
     else
-        print_table(planned);
+        print_table(job);
+    if (not planned.problem.empty())
+        throw mesh_error(required(*values, "scheme") + ": " + planned.problem + "; refine at most " +
+                         std::to_string(planned.levels.size() - 1) +
+                         " times, or in tiles, for which there is --tiles of `kith refine`");
     return 0;
 }
 

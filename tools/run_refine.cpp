@@ -11,14 +11,11 @@
 #include "run_stats.hpp"
 #include "scheme_options.hpp"
 #include "tile_options.hpp"
-#include "word_list.hpp"
 
 #include <kith/counted.hpp>
 
-#include <array>
 #include <cstdint>
 #include <iostream>
-#include <string_view>
 #include <utility>
 
 #if defined(_OPENMP)
@@ -31,32 +28,13 @@ namespace {
 
 namespace po = boost::program_options;
 
-using back_end = refined_mesh (*)(basic_mesh<>, const refine_request&);
-
-struct named_back_end {
-    std::string_view name;
-    back_end refine;
-};
-constexpr std::array back_ends{
-    named_back_end{"native", refine_native},
-    named_back_end{"cgal", refine_cgal},
-    named_back_end{"openmesh", refine_openmesh},
-};
-
-std::string back_end_names()
+refined_mesh refine_on(mesh_kind mesh, basic_mesh<> control, const refine_request& request)
 {
-    std::string result;
-    for (const auto& known : back_ends)
-        append_to_list(result, known.name);
-    return result;
-}
-
-back_end back_end_named(const std::string& name)
-{
-    for (const auto& known : back_ends)
-        if (known.name == name)
-            return known.refine;
-    throw usage_error("--mesh: '" + name + "' is not one of " + back_end_names());
+    switch (mesh) {
+    case mesh_kind::cgal: return refine_cgal(std::move(control), request);
+    case mesh_kind::openmesh: return refine_openmesh(std::move(control), request);
+    default: return refine_native(std::move(control), request);
+    }
 }
 
 po::options_description options_of_refine()
@@ -67,14 +45,14 @@ po::options_description options_of_refine()
     add_flag(options, "binary", "write PLY or STL as binary instead of text");
     add_flag(options, "limit", "write the vertices at their limits; in OFF, OBJ and PLY with the normals there");
     add_flag(options, "drop-isolated", "leave out vertices that no face has, which else are kept behind the others");
-    add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + back_end_names());
+    add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + mesh_kind_names());
     add_option<std::int64_t>(
         options, "tiles", "N", "refine in N tiles, one in memory at a time; OUT is .vtu, .ply or .pvtu");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
     add_option<std::string>(options, "journal", "DIR", journal_help);
     add_option<std::string>(options, "only", "A..B", "of the tiles in the journal refine only these, numbered from 0");
     add_option<std::string>(
-        options, "memory-limit", "BYTES", "refuse what needs more, e.g. 500M or 4G; else all memory of the machine");
+        options, "memory-limit", "BYTES", "refuse what needs more, e.g. 500M or 4G; else 9/10 of what is available");
 #if defined(_OPENMP)
     add_option<std::int64_t>(options, "threads", "N", "run on so many threads");
 #endif
@@ -126,16 +104,14 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
             throw usage_error("--" + std::string(option) + ": is for tiles; name --tiles as well");
     shared_blocks.keep_at_most(0); // nothing is refined after this
     const std::string input = required(*values, "IN");
-    const std::string output = required(*values, "output");
+    const std::string output = output_of(*values);
     const std::string scheme = required(*values, "scheme");
-    const std::string mesh_kind = given("mesh") ? required(*values, "mesh") : std::string(back_ends[0].name);
+    const mesh_kind mesh = mesh_kind_from(*values);
     const scheme_words words = scheme_words_of(*values);
     refine_request request{.scheme = make_scheme(scheme, words),
                            .levels = levels_of(*values),
-                           .memory_limit = given("memory-limit") ? bytes_from(required(*values, "memory-limit"))
-                                                                 : physical_memory(),
+                           .memory = memory_limit_from(*values),
                            .limit = given("limit")};
-    const back_end refine_on = back_end_named(mesh_kind);
     const mesh_format format = output_format_of(output);
     request.with_tags = format == mesh_format::obj;
     const bool binary = given("binary");
@@ -147,8 +123,9 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     refined_mesh result = timed(seconds[phase::refine], [&] {
         give_creases(request.scheme, control, words);
         const auto holes = holes_of(control.tags, control.mesh);
+        request.holes = not holes.empty();
         const basic_mesh<> with_holes = holes.empty() ? basic_mesh<>() : control.mesh;
-        refined_mesh refined = refine_on(prepared(request.scheme, std::move(control.mesh)), request);
+        refined_mesh refined = refine_on(mesh, prepared(request.scheme, std::move(control.mesh)), request);
         if (not holes.empty())
             leave_out(refined, holes_after(request.scheme, request.levels, with_holes, holes));
         return refined;
@@ -158,9 +135,8 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     else if (const sharp_elements left = sharp_after(request.scheme, request.levels); left.any())
         add_lost_sharpness(control.not_kept, left.edges, left.vertices);
     settle_isolated(control, format, given("drop-isolated"));
-    timed(seconds[phase::write], [&] {
-        write_mesh_file(output, {result.mesh, result.normals, control.isolated, &result.tags, binary});
-    });
+    timed(seconds[phase::write],
+          [&] { write_mesh_file(output, {result.mesh, result.normals, control.isolated, &result.tags, binary}); });
     note_losses(input, control.not_kept);
 
     const auto vertices = result.mesh.vertex_count() + control.isolated.size();
@@ -169,7 +145,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
         write_stats(required(*values, "stats"), seconds);
     json_object object;
     object.add("scheme", scheme)
-        .add("mesh", mesh_kind)
+        .add("mesh", given("mesh") ? required(*values, "mesh") : "native")
         .add("levels", request.levels)
         .add("vertices", vertices)
         .add("edges", result.edges)

@@ -2,6 +2,7 @@
 #include "run_refine_tiles.hpp"
 
 #include "errors.hpp"
+#include "job_memory.hpp"
 #include "journal.hpp"
 #include "json.hpp"
 #include "mesh_format.hpp"
@@ -69,9 +70,13 @@ bool is_tile_format_only(const po::variables_map& values)
 
 int run_refine_tiles(const po::variables_map& values)
 {
-    for (const char* option : {"mesh", "memory-limit"})
-        if (values.count(option) != 0)
-            throw usage_error("--" + std::string(option) + " and tiles do not go together; leave one of them out");
+    if (values.count("mesh") != 0)
+        throw usage_error(
+            "--mesh and tiles do not go together; " +
+            (values.count("tiles") != 0 or not is_tile_format_only(values)
+                 ? "leave one of them out"
+                 : required(values, "output") +
+                       " is written in tiles, so leave out the option or write .off, .obj, .ply or .stl"));
     tiling how{.journal = journal_from(values), .only = {}, .make_parts = {}};
     if (values.count("only") != 0)
         how.only = tile_range_from(required(values, "only"));
@@ -83,7 +88,7 @@ int run_refine_tiles(const po::variables_map& values)
     std::uint64_t tiles = 1;
     std::string partitioner = "metis";
     double reading = 0;
-    if (names_input(values, {"only", "threads", "json", "stats", "verify", "checksum"})) {
+    if (names_input(values, {"only", "threads", "json", "memory-limit", "stats", "verify", "checksum"})) {
         request = tile_request_from(values);
         tiles = count_from(values, "tiles");
         partitioner = partitioner_from(values);
@@ -94,6 +99,11 @@ int run_refine_tiles(const po::variables_map& values)
         how.kept = kept_recipe(how.journal);
         request = request_with_control(*how.kept);
     }
+    if (values.count("tiles") != 0 and extension_of(request.output) == ".ply" and values.count("binary") == 0)
+        std::cerr << "kith: note: " << request.output
+                  << " is binary, as tiles are written where every byte has its place\n";
+    how.partitioner = partitioner;
+    how.memory = memory_limit_from(values);
     how.make_parts = [&] { return make_partition(partitioner, request.control, tiles); };
     tiled_result result = refine_tiles(request, how);
     result.seconds[phase::read] += reading;

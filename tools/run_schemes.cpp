@@ -6,6 +6,8 @@
 
 #include <kith/scheme.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <iomanip>
 #include <iostream>
 
@@ -71,10 +73,16 @@ int run_schemes(const verb& verb, const std::vector<std::string>& arguments)
         std::cout << to_json(objects) << '\n';
         return 0;
     }
+    std::size_t names = 0, kinds = 0;
     for (const auto& line : lines) {
-        std::cout << std::left << std::setw(18) << line.name << std::setw(14) << line.takes << line.source << '\n';
+        names = std::max(names, line.name.size() + 2);
+        kinds = std::max(kinds, line.takes.size() + 2);
+    }
+    const auto column = [](std::size_t width) { return std::setw(int(width)); };
+    for (const auto& line : lines) {
+        std::cout << std::left << column(names) << line.name << column(kinds) << line.takes << line.source << '\n';
         for (const auto& [option, words] : line.options)
-            std::cout << std::setw(18) << "" << option << ' ' << words << '\n';
+            std::cout << column(names) << "" << option << ' ' << words << '\n';
     }
     return 0;
 }

@@ -27,6 +27,9 @@ void add_scheme_options(boost::program_options::options_description& options)
                             "how the sharpness of creases in the file decays: " + all_words<crease_method>());
     add_option<double>(options, "tension", "W", "kobbelt: between 0 and 2.472, else 1");
     add_option<int>(options, "degree", "N", "unified: of the B-spline, 1 to 9, else 3");
+    add_flag(options,
+             "triangulate",
+             "cut faces into triangles first: quads along the better diagonal, others in their planes");
     add_flag(options, "ignore-tags", "leave aside what an OBJ file says of creases, corners, holes and boundaries");
 }
 
@@ -47,7 +50,8 @@ scheme_words scheme_words_of(const boost::program_options::variables_map& values
             .crease_sharpness = number("crease-sharpness"),
             .tension = number("tension"),
             .degree = values.count("degree") == 0 ? std::nullopt : std::optional(values["degree"].as<int>()),
-            .ignore_tags = values.count("ignore-tags") != 0};
+            .ignore_tags = values.count("ignore-tags") != 0,
+            .triangulate = values.count("triangulate") != 0};
 }
 
 } // namespace kith::tool

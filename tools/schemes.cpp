@@ -3,6 +3,7 @@
 
 #include "holes.hpp"
 #include "scheme_words.hpp"
+#include "triangulate.hpp"
 #include "word_list.hpp"
 
 #include <kith/counted.hpp>
@@ -166,6 +167,8 @@ void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words&
 {
     if (words.ignore_tags)
         control.tags = {};
+    if (words.triangulate)
+        control = triangulated(std::move(control));
     const mesh_tags& tags = control.tags;
     note_unread(tags);
     std::visit(
@@ -218,6 +221,27 @@ void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme)
         scheme);
 }
 
+void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control)
+{
+    std::visit(
+        [&]<class Scheme>(const Scheme&) {
+            try {
+                require_input<Scheme>(level_of<basic_mesh<>>(control), control.generation());
+            } catch (const mesh_error& error) {
+                const int degree = control.topology().degree;
+                const char* more = "";
+                if (needs_triangles<Scheme> and degree != 3)
+                    more = ", with --triangulate";
+                else if (needs_quads<Scheme> and degree != 4)
+                    more = ": `kith refine IN -s linear -n 1 -o QUADS.off`";
+                else if (needs_closed<Scheme> and count(control.topology()).boundary_edges != 0)
+                    more = " such as catmull-clark or loop; kith fills no holes";
+                throw mesh_error(std::string(error.what()) + more);
+            }
+        },
+        scheme);
+}
+
 basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control)
 {
     const auto prepare_for = [&]<class Scheme>(const scheme_entry<Scheme>& entry) {
@@ -231,6 +255,31 @@ basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control)
 std::string scheme_names()
 {
     return names_of([]<class Scheme>(const scheme_entry<Scheme>&) { return true; });
+}
+
+std::vector<std::string_view> schemes_that_take(const control_mesh& control)
+{
+    const bool has_tags = control.tags.has_creases() or not holes_of(control.tags, control.mesh).empty();
+    std::vector<std::string_view> result;
+    const auto look_at = [&]<class Scheme>(const scheme_entry<Scheme>& entry) {
+        if (has_tags and not has_creases<Scheme>)
+            return;
+        try {
+            const basic_mesh<> first = entry.prepare == nullptr ? basic_mesh<>() : entry.prepare(control.mesh);
+            const basic_mesh<>& mesh = entry.prepare == nullptr ? control.mesh : first;
+            require_input<Scheme>(level_of<basic_mesh<>>(mesh), mesh.generation());
+            result.push_back(scheme_name<Scheme>());
+        } catch (const mesh_error&) {
+            return; // it does not take the mesh
+        }
+    };
+    std::apply([&](const auto&... entry) { (look_at(entry), ...); }, known_schemes);
+    return result;
+}
+
+std::string not_in_tiles(std::string_view scheme)
+{
+    return std::string(scheme) + " is not refined in tiles: it takes closed meshes only, and a tile has a boundary";
 }
 
 } // namespace kith::tool

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tuple>
 #include <variant>
+#include <vector>
 
 namespace kith::tool {
 
@@ -58,6 +59,7 @@ struct scheme_words {
     std::optional<double> tension;
     std::optional<int> degree;
     bool ignore_tags = false;
+    bool triangulate = false;
 };
 
 template <class Scheme>
@@ -79,15 +81,25 @@ void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme);
 /// Errors: usage_error for a name that is not known, and for words that this scheme does not take.
 any_scheme make_scheme(const std::string& name, const scheme_words& words);
 
-/// Tells the scheme of the creases of its control mesh: those of the file, and edges sharper than the angle.
+/// Cuts the faces of a control mesh into triangles where the words ask for it, and tells the scheme of its creases: those of
+/// the file, and edges sharper than the angle.
 /// Tags that mean something else are noted on standard error; where tags are to be ignored, the mesh has none then.
 /// Errors: mesh_error for tags that do not fit the mesh, and for creases and holes if the scheme has no rules for them.
 void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words& words);
+
+/// Refuses a mesh that the scheme does not take, with what the programs have to make it one. Errors: mesh_error.
+void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control);
 
 /// The mesh that the scheme starts from: the control mesh itself, except for 4-8.
 basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control);
 
 /// "catmull-clark, loop, ..."
 std::string scheme_names();
+
+/// The schemes that take a mesh as it is, with the creases and holes of its file. Precondition: the tags fit the mesh.
+std::vector<std::string_view> schemes_that_take(const control_mesh& control);
+
+/// "unified is not refined in tiles: ...", of a scheme that is not.
+std::string not_in_tiles(std::string_view scheme);
 
 } // namespace kith::tool

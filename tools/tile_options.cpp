@@ -36,7 +36,7 @@ bool names_input(const po::variables_map& values, std::initializer_list<std::str
 tile_request tile_request_from(const po::variables_map& values)
 {
     tile_request request;
-    request.output = required(values, "output");
+    request.output = output_of(values);
     require_tile_format(request.output);
     request.scheme_name = required(values, "scheme");
     request.words = scheme_words_of(values);

@@ -7,7 +7,6 @@
 #include <kith/counted.hpp>
 
 #include <utility>
-#include <variant>
 
 namespace kith::tool {
 
@@ -22,8 +21,7 @@ void read_control(tile_request& request, const std::string& path)
     note_losses(path, control.not_kept);
     require_no_holes(control);
     request.control = prepared(request.scheme, std::move(control.mesh));
-    std::visit([&]<class Scheme>(const Scheme&) { require_input<Scheme>(level_of<basic_mesh<>>(request.control)); },
-               request.scheme);
+    require_scheme_takes(request.scheme, request.control);
 }
 
 } // namespace kith::tool

@@ -21,7 +21,7 @@ public:
         if (provided < MPI_THREAD_FUNNELED)
             abort("kith: this MPI does not allow threads beside the one that calls it");
         std::set_terminate([] {
-            std::fputs("kith: ended by an error that nobody caught\n", stderr);
+            std::fputs(("kith: ended by an error that nobody caught" + reason() + "\n").c_str(), stderr);
             MPI_Abort(MPI_COMM_WORLD, failure_code);
         });
     }
@@ -44,6 +44,21 @@ public:
         std::abort();
     }
     static constexpr int failure_code = 70;
+
+private:
+    /// ": " and what the exception that ends the program says, if it says something.
+    static std::string reason() noexcept
+    {
+        try {
+            if (const auto error = std::current_exception())
+                std::rethrow_exception(error);
+        } catch (const std::exception& error) {
+            return std::string(": ") + error.what();
+        } catch (...) {
+            return "";
+        }
+        return "";
+    }
 };
 
 } // namespace kith::mpi

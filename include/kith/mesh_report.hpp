@@ -72,8 +72,10 @@ public:
     }
     void add_few_corners(std::size_t face, std::size_t corners)
     {
-        add(problem::degenerate_face,
-            [&] { return named("face", face) + "has " + std::to_string(corners) + " corners; remove it"; });
+        add(problem::degenerate_face, [&] {
+            return named("face", face) + "has " + std::to_string(corners) + (corners == 1 ? " corner" : " corners") +
+                   "; remove it";
+        });
     }
     void add_repeated_corner(std::size_t face, std::size_t vertex)
     {

@@ -51,6 +51,7 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
     std::vector<Index> open; // some of their limits are not known by masks of this level
     std::vector<typename search_type::found> open_limits;
     std::vector<std::pair<Index, normal_vector>> normals;
+    normals.reserve(marks.empty() ? mesh.vertex_count() : marks.size() - std::size_t(std::ranges::count(marks, 0)));
     detail::with_sharp_rules(level, scheme, [&](const auto&... sharp) {
         for (const auto v : level.vertices()) {
             if (is_needed[v.index()] == 0)

@@ -5,9 +5,31 @@ source "$(dirname "$0")/on_ranks.bash"
 cube >cube.off
 tetrahedron >tetra.off
 
+for help in --help -h; do
+    on 2 $help
+    exits 0
+    prints '^kith-mpi refine \[IN\] \[options\]'
+    check "it is said once" test "$(grep -c 'Exit codes' "$results/out")" -eq 1
+done
+on 2 --version
+exits 0
+prints '^kith-mpi [0-9]+\.[0-9]+\.[0-9]+$'
+on 2 refine --help
+exits 0
+prints '^kith-mpi refine \[IN\] \[options\]$'
+prints '^  mpirun -n 64 kith-mpi refine '
+on 2
+exits 2
+says 'the verb is missing; there is refine, see `kith-mpi --help`'
+one_message
+on 2 info cube.off
+exits 2
+says "'info' is no verb; there is refine, see .kith-mpi --help."
+one_message
+
 on 3 refine cube.off -s loop -n 1 -o out.vtu
 exits 1
-says 'loop: face 0 has 4 vertices; triangulate the mesh first'
+says 'loop: face 0 has 4 vertices; triangulate the mesh first, with --triangulate$'
 one_message
 on 3 refine nothing.off -s loop -n 1 -o out.vtu
 exits 1
@@ -19,14 +41,14 @@ says 'tiles are written to .vtu or .ply'
 one_message
 on 3 refine cube.off -s unified -n 1 -o out.vtu
 exits 2
-says 'unified has no reach, so no tiles; use kith refine'
+says 'unified is not refined in tiles: it takes closed meshes only, and a tile has a boundary; use kith refine'
 one_message
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --mode some
 exits 2
 says "'some' is not one of spmd, manager"
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --tiles-per-rank 9223372036854775807
 exits 2
-says 'tiles-per-rank: 9223372036854775807 were asked for; ask for 1 or more, up to 4294967295'
+says 'tiles-per-rank: 9223372036854775807 tiles per rank were asked for; ask for 1 or more, up to 4294967295'
 one_message
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --tiles-per-rank 4294967295
 exits 1
@@ -34,7 +56,7 @@ says '12884901885 parts were asked for, and the mesh has 6 faces; ask for at mos
 one_message
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --threads 4294967297
 exits 2
-says 'threads: 4294967297 were asked for; ask for 1 or more, up to 4096'
+says 'threads: 4294967297 threads were asked for; ask for 1 or more, up to 4096'
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --partitioner some
 exits 2
 says "'some' is not one of metis, block, file:PATH"
@@ -44,7 +66,11 @@ says 'nowhere/out.vtu'
 one_message
 on 2 refine cube.off -s catmull-clark -n 15 -o nowhere/out.vtu --memory-per-rank 1G # more than 32 bits number
 exits 1
-says 'nowhere/out.vtu'
+says 'the largest tile needs .* the limit is 1073741824 \(1.0 GiB\); refine fewer times, for not even a tile for each face'
+one_message
+on 2 refine cube.off -s catmull-clark -n 15 -o out.vtu
+exits 1
+says 'nine tenths of the memory that is available; refine fewer times'
 one_message
 on 3 refine cube.off -s catmull-clark -n 15 -o out.ply
 exits 1

@@ -17,7 +17,7 @@ prints '^bounding box +-1 -1 -1 to 1 1 1$'
 prints '^problems +none$'
 run info cube.off --json
 exits 0
-prints '^\{"file":"cube.off","vertices":8,"edges":12,"faces":6,"components":1,"boundary_loops":0,"euler_characteristic":2,"valences":\{"3":8\},"face_degrees":\{"4":6\},"bounding_box":\[\[-1,-1,-1\],\[1,1,1\]\],"problems":\[\]\}$'
+prints '^\{"file":"cube.off","vertices":8,"edges":12,"faces":6,"components":1,"boundary_loops":0,"euler_characteristic":2,"valences":\{"3":8\},"face_degrees":\{"4":6\},"bounding_box":\[\[-1,-1,-1\],\[1,1,1\]\],"tags":\[\],"schemes":\["catmull-clark","doo-sabin","kobbelt","nasri-hasbini","4-8","mid-edge","unified","linear"\],"problems":\[\]\}$'
 
 # A pipe of six quads with two boundary loops and a triangle by itself.
 cat >'pipe "1".off' <<'END'
@@ -53,6 +53,56 @@ run info 'pipe "1".off' --json
 exits 0
 prints '"file":"pipe \\"1\\".off"'
 prints '"boundary_loops":3,'
+
+# The schemes that take a mesh as it is, and what an OBJ file says of creases and holes.
+run info cube.off
+prints '^tags +none$'
+prints '^refined by +catmull-clark, doo-sabin, kobbelt, nasri-hasbini, 4-8, mid-edge, unified, linear$'
+tetrahedron >tetra.off
+run info tetra.off
+prints '^refined by +catmull-clark, loop, '
+cat >tagged.obj <<'END'
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 2 0 0
+v 2 1 0
+f 1 2 3 4
+f 2 5 6 3
+t crease 2/1/0 1 2 1.5
+t corner 1/1/0 4 12
+t hole 1/0/0 0
+t interpolateboundary 1/0/0 1
+t creasemethod 0/0/1 chaikin
+END
+run info tagged.obj
+exits 0
+prints '^tags +1 sharp edge, 1 sharp vertex, 1 hole, 1 boundary rule, 1 crease method$'
+prints '^  edge 1-2: sharpness 1.5$'
+prints '^  vertex 4: sharp for ever$'
+prints '^  face 0: a hole$'
+prints '^  boundary: its corners are kept$'
+prints "^  creases: by Chaikin's rule$"
+prints '^refined by +catmull-clark$'
+run info tagged.obj --json
+prints '"tags":\["edge 1-2: sharpness 1.5",.*\],"schemes":\["catmull-clark"\],"problems":\[\]'
+# What `refine` refuses in the tags is a problem here, too.
+echo 't crease 2/1/0 0 2 1' >>tagged.obj
+run info tagged.obj
+exits 1
+prints '^problems +found$'
+prints '^  crease 0-2: there is no such edge; correct the tag$'
+sed -i '$d' tagged.obj
+echo 't hole 1/0/0 1' >>tagged.obj
+run info tagged.obj
+exits 1
+prints '^  all 2 faces are holes, nothing would be left; correct the tags$'
+# All that is wrong is told at once.
+echo 't crease 2/1/0 0 2 1' >>tagged.obj
+run info tagged.obj --json
+exits 1
+prints '"schemes":\[\],"problems":\["crease 0-2: there is no such edge; correct the tag","all 2 faces are holes, .*"\]\}$'
 
 # What is wrong is named with its elements; the rest is counted all the same.
 bad() { # bad MESSAGE: the file bad.off has this problem
@@ -108,7 +158,7 @@ exits 0
 prints '^isolated vertices +1$'
 prints '^problems +none$'
 run info point.off --json
-prints '"isolated_vertices":1,"problems":\[\]\}$'
+prints '"isolated_vertices":1,"tags":\[\],"schemes":\["catmull-clark",.*\],"problems":\[\]\}$'
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\ng a\nf 1//1 2//1 3//1 4//1\n' >quad.obj
 printf 't crease 3/1/0 0 1 2 2\nt corner 1/1/0 3 1\nt strange 0/0/0\n' >>quad.obj
 run info quad.obj
@@ -116,7 +166,7 @@ exits 0
 prints '^tags +2 sharp edges, 1 sharp vertex, 1 unknown tag$'
 prints '^not refined +normals, groups$'
 run info quad.obj --json
-prints '"tags":\{"sharp edge":2,"sharp vertex":1,"unknown tag":1\},"not_refined":\["normals","groups"\],"problems":\[\]\}$'
+prints '"tags":\["edge 0-1: sharpness 2","edge 1-2: sharpness 2","vertex 3: sharpness 1","line 10: .strange. is not understood"\],"not_refined":\["normals","groups"\],"schemes":\["catmull-clark"\],"problems":\[\]\}$'
 echo 't crease 2/1/0 0 2 1' >>quad.obj
 run info quad.obj
 exits 1

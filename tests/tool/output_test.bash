@@ -67,7 +67,7 @@ says 'directory.off: is a directory'
 rmdir directory.off
 refine out.xyz
 exits 1
-says '^kith: out.xyz: the extension decides the format'
+says '^kith: out.xyz: the extension decides the format and must be .off, .obj, .ply or .stl, or .vtu or .pvtu, which are written'
 refine out
 exits 1
 says 'the extension'
@@ -75,6 +75,7 @@ refine .off
 exits 1
 refine ''
 exits 1
+says '^kith: the output has no name; name a file with -o$'
 only_input_left cube.off
 
 # A disk that is full: a limit on the size of files, or the device that is always full.

@@ -56,7 +56,11 @@ exits 0
 prints '^ +13 +402653186 +805306368 +402653184 +[0-9]{11}$'
 run plan cube.off -s catmull-clark -n 20
 exits 1
-says '32-bit index'
+says 'level 14 has 1610612738 vertices and 3221225472 edges, more than a 32-bit index can number; refine at most 13 times'
+prints '^ +13 +402653186 +805306368 +402653184 +[0-9]{11}$'
+run plan cube.off -s catmull-clark -n 20 --json
+exits 1
+prints '"vertices":402653186,'
 run plan cube.off -s catmull-clark -n 2000000000
 exits 1
 run refine cube.off -s catmull-clark -n 2000000000 -o out2.off
@@ -83,19 +87,22 @@ says_nothing
 prints '^rings of shadows on level 0: 1$'
 # 24 faces, of which 12 are in a tile, which has 12 shadows; a quad becomes 64, of 24+8+1, 8+4+1 and 16 bytes in memory.
 for rank in 0 1; do prints "^ +$rank +2 +24 +24 +[0-9]+ +1536 +$((768 * 62)) +$((1536 * 74))\$"; done
+prints '^refining the largest tile needs [0-9]+ bytes at once$'
 run plan torus.off -s butterfly -n 1 --ranks 2
 exits 1
-says 'triangulate'
+says 'triangulate the mesh first, with --triangulate$'
+run plan torus.off -s butterfly -n 1 --ranks 2 --triangulate
+exits 0
 run plan torus.off -s doo-sabin -n 2 --ranks 3 --partitioner block --json
 exits 0
-prints '^\{"rings":2,"ranks":\[(\{"tiles":1,"faces":16,"shadows":[0-9]+,"message_bytes":[0-9]+,"last_faces":256,.*){3}\]\}$'
+prints '^\{"rings":2,"bytes_at_once":[0-9]+,"ranks":\[(\{"tiles":1,"faces":16,"shadows":[0-9]+,"message_bytes":[0-9]+,"last_faces":256,.*){3}\]\}$'
 # The messages are as long as kith-mpi counts them, the faces as many: see tests/mpi.
 run plan cube.off -s catmull-clark -n 13 --ranks 8
 exits 0
 prints '^ +7 +1 +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+$'
 run plan cube.off -s unified -n 2 --ranks 2
 exits 2
-says '--ranks: unified has no reach, so no tiles; plan without ranks'
+says '--ranks: unified is not refined in tiles: it takes closed meshes only, and a tile has a boundary; plan without ranks'
 # Creases, holes and schemes without rules for them are what `refine` says of them.
 run plan cube.off -s doo-sabin -n 2 --crease-angle 30
 plan_code=$code
@@ -119,14 +126,57 @@ exits 1
 says 'the file has holes, which are not left out of tiles'
 run plan cube.off -s catmull-clark -n 2 --ranks 0
 exits 2
-says '0 were asked for; ask for 1 or more'
+says '.-ranks: 0 ranks were asked for; ask for 1 or more'
 run plan cube.off -s catmull-clark -n 2 --ranks 1048577
 exits 2
-says '.-ranks: 1048577 were asked for; ask for 1 or more, up to 1048576'
+says '.-ranks: 1048577 ranks were asked for; ask for 1 or more, up to 1048576'
 run plan cube.off -s catmull-clark -n 2 --ranks 2 --tiles-per-rank 4294967296
 exits 2
-says '.-tiles-per-rank: 4294967296 were asked for; ask for 1 or more, up to 4294967295'
+says '.-tiles-per-rank: 4294967296 tiles per rank were asked for; ask for 1 or more, up to 4294967295'
 run plan cube.off -s catmull-clark -n 2 --tiles-per-rank 2
 exits 2
 says '--tiles-per-rank: say with --ranks how many there are'
+
+# The program needs what is planned, and not much less: its peak in kilobytes beside what it has for the cube.
+if test -x /usr/bin/time; then
+    peak() { # peak ARGUMENTS...: of kith refine
+        command="kith refine $*"
+        /usr/bin/time -f %M -o "$results/peak" "$kith" refine "$@" >"$results/out" 2>"$results/err" </dev/null
+        code=$?
+        exits 0
+        peak=$(tail -n 1 "$results/peak")
+    }
+    planned() { # planned BASE ARGUMENTS... -- ARGUMENTS...: those of plan, and those of refine
+        local base=$1 plan=()
+        shift
+        while test "$1" != --; do
+            plan+=("$1")
+            shift
+        done
+        shift
+        run plan "${plan[@]}"
+        exits 0
+        need=$(sed -n 's/^refining .* needs \([0-9]*\) bytes at once.*/\1/p' "$results/out")
+        peak "$@"
+        percent=$(((peak - base) * 102400 / need))
+        check "$percent % of the plan should be used, which are $need bytes" test "$percent" -ge 80 -a "$percent" -le 100
+    }
+    peak cube.off -s catmull-clark -n 0 -o out.off
+    base=$peak
+    peak cube.off -s catmull-clark -n 1 -o out.vtu --tiles 2
+    base_of_tiles=$peak
+    run refine cube.off -s catmull-clark -n 5 -o control.ply --binary
+    planned "$base" cube.off -s catmull-clark -n 9 -- cube.off -s catmull-clark -n 9 -o out.ply --binary
+    planned "$base" control.ply -s doo-sabin -n 4 -- control.ply -s doo-sabin -n 4 -o out.off
+    for mesh in cgal openmesh; do
+        planned "$base" cube.off -s catmull-clark -n 8 --mesh $mesh -- \
+            cube.off -s catmull-clark -n 8 --mesh $mesh -o out.ply --binary
+    done
+    planned "$base" cube.off -s catmull-clark -n 8 --limit -- cube.off -s catmull-clark -n 8 --limit -o out.ply --binary
+    planned "$base_of_tiles" control.ply -s catmull-clark -n 4 --ranks 1 -- \
+        control.ply -s catmull-clark -n 4 -o out.vtu --tiles 1 --threads 1
+    planned "$base_of_tiles" control.ply -s catmull-clark -n 5 --ranks 1 --tiles-per-rank 8 -- \
+        control.ply -s catmull-clark -n 5 -o out.vtu --tiles 8 --threads 1
+    rm control.ply out.*
+fi
 finish

@@ -332,6 +332,58 @@ prints '9 vertices, 12 edges, 4 faces'
 check "the B-spline of the grid" test "$(sed -n '4,12p' grid.off | sort | tr '\n' ' ')" = \
     "1 1 0 1 1.5 0 1 2 0 1.5 1 0 1.5 1.5 0 1.5 2 0 2 1 0 2 1.5 0 2 2 0 "
 
+(echo 'v 0 0 0'; echo 'v 1 0 0'; echo 'v 0 1 0'; echo 'f 1 2 3'; echo 't hole 1/0/0 0') >holes.obj
+run refine holes.obj -s loop -n 1 -o refused.off
+exits 1
+says '^kith: the only face is a hole, nothing would be left; correct the tags$'
+
+# Faces are cut into triangles where that is asked for: quads in two, an L of six corners without leaving it. Creases stay
+# where they are, and the triangles of a hole are holes.
+for mesh in native cgal openmesh; do
+    run refine cube.off -s loop -n 2 --triangulate -o $mesh.off --mesh $mesh
+    exits 0
+    says_nothing
+    prints '98 vertices, 288 edges, 192 faces'
+done
+same native.off cgal.off
+same native.off openmesh.off
+run refine cube.off -s linear-triangles -n 0 --triangulate -o cut.off
+prints '8 vertices, 18 edges, 12 faces'
+run refine cut.off -s loop -n 2 -o again.off
+same native.off again.off
+run refine tetra.off -s loop -n 2 -o tetra2.off
+run refine tetra.off -s loop -n 2 --triangulate -o again.off
+same tetra2.off again.off
+printf 'OFF 6 1 0\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n6 0 1 2 3 4 5\n' >ell.off
+run refine ell.off -s linear-triangles -n 0 --triangulate -o cut.off
+exits 0
+prints '6 vertices, 9 edges, 4 faces'
+# Its area is 3, and no triangle is turned round: their areas have one sign.
+check "the triangles cover the L" awk 'NF == 3 { x[n] = $1; y[n++] = $2 }
+    NF == 4 && n == 6 {
+        a = ((x[$3] - x[$2]) * (y[$4] - y[$2]) - (x[$4] - x[$2]) * (y[$3] - y[$2])) / 2
+        if (a <= 0) bad = 1
+        area += a
+    }
+    END { exit bad || area != 3 }' n=0 <(sed 1,3d cut.off | sed '/^$/d')
+(cat cube.obj; echo; echo 't hole 1/0/0 1'; echo 't crease 2/1/0 0 1 12') >tagged.obj
+run refine tagged.obj -s loop -n 0 --triangulate -o cut.off
+exits 0
+prints '8 vertices, 17 edges, 10 faces'
+run refine tagged.obj -s loop -n 1 --triangulate -o cut.off
+check "the middle of the crease" grep -qxE -- '0 -1 -1' cut.off
+run refine cube.off -s loop -n 3 --triangulate -o one.vtu
+exits 0
+run refine cube.off -s loop -n 3 --triangulate -o many.vtu --tiles 3
+exits 0
+same one.vtu many.vtu
+printf 'OFF 4 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 1 2 3\n' >line.off
+run refine line.off -s loop -n 1 --triangulate -o refused.off
+exits 1
+says '^kith: face 0: its corners lie on a line, or its sides cross; it cannot be cut into triangles, correct it$'
+check "no output file" test ! -e refused.off
+rm ./*.vtu
+
 run refine cube.off -s kobbelt -n 1 -o kobbelt.off
 exits 0
 run refine cube.off -s kobbelt -n 1 -o tight.off --tension 0.001
@@ -356,7 +408,13 @@ exits 0
 same out.off limited.off
 run refine cube.off -s catmull-clark -n 3 -o refused.off --memory-limit 1K
 exits 1
-says 'the limit is 1024'
+says '^kith: catmull-clark: 3 levels need [0-9]+ \([0-9.]+ KiB\) bytes at once, the limit is 1024; refine fewer times$'
+run refine cube.off -s catmull-clark -n 8 -o refused.off --memory-limit 10M
+exits 1
+says 'the limit is 10485760 \(10.0 MiB\); refine fewer times, or in tiles, to .vtu, .pvtu or .ply: --tiles [0-9]+$'
+run refine cube.off -s catmull-clark -n 20 -o refused.off
+exits 1
+says 'level 14 has .* more than a 32-bit index can number; refine fewer times'
 check "no output file" test ! -e refused.off
 if "$kith" refine --help | grep -q -- --threads; then
     for threads in 1 2; do
@@ -367,7 +425,7 @@ if "$kith" refine --help | grep -q -- --threads; then
     for threads in 0 -1 4097 4294967297; do
         run refine cube.off -s catmull-clark -n 1 -o refused.off --threads=$threads
         exits 2
-        says "threads: $threads were asked for; ask for 1 or more, up to 4096"
+        says "threads: $threads threads were asked for; ask for 1 or more, up to 4096"
     done
 fi
 finish

@@ -88,13 +88,16 @@ exits 2
 says 'tiles are written to .vtu or .ply'
 run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 0
 exits 2
-says '0 were asked for'
+says '^kith: --tiles: 0 tiles were asked for; ask for 1 or more$'
 run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 2 --mesh cgal
 exits 2
-says '--mesh and tiles do not go together'
+says '--mesh and tiles do not go together; leave one of them out'
+run refine cube.off -s catmull-clark -n 1 -o out.vtu --mesh cgal
+exits 2
+says '--mesh and tiles do not go together; out.vtu is written in tiles, so leave out the option or write .off, .obj'
 run refine cube.off -s unified -n 1 -o out.ply --tiles 2
 exits 2
-says 'unified has no reach'
+says 'unified is not refined in tiles: it takes closed meshes only, and a tile has a boundary; leave out --tiles'
 run refine cube.off -s catmull-clark -n 1 -o nowhere/out.ply --tiles 2
 exits 1
 says 'nowhere/out.ply'
@@ -122,6 +125,60 @@ for arguments in '-o out.off' '-o out.vtu --tiles 3'; do
     has stats "^\{$phases,\"processor_seconds\":[0-9.e-]+,\"peak_bytes\":[0-9]+\}\$"
 done
 rm out.* stats
+
+# That all tiles are binary is said where a format has text, too.
+run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 2
+exits 0
+says '^kith: note: out.ply is binary, as tiles are written where every byte has its place$'
+run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 2 --binary
+exits 0
+says_nothing
+rm out.ply
+
+# Tiles that need more memory than there is are refused before any work, with as many as would fit.
+export OMP_NUM_THREADS=1
+run refine cube.off -s catmull-clark -n 15 -o out.vtu --tiles 2
+exits 1
+says '^kith: catmull-clark: the largest tile needs [0-9]+ \([0-9.]+ [GT]iB\) bytes at once, the limit is '
+says 'nine tenths of the memory that is available; refine fewer times, (or in more tiles: --tiles [0-9]+|for not even)'
+leaves cube.off tetra.off
+run refine cube.off -s catmull-clark -n 4 -o control.ply --binary
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2 --memory-limit 40M
+exits 1
+says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or in more tiles: --tiles [0-9]+$'
+more=$(sed -n 's/.*--tiles //p' "$results/err")
+check "it is a few" test "$more" -gt 2 -a "$more" -lt 40
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M
+exits 0
+says_nothing
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2000 --memory-limit 1M
+exits 1
+says 'refine fewer times, for not even a tile for each face of the mesh would fit$'
+# Limits need more, and what a journal has kept is looked at like what is new.
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M --limit
+exits 1
+says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or in more tiles: --tiles [0-9]+$'
+for_limit=$(sed -n 's/.*--tiles //p' "$results/err")
+check "it is more" test "$for_limit" -gt "$more"
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$for_limit" --memory-limit 40M --limit
+exits 0
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --journal kept --only 0
+exits 0
+run refine --journal kept --memory-limit 10M
+exits 1
+says 'the limit is 10485760 \(10.0 MiB\)'
+run refine --journal kept --memory-limit 40M
+exits 0
+unset OMP_NUM_THREADS
+# So do threads, which have a tile each; fewer of them are a way, too.
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M --threads "$more"
+exits 1
+says "^kith: catmull-clark: $more tiles, one per thread, need [0-9]+ \([0-9.]+ MiB\) bytes at once, the limit is 41943040 "
+says '; refine fewer times, or on fewer threads: --threads [0-9]+(, or in more tiles: --tiles [0-9]+)?$'
+threads=$(sed -n 's/.*--threads \([0-9]*\).*/\1/p' "$results/err")
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M --threads "$threads"
+exits 0
+rm control.ply out.vtu
 
 # A surface too large for the memory is refined in tiles: 6 million faces in 300 MB.
 command="kith refine with little memory"

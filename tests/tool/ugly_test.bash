@@ -345,7 +345,7 @@ for scheme in loop sqrt3; do
     for mesh in native cgal openmesh; do
         run refine in.off -s $scheme -n 1 -o out.off --mesh $mesh
         exits 1
-        says "^kith: $scheme: face 0 has 4 vertices; triangulate the mesh first"
+        says "^kith: $scheme: face 0 has 4 vertices; triangulate the mesh first, with --triangulate$"
         only_input_left in.off
     done
 done
@@ -397,6 +397,23 @@ printf '0 1 4294967294 3 4 5\n' >in.part
 run refine in.off -s catmull-clark -n 1 -o out.vtu --partitioner file:in.part
 exits 1
 says 'in.part: the partition file gives face 2 part 4294967294, the mesh has 6 faces; number the parts from 0, below'
+printf '0 1 2 3 4 5\n' >in.part
+run refine in.off -s 4-8 -n 1 -o out.vtu --partitioner file:in.part
+exits 1
+says 'has 6 numbers, the mesh has 24 faces; give one number per face; faces are those that `kith plan` counts on level 0'
 rm in.part
+only_input_left in.off
+
+# Faces and boundaries that a scheme does not take, with what there is to be done.
+tetrahedron >in.off
+run refine in.off -s kobbelt -n 1 -o out.off
+exits 1
+says 'face 0 has 3 vertices; split it into quads first, by one step of the linear scheme: `kith refine IN -s linear -n 1'
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >in.off
+for scheme in unified interpolatory-sqrt3; do
+    run refine in.off -s $scheme -n 1 -o out.off
+    exits 1
+    says 'a boundary edge; .*scheme with a boundary rule such as catmull-clark or loop; kith fills no holes$'
+done
 only_input_left in.off
 finish

@@ -6,6 +6,8 @@ run --help
 exits 0
 says_nothing
 for verb in refine info compare plan schemes; do prints "^  $verb "; done
+prints 'OFF, OBJ, PLY or STL'
+prints '\.vtu, \.pvtu'
 run -h
 exits 0
 run --version
@@ -16,6 +18,8 @@ for verb in refine info compare plan schemes; do
     exits 0
     prints "^kith $verb"
     prints '--help'
+    prints '^Examples:$'
+    prints "^  kith $verb "
     says_nothing
     run $verb --version
     exits 0
@@ -47,6 +51,7 @@ wrong 'levels is missing' refine cube.off -s catmull-clark -o out.off
 wrong 'more operands' refine cube.off other.off -s catmull-clark -n 1 -o out.off
 wrong "'catmull' is no scheme; there are catmull-clark, loop, doo-sabin, sqrt3, " refine cube.off -s catmull -n 1 -o out.off
 wrong 'ask for 0 or more' refine cube.off -s catmull-clark -n -1 -o out.off
+wrong '^kith: --levels: -1 levels were asked for; ask for 0 or more$' refine cube.off -s catmull-clark -n -1 -o out.off
 wrong 'levels' refine cube.off -s catmull-clark -n two -o out.off
 wrong 'levels' refine cube.off -s catmull-clark -n 1.5 -o out.off
 wrong 'levels' refine cube.off -s catmull-clark -n 99999999999 -o out.off
@@ -81,7 +86,9 @@ wrong 'only PLY and STL' refine cube.off -s catmull-clark -n 1 -o out.off --bina
 wrong 'B is missing' compare cube.off --tolerance 1
 wrong 'tolerance is missing' compare cube.off cube.off
 wrong 'tolerance' compare cube.off cube.off --tolerance -1
-wrong 'tolerance' compare cube.off cube.off --tolerance nan
+wrong '^kith: --tolerance: nan is no distance; give a number of 0 or more$' compare cube.off cube.off --tolerance nan
+wrong '^kith: --tolerance: inf is no distance' compare cube.off cube.off --tolerance inf
+wrong '^kith: --tolerance: -1 is no distance' compare cube.off cube.off --tolerance -1
 wrong 'tolerance' compare cube.off cube.off --tolerance much
 wrong 'FILE is missing' info
 wrong 'levels is missing' plan cube.off -s loop
@@ -96,6 +103,8 @@ prints '^sqrt3 +triangles'
 prints '--boundary thesis, clamped, drop'
 prints '^unified +closed meshes +Zorin & Schroeder 2001'
 prints '--degree a number from 1 to 9'
+prints '^interpolatory-sqrt3 +triangles +Labsik'
+check "columns are apart" test "$(grep -c '^[a-z0-9-]*  ' "$results/out")" -eq "$(grep -c '^[a-z0-9]' "$results/out")"
 run schemes --json
 exits 0
 prints '^\[\{"name":"catmull-clark","takes":"any polygons",.*\}\]$'
