@@ -153,14 +153,14 @@ std::uint64_t whole_number(double bytes)
 /// "1024", "2147483648 (2.0 GiB)"
 std::string bytes_text(std::uint64_t bytes)
 {
-    constexpr std::array units{"KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+    constexpr std::array units{"MiB", "GiB", "TiB", "PiB", "EiB"};
     std::string result = std::to_string(bytes);
-    double value = double(bytes) / 1024;
+    double value = double(bytes) / (1 << 20);
+    if (value < 1)
+        return result;
     std::size_t unit = 0;
     for (; value >= 1024; ++unit)
         value /= 1024;
-    if (unit == 0)
-        return result;
     char text[32];
     (void)std::snprintf(text, sizeof text, " (%.1f ", value);
     return result + text + units[unit] + ")";

@@ -143,7 +143,7 @@ says '^kith: catmull-clark: the largest tile needs [0-9]+ \([0-9.]+ [GT]iB\) byt
 says 'nine tenths of the memory that is available; refine fewer times, (or in more tiles: --tiles [0-9]+|for not even)'
 leaves cube.off tetra.off
 run refine cube.off -s catmull-clark -n 4 -o control.ply --binary
-run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2 --memory-limit 40M
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2 --memory-limit 40M --threads 1
 exits 1
 says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or in more tiles: --tiles [0-9]+$'
 more=$(sed -n 's/.*--tiles //p' "$results/err")
@@ -151,7 +151,7 @@ check "it is a few" test "$more" -gt 2 -a "$more" -lt 40
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M
 exits 0
 says_nothing
-run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2000 --memory-limit 1M
+run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2000 --memory-limit 200K
 exits 1
 says 'refine fewer times, for not even a tile for each face of the mesh would fit$'
 # Limits need more, and what a journal has kept is looked at like what is new.
