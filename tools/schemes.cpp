@@ -121,19 +121,6 @@ Scheme configured(const scheme_words& words)
     return scheme;
 }
 
-/// The names of the schemes whose entries are wanted.
-template <class Wanted>
-std::string names_of(const Wanted& wanted)
-{
-    std::string result;
-    const auto add = [&]<class Scheme>(const scheme_entry<Scheme>& entry) {
-        if (wanted(entry))
-            append_to_list(result, scheme_name<Scheme>());
-    };
-    std::apply([&](const auto&... entry) { (add(entry), ...); }, known_schemes);
-    return result;
-}
-
 /// Names the lines that nobody understood, the first few of them.
 void note_unread(const mesh_tags& tags)
 {
@@ -254,7 +241,11 @@ basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control)
 
 std::string scheme_names()
 {
-    return names_of([]<class Scheme>(const scheme_entry<Scheme>&) { return true; });
+    std::string result;
+    std::apply([&]<class... Schemes>(
+                   const scheme_entry<Schemes>&...) { (append_to_list(result, scheme_name<Schemes>()), ...); },
+               known_schemes);
+    return result;
 }
 
 std::vector<std::string_view> schemes_that_take(const control_mesh& control)
