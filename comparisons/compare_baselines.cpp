@@ -6,6 +6,7 @@
 #include <kith/loop.hpp>
 #include <kith/make_mesh.hpp>
 #include <kith/refine.hpp>
+#include <kith/tags_of_creases.hpp>
 
 #include <algorithm>
 #include <exception>
