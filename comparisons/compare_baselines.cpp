@@ -18,7 +18,7 @@
 namespace {
 
 using namespace kith::comparison;
-namespace tool = kith::tool;
+namespace io = kith::io;
 
 /// Nine digits are in the files, and their own refinement was made in floats.
 constexpr double their_precision = 5e-6;
@@ -53,7 +53,7 @@ void compare_with(const baseline& base, verdicts& verdicts)
     const control_mesh control{name, kith::make_mesh(soup.points, soup.faces)};
     auto scheme = Scheme::like(kith::library::opensubdiv);
     scheme.corners = soup.tags.corners.value_or(scheme.corners);
-    scheme.sharpness = creases_of(soup.tags, control.mesh);
+    scheme.sharpness = io::creases_of(soup.tags, control.mesh);
     verdicts.compare(control,
                      kith::scheme_name<Scheme>(),
                      io::read_mesh_file(base.result.string()),
