@@ -33,13 +33,13 @@ inline void require_possible(const refine_request& request, const basic_mesh<>& 
 
 /// The same mesh with points of another type.
 template <class To, class From>
-basic_mesh<To> with_points(const basic_mesh<From>& mesh)
+basic_mesh<To> with_points(const basic_mesh<From>& mesh, int generation)
 {
     storage<To> points(mesh.vertex_count());
     std::ranges::transform(mesh.points(), points.begin(), [](const From& p) {
         return affine<To>::store(typename affine<To>::sum(affine<From>::load(p)));
     });
-    return {std::move(points), mesh.topology(), mesh.generation()};
+    return {std::move(points), mesh.topology(), generation};
 }
 
 /// Refines on meshes of type M, each level one of them.
@@ -49,14 +49,14 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
     using traits = mesh_traits<M>;
     return std::visit(
         [&]<class Scheme>(const Scheme& scheme) {
-            hierarchy<M, Scheme> levels(traits::build(with_points<typename traits::point>(control)),
-                                        scheme,
-                                        {.memory_limit = request.memory.bytes});
+            hierarchy<M, Scheme> levels(
+                traits::build(with_points<typename traits::point>(control, control.generation())),
+                scheme,
+                {.memory_limit = request.memory.bytes});
             levels.refine(request.levels);
-            const auto last = with_points<std::array<double, 3>>(lift(levels.finest()));
             const int generation = control.generation() + request.levels; // which other libraries forget
-            refined_mesh refined{{storage<std::array<double, 3>>(last.points()), last.topology(), generation},
-                                 last.edge_count()};
+            refined_mesh refined{with_points<std::array<double, 3>>(lift(levels.finest()), generation)};
+            refined.edges = refined.mesh.edge_count();
             if constexpr (has_creases<Scheme>)
                 if (request.with_tags)
                     refined.tags = io::tags_of(levels.scheme(request.levels).sharpness,

@@ -65,7 +65,7 @@ double bytes_of_hierarchy(const std::vector<planned_level>& levels, const job_ki
     const planned_level& last = levels.back();
     if (not kind.limit)
         return kept - bytes_of_view(last, kind.mesh) + 2 * double(last.bytes);
-    return kept + 2 * double(last.bytes) + bytes_of(bytes_of_limit, 0, 0, last);
+    return kept + double(last.bytes) + std::max(double(last.bytes), bytes_of(bytes_of_limit, 0, 0, last));
 }
 
 /// The counts of a plan with the bytes of a 32-bit index, although that may not number them.
