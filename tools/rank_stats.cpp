@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rank_stats.hpp"
 
+#include "available_memory.hpp"
 #include "json.hpp"
 #include "run_stats.hpp"
 

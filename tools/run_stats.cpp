@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_stats.hpp"
 
+#include "available_memory.hpp"
 #include "errors.hpp"
 
 #include <kith/output_file.hpp>
@@ -15,25 +16,10 @@
 
 namespace kith::tool {
 
-namespace {
-
-rusage usage_of_process()
+double processor_seconds()
 {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    return usage;
-}
-
-} // namespace
-
-std::uint64_t peak_memory()
-{
-    return std::uint64_t(usage_of_process().ru_maxrss) * 1024;
-}
-
-double processor_seconds()
-{
-    const rusage usage = usage_of_process();
     const auto seconds = [](const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }

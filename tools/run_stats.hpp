@@ -5,7 +5,6 @@
 
 #include <kith/phase_seconds.hpp>
 
-#include <cstdint>
 #include <iosfwd>
 #include <string>
 
@@ -14,8 +13,6 @@ namespace kith::tool {
 inline constexpr const char* stats_help =
     "write the seconds of each phase, as JSON; with --json they are in the result line, too";
 
-/// The most memory this process has had, in bytes.
-std::uint64_t peak_memory();
 /// What this process has had of the processors, in seconds.
 double processor_seconds();
 
