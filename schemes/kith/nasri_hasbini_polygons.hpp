@@ -3,6 +3,7 @@
 
 #include "nasri_hasbini_kernels.hpp"
 
+#include <kith/association.hpp>
 #include <kith/choose.hpp>
 #include <kith/large_rings.hpp>
 
