@@ -3,6 +3,8 @@
 
 #include "tile.hpp"
 
+#include <kith/submesh.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
