@@ -287,12 +287,17 @@ void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int l
     const std::string problem = planned.problem.empty()
                                     ? too_much(std::to_string(levels) + " levels need ", need, limit)
                                     : planned.problem;
-    std::uint64_t tiles = 0;
-    if (not kind.holes and planned.problem.find("64 bits") == std::string::npos)
-        tiles = tiles_that_fit(
-            scheme, control, levels, "metis", limit.bytes, {.threads = tiles_at_once(SIZE_MAX), .limit = kind.limit});
-    throw mesh_error(name_of(scheme) + ": " + problem + "; refine fewer times" +
-                     (tiles == 0 ? "" : ", or in tiles, to .vtu, .pvtu or .ply: --tiles " + std::to_string(tiles)));
+    std::string in_tiles;
+    const bool is_possible = not kind.holes and planned.problem.find("64 bits") == std::string::npos;
+    for (const std::uint64_t threads : {std::uint64_t(tiles_at_once(SIZE_MAX)), std::uint64_t(1)}) {
+        if (not is_possible or not in_tiles.empty())
+            break;
+        const auto tiles = tiles_that_fit(scheme, control, levels, "metis", limit.bytes, {threads, kind.limit});
+        if (tiles != 0)
+            in_tiles = ", or in tiles, to .vtu, .pvtu or .ply: --tiles " + std::to_string(tiles) +
+                       (threads == 1 and tiles_at_once(SIZE_MAX) != 1 ? " --threads 1" : "");
+    }
+    throw mesh_error(name_of(scheme) + ": " + problem + "; refine fewer times" + in_tiles);
 }
 
 void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,

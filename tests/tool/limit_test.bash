@@ -56,7 +56,7 @@ check "Loop's vertex" near 4 loop.off 0.2 0.2 0.2 -$third -$third -$third
 run refine cube.off -s catmull-clark -n 1 -o plain.off
 check "no normals" test "$(head -n 1 plain.off)" = OFF
 run schemes
-sed -n 's/^\([a-z0-9-]*\)  *\(triangles\|quads\|any polygons\) .*/\1 \2/p' "$results/out" >list
+sed -n 's/^\([a-z0-9-]*\)  *\(triangles\|quads\|any polygons\|closed meshes\) .*/\1 \2/p' "$results/out" >list
 check "all schemes" test "$(wc -l <list)" -ge 13
 while read -r scheme takes; do
     input=cube.off
@@ -120,7 +120,7 @@ for size in 1e-160 1e160; do
     sed "3,10s/1/$size/g" cube.off >sized.off
     run refine sized.off -s catmull-clark -n 1 --limit -o sized_limit.off
     exits 0
-    check "no number that is none" not grep -qiE 'nan|inf' sized_limit.off
+    check "no number that is none" test "$(grep -ciE 'nan|inf' sized_limit.off)" -eq 0
     check "the normals" near 4 <(cut -d' ' -f4- sized_limit.off | tr -s ' ') -$third -$third -$third
 done
 finish
