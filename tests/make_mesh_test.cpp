@@ -172,7 +172,7 @@ TEST(make_mesh, tells_all_problems_at_once)
     const std::string text = refusal(4, {{0, 1, 2}, {0, 1, 2, 2}, {0, 9, 1}, {3}});
     EXPECT_NE(text.find("face 1: comes to vertex 2 twice"), std::string::npos);
     EXPECT_NE(text.find("face 2: vertex 9 does not exist"), std::string::npos);
-    EXPECT_NE(text.find("face 3: has 1 corners"), std::string::npos);
+    EXPECT_NE(text.find("face 3: has 1 corner;"), std::string::npos);
 }
 
 TEST(make_mesh, refuses_more_elements_than_its_index_can_number)

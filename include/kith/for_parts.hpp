@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <limits>
 
 #if defined(_OPENMP)
 #include <omp.h>
@@ -38,7 +39,7 @@ void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& bod
 #if defined(_OPENMP)
     if (parallel and size >= smallest and omp_get_max_threads() > 1) {
         std::exception_ptr error;
-        std::size_t part_of_error = size;
+        std::size_t part_of_error = std::numeric_limits<std::size_t>::max();
 #pragma omp parallel
         {
             const std::size_t threads = std::size_t(omp_get_num_threads());
