@@ -99,7 +99,12 @@ void expect_everything_zero(const M& mesh)
 
 /// It is refined on a native mesh, which is copied.
 struct untrusted : kith::catmull_clark {
-    static constexpr bool trusted = false;
+    static constexpr auto traits()
+    {
+        auto result = kith::catmull_clark::traits();
+        result.trusted = false;
+        return result;
+    }
 };
 
 /// Memory that nobody has written to does not hold zeros by chance.
