@@ -9,6 +9,9 @@
 #include <sstream>
 #include <string_view>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -99,6 +102,13 @@ std::uint64_t available_memory(const std::string& root)
     const auto kilobytes = number_after(root + "/proc/meminfo", "MemAvailable:");
     const std::uint64_t left = std::min(kilobytes ? *kilobytes * 1024 : unlimited, left_in_all_groups(root));
     return left == unlimited ? total : left + resident_memory(root);
+}
+
+void give_back_what_is_freed()
+{
+#if defined(__GLIBC__)
+    mallopt(M_MMAP_THRESHOLD, 256 << 10);
+#endif
 }
 
 std::uint64_t peak_memory()

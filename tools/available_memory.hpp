@@ -11,6 +11,9 @@ namespace kith::tool {
 /// it. The machine's total where the system tells nothing. `root` is where the files of the system lie.
 std::uint64_t available_memory(const std::string& root = "");
 
+/// Arrays that are freed then go back to the system instead of leaving gaps: tiles need others of other sizes.
+void give_back_what_is_freed();
+
 /// The most bytes of memory that this process has had, and those it has now.
 std::uint64_t peak_memory();
 std::uint64_t resident_memory(const std::string& root = "");

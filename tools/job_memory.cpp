@@ -319,7 +319,8 @@ void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int l
     if (threads != 0)
         ways += ", or on fewer threads: --threads " + std::to_string(threads);
     if (tiles != 0)
-        ways += ", or in more tiles: " + option + " " + std::to_string((tiles + times - 1) / times);
+        ways += (tiles < parts.parts ? ", or in fewer tiles, one at a time: " : ", or in more tiles: ") + option + " " +
+                std::to_string((tiles + times - 1) / times);
     if (threads == 0 and tiles == 0)
         ways += ", for not even a tile for each face of the mesh would fit";
     throw mesh_error(name_of(scheme) + ": " + too_much(what, need, limit) + "; " + ways);

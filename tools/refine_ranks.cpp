@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refine_ranks.hpp"
 
+#include "available_memory.hpp"
 #include "back_end.hpp"
 #include "errors.hpp"
 #include "journal.hpp"
@@ -296,6 +297,7 @@ void refine_slices(mpi::communicator& comm, const rank_request& request, const S
 
 void refine_ranks(mpi::communicator& comm, rank_request& request)
 {
+    give_back_what_is_freed();
     phase_seconds seconds;
     std::optional<recipe> kept;
     if (not request.slices)

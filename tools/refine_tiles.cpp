@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refine_tiles.hpp"
 
+#include "available_memory.hpp"
 #include "errors.hpp"
 #include "limit_surface.hpp"
 #include "tile_output.hpp"
@@ -156,6 +157,7 @@ void require_reach(const tile_request& request)
 tiled_result refine_tiles(const tile_request& request, const tiling& how)
 {
     require_reach(request);
+    give_back_what_is_freed();
     double partitioning = 0;
     const found_recipe kept = timed(partitioning, [&] {
         return how.journal.empty() ? found_recipe{recipe{.parts = how.make_parts()}}

@@ -37,8 +37,8 @@ inline double bytes_of_last_tile(const planned_level& whole, double share)
 
 /// The bytes that are in use at most while a tile is refined to the last of these levels, of which the owned faces are kept:
 /// the tile before a step, what the step makes of it and of its shadows, and what is kept of that; an eighth more for
-/// memory that is kept to be used again. With `last_rings` the last level has its edges and as many rings of shadows, and each
-/// of its vertices takes `last_vertex` bytes more when it is done.
+/// memory that is kept to be used again, a third if there were tiles before, of other sizes. With `last_rings` the last level
+/// has its edges and as many rings of shadows, and each of its vertices takes `last_vertex` bytes more when it is done.
 /// `whole` is the plan of the whole mesh with the tile's type of index, although that index could not number it. `owned` is
 /// the tile's share of the corners of level 0, `shadows` are the faces around it as a share of all. Of shadows the rings stay
 /// and their faces get smaller, so that their share falls with every level.
@@ -62,7 +62,8 @@ std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& 
                             before + share(level) * (double(next.least_bytes) + marks) +
                                 detail::bytes_of_last_tile(next, owned));
         } else {
-            const double marks = double(next.counts.faces) + double(next.counts.edges);
+            const counts& c = next.counts; // marks, and for all that is kept where it was and where it is
+            const double marks = 8 * double(c.vertices) + 11 * double(c.edges) + 9 * double(c.faces);
             most = std::max(most,
                             before + share(level) * (double(next.bytes) + marks) +
                                 detail::bytes_of_tile(next, share(level + 1)));
@@ -72,7 +73,7 @@ std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& 
         most = std::max(most,
                         detail::bytes_of_tile(whole.back(), share(whole.size() - 1)) +
                             share(whole.size() - 1) * last_vertex * double(whole.back().counts.vertices));
-    return std::uint64_t(std::min(most * 9 / 8, 1e19));
+    return std::uint64_t(std::min(owned < 1 ? most * 4 / 3 : most * 9 / 8, 1e19));
 }
 
 /// About so many faces lie in the rings around that many faces of a surface.

@@ -156,7 +156,7 @@ if test -x /usr/bin/time; then
         shift
         run plan "${plan[@]}"
         exits 0
-        need=$(sed -n 's/^refining .* needs \([0-9]*\) bytes at once.*/\1/p' "$results/out")
+        need=$(sed -n 's/^refining.* needs \([0-9]*\) bytes at once.*/\1/p' "$results/out")
         peak "$@"
         percent=$(((peak - base) * 102400 / need))
         check "$percent % of the plan should be used, which are $need bytes" test "$percent" -ge 80 -a "$percent" -le 100
@@ -177,6 +177,10 @@ if test -x /usr/bin/time; then
         control.ply -s catmull-clark -n 4 -o out.vtu --tiles 1 --threads 1
     planned "$base_of_tiles" control.ply -s catmull-clark -n 5 --ranks 1 --tiles-per-rank 8 -- \
         control.ply -s catmull-clark -n 5 -o out.vtu --tiles 8 --threads 1
+    for tiles in 1 8; do
+        planned "$base_of_tiles" control.ply -s catmull-clark -n 4 --limit --ranks 1 --tiles-per-rank $tiles -- \
+            control.ply -s catmull-clark -n 4 -o out.vtu --limit --tiles $tiles --threads 1
+    done
     rm control.ply out.*
 fi
 finish

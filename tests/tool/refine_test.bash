@@ -409,13 +409,17 @@ same out.off limited.off
 run refine cube.off -s catmull-clark -n 3 -o refused.off --memory-limit 1K
 exits 1
 says '^kith: catmull-clark: 3 levels need [0-9]+ bytes at once, the limit is 1024; refine fewer times$'
-run refine cube.off -s catmull-clark -n 8 -o refused.off --memory-limit 10M
+run refine cube.off -s catmull-clark -n 8 -o refused.off --memory-limit 10M # a tile of a cube sees all of it
 exits 1
-says 'the limit is 10485760 \(10.0 MiB\); refine fewer times, or in tiles, to .vtu, .pvtu or .ply: --tiles [0-9]+( --threads 1)?$'
+says 'the limit is 10485760 \(10.0 MiB\); refine fewer times$'
+run refine cube.off -s catmull-clark -n 4 -o control.off
+run refine control.off -s catmull-clark -n 5 -o refused.off --memory-limit 40M
+exits 1
+says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or in tiles, to .vtu, .pvtu or .ply: --tiles [0-9]+( --threads 1)?$'
 # shellcheck disable=SC2046 # several words
-run refine cube.off -s catmull-clark -n 8 -o tiles.vtu --memory-limit 10M $(grep -o -- '--tiles .*' "$results/err")
+run refine control.off -s catmull-clark -n 5 -o tiles.vtu --memory-limit 40M $(grep -o -- '--tiles .*' "$results/err")
 exits 0
-rm -f tiles.vtu
+rm -f control.off tiles.vtu
 run refine cube.off -s catmull-clark -n 20 -o refused.off
 exits 1
 says 'level 14 has .* more than a 32-bit index can number; refine fewer times'
