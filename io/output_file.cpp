@@ -66,6 +66,8 @@ sigset_t ending_signals()
     return signals;
 }
 
+std::chrono::milliseconds patience_without_work{};
+
 void* wait_for_signal(void*)
 {
     const sigset_t signals = ending_signals();
@@ -76,6 +78,8 @@ void* wait_for_signal(void*)
     all.mutex.lock(); // for ever: nothing is begun or gets its name any more
     for (const auto& path : all.paths)
         remove_for_good(path);
+    if (all.paths.empty())
+        std::this_thread::sleep_for(patience_without_work);
     struct sigaction otherwise = {};
     otherwise.sa_handler = SIG_DFL;
     sigaction(signal, &otherwise, nullptr);
@@ -137,8 +141,9 @@ void remove_stale(const std::string& target)
 
 } // namespace
 
-void remove_unfinished_when_interrupted()
+void remove_unfinished_when_interrupted(std::chrono::milliseconds patience)
 {
+    patience_without_work = patience;
     const sigset_t signals = ending_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     pthread_attr_t settings;

@@ -5,6 +5,7 @@
 
 #include <kith/output_file.hpp>
 
+#include <chrono>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -84,7 +85,7 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
 
 int main(int count, char** arguments)
 {
-    kith::io::remove_unfinished_when_interrupted();
+    kith::io::remove_unfinished_when_interrupted(std::chrono::milliseconds(300));
     std::signal(SIGXFSZ, SIG_IGN); // a write beyond what is allowed is then reported like any other that fails
     kith::mpi::session session(count, arguments);
     try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <mutex>
 #include <ostream>
 #include <streambuf>
@@ -11,8 +12,9 @@ namespace kith::io {
 
 /// Lets a signal that ends the program (SIGTERM, SIGINT, SIGHUP, unless they are ignored) first remove what is unfinished:
 /// a thread of its own waits for the signals, removes, and ends the program by the signal. Called once, at the beginning of
-/// main, since all threads that are started later must leave these signals to that one.
-void remove_unfinished_when_interrupted();
+/// main, since all threads that are started later must leave these signals to that one. A process that has nothing to remove
+/// ends so much later, for those that have: mpirun kills all ranks as soon as one has ended.
+void remove_unfinished_when_interrupted(std::chrono::milliseconds patience = {});
 
 /// While it is held, a signal waits: what is several steps is done as one.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> hold_interruptions();
