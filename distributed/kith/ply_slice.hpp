@@ -58,13 +58,13 @@ public:
                                             (end_face - first_face) * face_bytes());
         for (global_id f = first_face; f < end_face; ++f) {
             const char* record = records_of_faces.data() + (f - first_face) * face_bytes();
-            require(int(static_cast<unsigned char>(record[0])) == degree_,
-                    "has face " + std::to_string(f) + " of another degree than face 0; read it on one rank");
+            require_degree(f, static_cast<unsigned char>(record[0]));
             for (int k = 0; k < degree_; ++k) {
                 const auto v = value<std::uint32_t>(record + 1 + 4 * k);
-                require(v < vertices(),
-                        "has face " + std::to_string(f) + " at vertex " + std::to_string(v) + " of " +
-                            std::to_string(vertices()));
+                if (v >= vertices())
+                    require(false,
+                            "has face " + std::to_string(f) + " at vertex " + std::to_string(v) + " of " +
+                                std::to_string(vertices()));
                 result.corners.push_back(v);
             }
         }
@@ -189,9 +189,19 @@ private:
         in_.seekg(faces_at_ + std::streamoff(faces() * face_bytes()));
         for (std::size_t e = 2; e < header_.elements.size(); ++e)
             skip(header_.elements[e], left);
+        if (left != 0) // as it does behind a face of more vertices than the first one
+            for (global_id f = 0; f < faces(); ++f) {
+                in_.seekg(faces_at_ + std::streamoff(f * face_bytes()));
+                require_degree(f, in_.get());
+            }
         require(left == 0,
                 "goes on for " + std::to_string(left) + (left == 1 ? " byte" : " bytes") + " after its last element");
         in_.clear();
+    }
+    void require_degree(global_id face, int degree) const
+    {
+        if (degree != degree_)
+            require(false, "has face " + std::to_string(face) + " of another degree than face 0; read it on one rank");
     }
     /// Goes behind the elements of a kind that nobody reads.
     void skip(const ply_element& element, std::uint64_t& left)
