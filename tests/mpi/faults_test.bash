@@ -81,11 +81,12 @@ exits $((128 + 9))
 check "no output" test ! -e out.vtu
 goes_on 2
 
-# A job that is ended from outside while a rank is slow.
+# A job that is ended from outside while a rank is slow. In the foreground the signal comes once: after a second one mpirun
+# kills the ranks at once.
 command="mpirun -n 2 kith-mpi, ended from outside"
 # shellcheck disable=SC2086
-KITH_FAULT=1:150:slow timeout -s TERM 4 mpirun -n 2 -x LD_PRELOAD="$shim" -x KITH_FAULT "$kith_mpi" refine $job $tiles \
-    --journal kept >"$results/out" 2>"$results/err" </dev/null
+KITH_FAULT=1:150:slow timeout --foreground -s TERM 4 mpirun -n 2 -x LD_PRELOAD="$shim" -x KITH_FAULT "$kith_mpi" \
+    refine $job $tiles --journal kept >"$results/out" 2>"$results/err" </dev/null
 code=$?
 check "was ended" test "$code" -ne 0
 check "no output" test ! -e out.vtu
@@ -116,7 +117,7 @@ rm out.*
 # A job that is ended from outside removes its pieces.
 command="mpirun -n 2 kith-mpi, pieces, ended from outside"
 # shellcheck disable=SC2086
-KITH_FAULT=1:30:slow timeout -s TERM 4 mpirun -n 2 -x LD_PRELOAD="$shim" -x KITH_FAULT "$kith_mpi" \
+KITH_FAULT=1:30:slow timeout --foreground -s TERM 4 mpirun -n 2 -x LD_PRELOAD="$shim" -x KITH_FAULT "$kith_mpi" \
     refine ${job%vtu}pvtu $tiles >"$results/out" 2>"$results/err" </dev/null
 code=$?
 check "was ended" test "$code" -ne 0
