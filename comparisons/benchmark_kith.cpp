@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contests.hpp"
 
-#include <kith/make_creases.hpp>
+#include <kith/crease/make_creases.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/polygon_soup.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/cgal.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/loop.hpp>
+#include <kith/polygon_soup.hpp>
 #include <kith/sqrt3.hpp>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

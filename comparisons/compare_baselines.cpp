@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verdicts.hpp"
 
-#include <kith/read_mesh.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/loop.hpp>
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
+#include <kith/read_mesh.hpp>
 #include <kith/refine.hpp>
 #include <kith/tags_of_creases.hpp>
 

@@ -4,9 +4,9 @@
 #include "../tests/all_shapes.hpp"
 #include "arguments.hpp"
 
-#include <kith/read_mesh.hpp>
 #include <kith/file_error.hpp>
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
+#include <kith/read_mesh.hpp>
 
 #include <exception>
 #include <iostream>

@@ -3,7 +3,7 @@
 #include "random_meshes.hpp"
 
 #include <kith/hierarchy.hpp>
-#include <kith/scheme.hpp>
+#include <kith/step/scheme.hpp>
 
 #include <boost/program_options.hpp>
 

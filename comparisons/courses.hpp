@@ -3,7 +3,7 @@
 
 #include <kith/compiled_schemes.hpp>
 #include <kith/figures.hpp>
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
 #include <kith/plan.hpp>
 
 #include <cmath>

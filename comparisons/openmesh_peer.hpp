@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/polygon_soup.hpp>
 #include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/interpolatory_sqrt3.hpp>
 #include <kith/loop.hpp>
 #include <kith/mid_edge.hpp>
 #include <kith/openmesh.hpp>
+#include <kith/polygon_soup.hpp>
 #include <kith/sqrt3.hpp>
 
 #include <OpenMesh/Core/Mesh/Traits.hh>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/polygon_soup.hpp>
 #include <kith/compiled_schemes.hpp>
+#include <kith/polygon_soup.hpp>
 
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>

@@ -3,8 +3,8 @@
 
 #include "../tests/all_shapes.hpp"
 
-#include <kith/creases.hpp>
-#include <kith/make_mesh.hpp>
+#include <kith/crease/creases.hpp>
+#include <kith/mesh/make_mesh.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/mesh/basic_mesh.hpp>
 #include <kith/polygon_soup.hpp>
-#include <kith/basic_mesh.hpp>
 
 #include <cstddef>
 #include <functional>

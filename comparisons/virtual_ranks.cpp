@@ -5,12 +5,12 @@
 // a whole. Numbers, vertices and places have to be the same bit for bit.
 // Sample run: virtual_ranks --faces 1000000 --parts 100000 --levels 10 --sample 3
 #include <kith/catmull_clark.hpp>
-#include <kith/checksum.hpp>
 #include <kith/figures.hpp>
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
 #include <kith/metis_partition.hpp>
-#include <kith/pack.hpp>
+#include <kith/part/checksum.hpp>
 #include <kith/refine_in_tiles.hpp>
+#include <kith/tile/pack.hpp>
 
 #include <boost/program_options.hpp>
 

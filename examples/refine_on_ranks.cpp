@@ -4,10 +4,10 @@
 // Sample run: mpirun -n 4 refine_on_ranks
 
 #include <kith/catmull_clark.hpp>
-#include <kith/checksum.hpp>
 #include <kith/figures.hpp>
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
 #include <kith/metis_partition.hpp>
+#include <kith/part/checksum.hpp>
 #include <kith/refine_on_ranks.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include <kith/obj_tag.hpp>
 
 #include <kith/counted.hpp>
-#include <kith/creases.hpp>
+#include <kith/crease/creases.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/affine.hpp>
+#include <kith/base/affine.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/association_space.hpp>
+#include <kith/association/association_space.hpp>
 
 #include "error_text.hpp"
 #include "own_scheme.hpp"

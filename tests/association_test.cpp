@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/association.hpp>
+#include <kith/association/association.hpp>
 
 #include "error_text.hpp"
 #include "own_scheme.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
 
-#include <kith/blocks.hpp>
-#include <kith/mesh_level.hpp>
+#include <kith/level/mesh_level.hpp>
 #include <kith/refine.hpp>
+#include <kith/step/blocks.hpp>
 
 #include <gtest/gtest.h>
 

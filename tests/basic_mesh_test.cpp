@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/basic_mesh.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 #include "native_shape.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/blocks.hpp>
+#include <kith/step/blocks.hpp>
 
 #include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>

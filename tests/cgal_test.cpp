@@ -3,7 +3,7 @@
 
 #include "mesh_statements.hpp"
 
-#include <kith/make_creases.hpp>
+#include <kith/crease/make_creases.hpp>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 

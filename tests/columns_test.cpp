@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/column_ids.hpp>
+#include <kith/association/column_ids.hpp>
 
 #include "every_level.hpp"
 

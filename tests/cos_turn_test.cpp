@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/cos_turn.hpp>
+#include <kith/base/cos_turn.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/counts.hpp>
+#include <kith/base/counts.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/creases.hpp>
+#include <kith/crease/creases.hpp>
 
 #include "error_text.hpp"
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/crease/make_creases.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/make_creases.hpp>
 
 #include <gtest/gtest.h>
 

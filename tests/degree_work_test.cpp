@@ -6,6 +6,7 @@
 
 #include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>
+#include <kith/crease/make_creases.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/four_eight.hpp>
 #include <kith/hierarchy.hpp>
@@ -13,7 +14,6 @@
 #include <kith/kobbelt.hpp>
 #include <kith/linear.hpp>
 #include <kith/loop.hpp>
-#include <kith/make_creases.hpp>
 #include <kith/mid_edge.hpp>
 #include <kith/nasri_hasbini.hpp>
 #include <kith/sqrt3.hpp>

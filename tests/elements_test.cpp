@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/level_elements.hpp>
+#include <kith/level/level_elements.hpp>
 
 #include "every_level.hpp"
 

@@ -4,7 +4,7 @@
 #include "all_shapes.hpp"
 #include "native_shape.hpp"
 
-#include <kith/lift.hpp>
+#include <kith/level/lift.hpp>
 
 #include <gtest/gtest.h>
 

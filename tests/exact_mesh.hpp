@@ -4,7 +4,7 @@
 #include "rational.hpp"
 #include "shapes.hpp"
 
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
 
 #include <array>
 #include <cstddef>

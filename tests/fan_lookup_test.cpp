@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/fan_lookup.hpp>
+#include <kith/slices/fan_lookup.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/for_each.hpp>
+#include <kith/level/for_each.hpp>
 
 #include "error_text.hpp"
 #include "every_level.hpp"

@@ -6,7 +6,7 @@
 #include "user_mesh.hpp"
 
 #include <kith/hierarchy.hpp>
-#include <kith/limit.hpp>
+#include <kith/limit/limit.hpp>
 #include <kith/refine.hpp>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/hash_value.hpp>
+#include <kith/mask/hash_value.hpp>
 
 #include "every_scheme.hpp"
 #include "hashes.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/hash_value.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/mask/hash_value.hpp>
 
 #include <algorithm>
 #include <cstddef>

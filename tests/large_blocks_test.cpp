@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/large_blocks.hpp>
-#include <kith/storage.hpp>
+#include <kith/base/large_blocks.hpp>
+#include <kith/base/storage.hpp>
 
 #include <gtest/gtest.h>
 

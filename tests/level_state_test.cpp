@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/level_state.hpp>
+#include <kith/step/level_state.hpp>
 
 #include "all_shapes.hpp"
 #include "own_state.hpp"

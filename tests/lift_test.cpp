@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/lift.hpp>
+#include <kith/level/lift.hpp>
 
 #include "every_level.hpp"
 #include "every_scheme.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/limit.hpp>
+#include <kith/limit/limit.hpp>
 
 #include "every_scheme.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/limit_surface.hpp>
+#include <kith/limit/limit_surface.hpp>
 
 #include "every_scheme.hpp"
 #include "tiles.hpp"

@@ -4,7 +4,7 @@
 #include "native_shape.hpp"
 
 #include <kith/hierarchy.hpp>
-#include <kith/limit.hpp>
+#include <kith/limit/limit.hpp>
 
 #include <Eigen/Dense>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/make_creases.hpp>
+#include <kith/crease/make_creases.hpp>
 
 #include "error_text.hpp"
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
 
+#include <kith/crease/vertex_type.hpp>
 #include <kith/loop.hpp>
 #include <kith/tri_quad.hpp>
-#include <kith/vertex_type.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/choose.hpp>
-#include <kith/mask.hpp>
+#include <kith/mask/choose.hpp>
+#include <kith/mask/mask.hpp>
 
 #include "rational.hpp"
 

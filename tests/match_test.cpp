@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/match.hpp>
+#include <kith/mesh/match.hpp>
 
 #include "all_shapes.hpp"
 #include "native_shape.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/mesh_level.hpp>
+#include <kith/level/mesh_level.hpp>
 
 #include "error_text.hpp"
 #include "every_level.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/mesh_report.hpp>
+#include <kith/mesh/mesh_report.hpp>
 
 #include <gtest/gtest.h>
 

@@ -11,11 +11,11 @@
 #include "user_mesh.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/crease/make_creases.hpp>
+#include <kith/crease/vertex_type.hpp>
 #include <kith/loop.hpp>
-#include <kith/make_creases.hpp>
 #include <kith/refine.hpp>
 #include <kith/sqrt3.hpp>
-#include <kith/vertex_type.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/mesh_traits.hpp>
+#include <kith/mesh/mesh_traits.hpp>
 
 #include "native_shape.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/native_level.hpp>
+#include <kith/level/native_level.hpp>
 
 #include "native_shape.hpp"
 
-#include <kith/level_elements.hpp>
+#include <kith/level/level_elements.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "shapes.hpp"
 
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
 
 #include <cstdint>
 

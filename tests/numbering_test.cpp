@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/numbering.hpp>
+#include <kith/association/numbering.hpp>
 
 #include "error_text.hpp"
 #include "every_level.hpp"

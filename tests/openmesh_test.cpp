@@ -3,7 +3,7 @@
 
 #include "mesh_statements.hpp"
 
-#include <kith/make_creases.hpp>
+#include <kith/crease/make_creases.hpp>
 #include <kith/tri_quad.hpp>
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>

@@ -3,9 +3,9 @@
 
 #include "native_shape.hpp"
 
-#include <kith/lift.hpp>
-#include <kith/refinement.hpp>
-#include <kith/step.hpp>
+#include <kith/level/lift.hpp>
+#include <kith/step/refinement.hpp>
+#include <kith/step/step.hpp>
 
 #include <cstdint>
 #include <utility>

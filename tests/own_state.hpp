@@ -4,8 +4,8 @@
 #include "native_shape.hpp"
 
 #include <kith/catmull_clark.hpp>
-#include <kith/level_state.hpp>
-#include <kith/reach.hpp>
+#include <kith/part/reach.hpp>
+#include <kith/step/level_state.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,8 +4,8 @@
 #include "tiles.hpp"
 
 #include <kith/catmull_clark.hpp>
-#include <kith/creases.hpp>
-#include <kith/pack.hpp>
+#include <kith/crease/creases.hpp>
+#include <kith/tile/pack.hpp>
 
 #include <gtest/gtest.h>
 

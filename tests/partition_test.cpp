@@ -3,8 +3,8 @@
 #include "native_shape.hpp"
 
 #include <kith/catmull_clark.hpp>
-#include <kith/cut_tiles.hpp>
-#include <kith/partition.hpp>
+#include <kith/part/partition.hpp>
+#include <kith/tile/cut_tiles.hpp>
 
 #include <gtest/gtest.h>
 

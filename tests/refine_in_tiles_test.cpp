@@ -4,7 +4,7 @@
 #include "thread_count.hpp"
 
 #include <kith/catmull_clark.hpp>
-#include <kith/checksum.hpp>
+#include <kith/part/checksum.hpp>
 #include <kith/refine_in_tiles.hpp>
 
 #include <gtest/gtest.h>

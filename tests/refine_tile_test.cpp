@@ -2,9 +2,9 @@
 #include "every_scheme.hpp"
 #include "tiles.hpp"
 
-#include <kith/checksum.hpp>
-#include <kith/creases.hpp>
-#include <kith/hash_value.hpp>
+#include <kith/crease/creases.hpp>
+#include <kith/mask/hash_value.hpp>
+#include <kith/part/checksum.hpp>
 #include <kith/refine_in_tiles.hpp>
 
 #include <algorithm>

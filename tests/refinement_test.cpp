@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/refinement.hpp>
+#include <kith/step/refinement.hpp>
 
 #include "consistent.hpp"
 #include "error_text.hpp"
 #include "own_scheme.hpp"
 #include "same_mesh.hpp"
 
-#include <kith/blocks.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/refine.hpp>
+#include <kith/step/blocks.hpp>
 
 #include <gtest/gtest.h>
 

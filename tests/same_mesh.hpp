@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/lift.hpp>
+#include <kith/level/lift.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/scheme.hpp>
+#include <kith/step/scheme.hpp>
 
 #include "error_text.hpp"
 #include "every_level.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "local_matrix.hpp"
 
+#include <kith/base/cos_turn.hpp>
 #include <kith/compiled_schemes.hpp>
-#include <kith/cos_turn.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/stencil.hpp>
+#include <kith/mask/stencil.hpp>
 
 #include "every_scheme.hpp"
 #include "regular_masks.hpp"

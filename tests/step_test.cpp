@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/step.hpp>
+#include <kith/step/step.hpp>
 
 #include "error_text.hpp"
 #include "every_scheme.hpp"

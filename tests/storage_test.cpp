@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/storage.hpp>
+#include <kith/base/storage.hpp>
 
 #include <gtest/gtest.h>
 

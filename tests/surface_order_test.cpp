@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/surface_order.hpp>
+#include <kith/step/surface_order.hpp>
 
 #include "all_shapes.hpp"
 #include "native_shape.hpp"

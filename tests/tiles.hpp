@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/cut_tiles.hpp>
-#include <kith/pack.hpp>
 #include <kith/refine.hpp>
-#include <kith/refine_tile.hpp>
+#include <kith/tile/cut_tiles.hpp>
+#include <kith/tile/pack.hpp>
+#include <kith/tile/refine_tile.hpp>
 
 #include <algorithm>
 #include <cstddef>

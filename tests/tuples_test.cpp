@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/tuples.hpp>
+#include <kith/association/tuples.hpp>
 
 #include "every_level.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
 
 #include <array>
 #include <concepts>

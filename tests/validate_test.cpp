@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/validate.hpp>
+#include <kith/level/validate.hpp>
 
 #include "all_shapes.hpp"
 #include "native_shape.hpp"

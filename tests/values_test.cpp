@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/values.hpp>
+#include <kith/level/values.hpp>
 
 #include "every_level.hpp"
 

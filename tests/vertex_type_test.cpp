@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/vertex_type.hpp>
+#include <kith/crease/vertex_type.hpp>
 
 #include "error_text.hpp"
 #include "native_shape.hpp"

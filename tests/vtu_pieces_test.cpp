@@ -6,8 +6,8 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
+#include <kith/output/vtu_pieces.hpp>
 #include <kith/refine_in_tiles.hpp>
-#include <kith/vtu_pieces.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/weight_table.hpp>
+#include <kith/mask/weight_table.hpp>
 
 #include <gtest/gtest.h>
 

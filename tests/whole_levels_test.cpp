@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/whole_levels.hpp>
+#include <kith/tile/whole_levels.hpp>
 
 #include "all_shapes.hpp"
 #include "error_text.hpp"
@@ -8,8 +8,8 @@
 
 #include <kith/hierarchy.hpp>
 #include <kith/linear.hpp>
-#include <kith/quad_split.hpp>
 #include <kith/refine_in_tiles.hpp>
+#include <kith/split/quad_split.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "every_scheme.hpp"
 #include "tiles.hpp"
 
-#include <kith/whole_numbering.hpp>
+#include <kith/number/whole_numbering.hpp>
 
 #include <array>
 

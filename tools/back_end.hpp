@@ -4,7 +4,7 @@
 #include "job_memory.hpp"
 #include "schemes.hpp"
 
-#include <kith/basic_mesh.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh_tags.hpp>
 
 #include <array>

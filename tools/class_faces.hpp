@@ -3,7 +3,7 @@
 
 #include "vertex_classes.hpp"
 
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include "limit_surface.hpp"
 
 #include <kith/hierarchy.hpp>
-#include <kith/lift.hpp>
+#include <kith/level/lift.hpp>
 #include <kith/tags_of_creases.hpp>
 
 #include <algorithm>

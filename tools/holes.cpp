@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "holes.hpp"
 
-#include <kith/error.hpp>
-#include <kith/lift.hpp>
+#include <kith/base/error.hpp>
+#include <kith/level/lift.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "back_end.hpp"
 #include "mesh_input.hpp"
 
-#include <kith/basic_mesh.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 #include <vector>
 

@@ -8,10 +8,10 @@
 #include "partition_options.hpp"
 #include "word_list.hpp"
 
-#include <kith/column_facts.hpp>
-#include <kith/plan_tile.hpp>
+#include <kith/number/column_facts.hpp>
 #include <kith/refine_in_surface_order.hpp>
-#include <kith/tiles_at_once.hpp>
+#include <kith/tile/plan_tile.hpp>
+#include <kith/tile/tiles_at_once.hpp>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "input_file.hpp"
 
 #include <kith/output_file.hpp>
-#include <kith/pack.hpp>
+#include <kith/tile/pack.hpp>
 
 #include <cerrno>
 #include <cstdio>

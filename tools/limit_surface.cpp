@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limit_surface.hpp"
 
-#include <kith/limit_surface.hpp>
+#include <kith/limit/limit_surface.hpp>
 
 #include <algorithm>
 #include <cstddef>

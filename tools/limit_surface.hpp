@@ -3,8 +3,8 @@
 
 #include "schemes.hpp"
 
-#include <kith/basic_mesh.hpp>
-#include <kith/tile.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/part/tile.hpp>
 
 #include <array>
 #include <span>

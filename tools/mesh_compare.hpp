@@ -5,7 +5,7 @@
 #include "coinciding_vertices.hpp"
 #include "vertex_classes.hpp"
 
-#include <kith/basic_mesh.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 #include <cstddef>
 #include <span>

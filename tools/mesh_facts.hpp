@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/mesh_report.hpp>
+#include <kith/mesh/mesh_report.hpp>
 #include <kith/polygon_soup.hpp>
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/basic_mesh.hpp>
-#include <kith/mesh_report.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/mesh/mesh_report.hpp>
 #include <kith/polygon_soup.hpp>
 
 #include <array>

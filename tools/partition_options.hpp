@@ -3,8 +3,8 @@
 
 #include "command_line.hpp"
 
-#include <kith/basic_mesh.hpp>
-#include <kith/partition.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/part/partition.hpp>
 
 #include <cstddef>
 #include <string>

@@ -5,10 +5,10 @@
 #include "job_memory.hpp"
 #include "limit_surface.hpp"
 
-#include <kith/cut_tiles.hpp>
-#include <kith/pack.hpp>
+#include <kith/part/reach.hpp>
 #include <kith/plan.hpp>
-#include <kith/reach.hpp>
+#include <kith/tile/cut_tiles.hpp>
+#include <kith/tile/pack.hpp>
 
 #include <algorithm>
 #include <string>

@@ -3,8 +3,8 @@
 
 #include "schemes.hpp"
 
-#include <kith/basic_mesh.hpp>
-#include <kith/partition.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/part/partition.hpp>
 
 #include <cstdint>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "job_memory.hpp"
 #include "rank_request.hpp"
 
-#include <kith/communicator.hpp>
+#include <kith/mpi/communicator.hpp>
 
 namespace kith::tool {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/phase_seconds.hpp>
+#include <kith/part/phase_seconds.hpp>
 #include <kith/refine_on_ranks.hpp>
 
 #include <string>

@@ -4,8 +4,8 @@
 #include "errors.hpp"
 #include "json.hpp"
 
-#include <kith/checksum.hpp>
-#include <kith/pack.hpp>
+#include <kith/part/checksum.hpp>
+#include <kith/tile/pack.hpp>
 
 #include <array>
 #include <filesystem>

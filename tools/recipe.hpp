@@ -3,7 +3,7 @@
 
 #include "tile_request.hpp"
 
-#include <kith/partition.hpp>
+#include <kith/part/partition.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -13,11 +13,11 @@
 #include "run_stats.hpp"
 #include "tile_output.hpp"
 
-#include <kith/checksum.hpp>
+#include <kith/part/checksum.hpp>
 #include <kith/ply_not_kept.hpp>
 #include <kith/refine.hpp>
-#include <kith/tiles_at_once.hpp>
-#include <kith/tiles_of_slices.hpp>
+#include <kith/slices/tiles_of_slices.hpp>
+#include <kith/tile/tiles_at_once.hpp>
 
 #include <algorithm>
 #include <array>

@@ -5,10 +5,10 @@
 #include "journal.hpp"
 #include "tile_request.hpp"
 
-#include <kith/checksum.hpp>
-#include <kith/partition.hpp>
-#include <kith/phase_seconds.hpp>
-#include <kith/whole_numbering.hpp>
+#include <kith/number/whole_numbering.hpp>
+#include <kith/part/checksum.hpp>
+#include <kith/part/partition.hpp>
+#include <kith/part/phase_seconds.hpp>
 
 #include <cstdint>
 #include <functional>

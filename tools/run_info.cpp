@@ -8,8 +8,8 @@
 #include "schemes.hpp"
 #include "word_list.hpp"
 
+#include <kith/base/error.hpp>
 #include <kith/counted.hpp>
-#include <kith/error.hpp>
 #include <kith/tags_of_creases.hpp>
 
 #include <algorithm>

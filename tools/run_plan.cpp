@@ -9,7 +9,7 @@
 #include "plan_ranks.hpp"
 #include "scheme_options.hpp"
 
-#include <kith/lift.hpp>
+#include <kith/level/lift.hpp>
 #include <kith/plan.hpp>
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "scheme_words.hpp"
 #include "schemes.hpp"
 
-#include <kith/scheme.hpp>
+#include <kith/step/scheme.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "json.hpp"
 
-#include <kith/phase_seconds.hpp>
+#include <kith/part/phase_seconds.hpp>
 
 #include <iosfwd>
 #include <string>

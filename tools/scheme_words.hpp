@@ -4,8 +4,8 @@
 #include "errors.hpp"
 #include "word_list.hpp"
 
-#include <kith/boundary.hpp>
-#include <kith/creases.hpp>
+#include <kith/crease/boundary.hpp>
+#include <kith/crease/creases.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/library.hpp>
 #include <kith/loop.hpp>

@@ -7,8 +7,8 @@
 #include "word_list.hpp"
 
 #include <kith/counted.hpp>
-#include <kith/make_creases.hpp>
-#include <kith/scheme.hpp>
+#include <kith/crease/make_creases.hpp>
+#include <kith/step/scheme.hpp>
 #include <kith/tags_of_creases.hpp>
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "errors.hpp"
 #include "mesh_format.hpp"
 
-#include <kith/checksum.hpp>
-#include <kith/vtu_pieces.hpp>
+#include <kith/output/vtu_pieces.hpp>
+#include <kith/part/checksum.hpp>
 
 #include <filesystem>
 #include <system_error>

@@ -3,9 +3,9 @@
 
 #include "journal.hpp"
 
+#include <kith/output/stitch.hpp>
+#include <kith/output/tile_journal.hpp>
 #include <kith/output_file.hpp>
-#include <kith/stitch.hpp>
-#include <kith/tile_journal.hpp>
 
 #include <array>
 #include <memory>

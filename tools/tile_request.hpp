@@ -3,7 +3,7 @@
 
 #include "schemes.hpp"
 
-#include <kith/basic_mesh.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 #include <string>
 

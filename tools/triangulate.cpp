@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "triangulate.hpp"
 
-#include <kith/error.hpp>
-#include <kith/make_mesh.hpp>
+#include <kith/base/error.hpp>
+#include <kith/mesh/make_mesh.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>

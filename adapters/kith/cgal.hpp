@@ -3,8 +3,8 @@
 
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
-#include <kith/basic_mesh.hpp>
-#include <kith/foreign_level.hpp>
+#include <kith/association/foreign_level.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -13,9 +13,9 @@
 #pragma GCC diagnostic pop
 #endif
 
-#include <kith/basic_mesh.hpp>
-#include <kith/foreign_level.hpp>
-#include <kith/large_blocks.hpp>
+#include <kith/association/foreign_level.hpp>
+#include <kith/base/large_blocks.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 #include <concepts>
 #include <cstddef>

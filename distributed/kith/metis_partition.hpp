@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "partition.hpp"
-
-#include <kith/lift.hpp>
+#include <kith/level/lift.hpp>
+#include <kith/part/partition.hpp>
 
 #include <metis.h>
 

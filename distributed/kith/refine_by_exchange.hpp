@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "corners_at_vertices.hpp"
-#include "cut_tiles.hpp"
-#include "deal_tiles.hpp"
-#include "field_exchange.hpp"
-#include "grow_shadows.hpp"
-#include "in_agreement.hpp"
-#include "pack.hpp"
-#include "partition.hpp"
-#include "require_control.hpp"
-#include "require_tiles.hpp"
-#include "tile_generation.hpp"
-#include "tile_step.hpp"
-
+#include <kith/mpi/in_agreement.hpp>
+#include <kith/number/corners_at_vertices.hpp>
+#include <kith/part/partition.hpp>
+#include <kith/ranks/deal_tiles.hpp>
+#include <kith/ranks/field_exchange.hpp>
+#include <kith/ranks/grow_shadows.hpp>
+#include <kith/ranks/require_tiles.hpp>
+#include <kith/ranks/tile_generation.hpp>
 #include <kith/refine.hpp>
+#include <kith/tile/cut_tiles.hpp>
+#include <kith/tile/pack.hpp>
+#include <kith/tile/require_control.hpp>
+#include <kith/tile/tile_step.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cut_tiles.hpp"
-#include "partition.hpp"
-#include "phase_seconds.hpp"
-#include "refine_tile.hpp"
-#include "require_control.hpp"
-#include "tiles_at_once.hpp"
+#include <kith/part/partition.hpp>
+#include <kith/part/phase_seconds.hpp>
+#include <kith/tile/cut_tiles.hpp>
+#include <kith/tile/refine_tile.hpp>
+#include <kith/tile/require_control.hpp>
+#include <kith/tile/tiles_at_once.hpp>
 
 #include <cstddef>
 #include <mutex>

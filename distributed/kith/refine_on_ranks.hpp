@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cut_tiles.hpp"
-#include "deal_tiles.hpp"
-#include "mpi.hpp"
-#include "numbered_tile.hpp"
-#include "pack.hpp"
-#include "partition.hpp"
-#include "phase_seconds.hpp"
-#include "refine_tile.hpp"
-#include "require_control.hpp"
-#include "require_tiles.hpp"
-#include "tile_generation.hpp"
-#include "tiles_at_once.hpp"
+#include <kith/mpi/communicator.hpp>
+#include <kith/mpi/in_agreement.hpp>
+#include <kith/mpi/session.hpp>
+#include <kith/part/partition.hpp>
+#include <kith/part/phase_seconds.hpp>
+#include <kith/ranks/deal_tiles.hpp>
+#include <kith/ranks/require_tiles.hpp>
+#include <kith/ranks/tile_generation.hpp>
+#include <kith/tile/cut_tiles.hpp>
+#include <kith/tile/numbered_tile.hpp>
+#include <kith/tile/pack.hpp>
+#include <kith/tile/refine_tile.hpp>
+#include <kith/tile/require_control.hpp>
+#include <kith/tile/tiles_at_once.hpp>
 
 #include <algorithm>
 #include <array>

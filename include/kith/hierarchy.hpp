@@ -2,7 +2,8 @@
 #pragma once
 
 #include "refine.hpp"
-#include "stencil.hpp"
+
+#include <kith/mask/stencil.hpp>
 
 #include <concepts>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "basic_mesh.hpp"
-#include "scheme.hpp"
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/step/scheme.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,8 @@
 
 #include "plan.hpp"
 #include "refine_in_surface_order.hpp"
-#include "validate.hpp"
+
+#include <kith/level/validate.hpp>
 
 #include <cstddef>
 #include <cstdint>

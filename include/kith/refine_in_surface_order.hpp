@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "numbered_level.hpp"
 #include "plan.hpp"
-#include "step.hpp"
+
+#include <kith/step/numbered_level.hpp>
+#include <kith/step/step.hpp>
 
 #include <concepts>
 #include <tuple>

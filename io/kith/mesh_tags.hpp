@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/boundary.hpp>
+#include <kith/crease/boundary.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace kith {
 
-enum class crease_method : unsigned char; // <kith/creases.hpp>, which reading files does not need
+enum class crease_method : unsigned char; // <kith/crease/creases.hpp>, which reading files does not need
 
 } // namespace kith
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/ply_header.hpp>
+#include <kith/slices/ply_header.hpp>
 
 #include <string>
 #include <vector>

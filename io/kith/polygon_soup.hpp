@@ -3,7 +3,7 @@
 
 #include "mesh_tags.hpp"
 
-#include <kith/make_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
 
 #include <array>
 #include <cstddef>

@@ -3,8 +3,8 @@
 
 #include "mesh_tags.hpp"
 
-#include <kith/basic_mesh.hpp>
-#include <kith/creases.hpp>
+#include <kith/crease/creases.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 namespace kith::io {
 

@@ -4,7 +4,7 @@
 #include "mesh_format.hpp"
 #include "mesh_tags.hpp"
 
-#include <kith/basic_mesh.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 #include <array>
 #include <iosfwd>

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "library.hpp"
-#include "require_faces.hpp"
-#include "triangle_split.hpp"
 
-#include <kith/blocks.hpp>
-#include <kith/cos_turn.hpp>
-#include <kith/large_rings.hpp>
-#include <kith/weight_rows.hpp>
+#include <kith/base/cos_turn.hpp>
+#include <kith/mask/large_rings.hpp>
+#include <kith/mask/weight_rows.hpp>
+#include <kith/split/require_faces.hpp>
+#include <kith/split/triangle_split.hpp>
+#include <kith/step/blocks.hpp>
 
 #include <cstddef>
 #include <cstdint>

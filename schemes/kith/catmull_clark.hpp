@@ -2,12 +2,12 @@
 #pragma once
 
 #include "library.hpp"
-#include "limit.hpp"
-#include "quad_split.hpp"
-#include "sharp_rules.hpp"
 
-#include <kith/blocks.hpp>
-#include <kith/cos_turn.hpp>
+#include <kith/base/cos_turn.hpp>
+#include <kith/crease/sharp_rules.hpp>
+#include <kith/limit/limit.hpp>
+#include <kith/split/quad_split.hpp>
+#include <kith/step/blocks.hpp>
 
 #include <cmath>
 #include <cstdint>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "dual_split.hpp"
 #include "library.hpp"
-#include "require_faces.hpp"
 
-#include <kith/cos_turn.hpp>
-#include <kith/large_rings.hpp>
+#include <kith/base/cos_turn.hpp>
+#include <kith/mask/large_rings.hpp>
+#include <kith/split/dual_split.hpp>
+#include <kith/split/require_faces.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bisection_split.hpp"
 #include "library.hpp"
 #include "tri_quad.hpp"
 
-#include <kith/blocks.hpp>
-#include <kith/cos_turn.hpp>
+#include <kith/base/cos_turn.hpp>
+#include <kith/split/bisection_split.hpp>
+#include <kith/step/blocks.hpp>
 
 #include <cstddef>
 #include <cstdint>

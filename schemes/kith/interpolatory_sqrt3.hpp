@@ -2,12 +2,12 @@
 #pragma once
 
 #include "library.hpp"
-#include "require_faces.hpp"
-#include "sqrt3_split.hpp"
 
-#include <kith/cos_turn.hpp>
-#include <kith/large_rings.hpp>
-#include <kith/weight_rows.hpp>
+#include <kith/base/cos_turn.hpp>
+#include <kith/mask/large_rings.hpp>
+#include <kith/mask/weight_rows.hpp>
+#include <kith/split/require_faces.hpp>
+#include <kith/split/sqrt3_split.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "library.hpp"
-#include "quad_split.hpp"
 
-#include <kith/large_rings.hpp>
-#include <kith/weight_rows.hpp>
+#include <kith/mask/large_rings.hpp>
+#include <kith/mask/weight_rows.hpp>
+#include <kith/split/quad_split.hpp>
 
 #include <cstddef>
 #include <type_traits>

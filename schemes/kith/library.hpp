@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/error.hpp>
-#include <kith/scheme_traits.hpp>
+#include <kith/base/error.hpp>
+#include <kith/step/scheme_traits.hpp>
 
 #include <string>
 #include <string_view>

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "library.hpp"
-#include "quad_split.hpp"
-#include "require_faces.hpp"
-#include "triangle_split.hpp"
+
+#include <kith/split/quad_split.hpp>
+#include <kith/split/require_faces.hpp>
+#include <kith/split/triangle_split.hpp>
 
 namespace kith {
 

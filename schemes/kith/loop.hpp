@@ -2,14 +2,14 @@
 #pragma once
 
 #include "library.hpp"
-#include "limit.hpp"
-#include "require_faces.hpp"
-#include "sharp_rules.hpp"
-#include "triangle_split.hpp"
 
-#include <kith/blocks.hpp>
-#include <kith/cos_turn.hpp>
-#include <kith/weight_table.hpp>
+#include <kith/base/cos_turn.hpp>
+#include <kith/crease/sharp_rules.hpp>
+#include <kith/limit/limit.hpp>
+#include <kith/mask/weight_table.hpp>
+#include <kith/split/require_faces.hpp>
+#include <kith/split/triangle_split.hpp>
+#include <kith/step/blocks.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "library.hpp"
-#include "mid_edge_split.hpp"
-#include "require_faces.hpp"
 
-#include <kith/cos_turn.hpp>
+#include <kith/base/cos_turn.hpp>
+#include <kith/split/mid_edge_split.hpp>
+#include <kith/split/require_faces.hpp>
 
 #include <cstdint>
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "library.hpp"
-#include "nasri_hasbini_polygons.hpp"
-#include "ternary_split.hpp"
 
-#include <kith/large_rings.hpp>
-#include <kith/weight_rows.hpp>
+#include <kith/mask/large_rings.hpp>
+#include <kith/mask/weight_rows.hpp>
+#include <kith/nasri_hasbini/polygons.hpp>
+#include <kith/split/ternary_split.hpp>
 
 #include <cstddef>
 #include <cstdint>

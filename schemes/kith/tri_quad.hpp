@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "choose_diagonals.hpp"
-
 #include <kith/refine.hpp>
+#include <kith/split/choose_diagonals.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "dual_split.hpp"
 #include "library.hpp"
-#include "quad_split.hpp"
-#include "require_faces.hpp"
-#include "unified_limit.hpp"
+
+#include <kith/limit/unified_limit.hpp>
+#include <kith/split/dual_split.hpp>
+#include <kith/split/quad_split.hpp>
+#include <kith/split/require_faces.hpp>
 
 #include <cstddef>
 #include <string>

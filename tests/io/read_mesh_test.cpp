@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files.hpp"
 
-#include <kith/creases.hpp>
+#include <kith/crease/creases.hpp>
 #include <kith/file_error.hpp>
 #include <kith/read_mesh.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
-#include <kith/field_exchange.hpp>
+#include <kith/ranks/field_exchange.hpp>
 
 #include <map>
 

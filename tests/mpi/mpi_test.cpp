@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "on_ranks.hpp"
 
-#include <kith/all_to_all.hpp>
-#include <kith/send_window.hpp>
+#include <kith/mpi/all_to_all.hpp>
+#include <kith/mpi/send_window.hpp>
 
 #include <array>
 #include <chrono>

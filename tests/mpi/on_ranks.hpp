@@ -4,9 +4,11 @@
 #include "../native_shape.hpp"
 #include "../tiles.hpp"
 
-#include <kith/mpi.hpp>
-#include <kith/numbered_tile.hpp>
+#include <kith/mpi/communicator.hpp>
+#include <kith/mpi/in_agreement.hpp>
+#include <kith/mpi/session.hpp>
 #include <kith/refine_on_ranks.hpp>
+#include <kith/tile/numbered_tile.hpp>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <kith/doo_sabin.hpp>
 #include <kith/refine_by_exchange.hpp>
-#include <kith/tiles_of_slices.hpp>
+#include <kith/slices/tiles_of_slices.hpp>
 
 #include <cstdio>
 #include <fstream>

@@ -5,9 +5,9 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
-#include <kith/gather.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/repartition.hpp>
+#include <kith/ranks/gather.hpp>
+#include <kith/ranks/repartition.hpp>
 
 namespace {
 

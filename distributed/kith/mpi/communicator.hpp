@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpi_calls.hpp"
+
+#include <kith/part/phase_seconds.hpp>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <new>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+/// Of the messages between two ranks that a rank has sent and received through a communicator of kith, their sizes
+/// included. What all ranks tell each other at once (broadcast, sum, to_each, ...) is not counted.
+struct traffic {
+    std::uint64_t bytes_sent = 0, messages_sent = 0, bytes_received = 0, messages_received = 0;
+};
+
+/// A communicator of our own, so that our messages meet no others, which reports errors instead of ending the program.
+/// Move only. Local calls say so; all others are collective or need their partner.
+class communicator {
+public:
+    /// Collective. Messages longer than `largest` bytes are sent in pieces: MPI 3.1 counts in int.
+    /// Precondition: 0 < largest < 2^31. Errors: mpi::error.
+    explicit communicator(MPI_Comm parent, std::size_t largest = std::size_t(1) << 30) : largest_(largest)
+    {
+        detail::check(MPI_Comm_dup(parent, &comm_), "MPI_Comm_dup");
+        detail::check(MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
+        detail::check(MPI_Comm_rank(comm_, &rank_), "MPI_Comm_rank");
+        detail::check(MPI_Comm_size(comm_, &size_), "MPI_Comm_size");
+    }
+    communicator(communicator&& other) noexcept
+        : comm_(std::exchange(other.comm_, MPI_COMM_NULL))
+        , rank_(other.rank_)
+        , size_(other.size_)
+        , largest_(other.largest_)
+        , traffic_(other.traffic_)
+        , seconds_(other.seconds_)
+    {
+    }
+    communicator& operator=(communicator&&) = delete;
+    /// Collective, unless an exception is on its way.
+    ~communicator()
+    {
+        if (comm_ != MPI_COMM_NULL and std::uncaught_exceptions() == 0)
+            MPI_Comm_free(&comm_);
+    }
+
+    /// Local.
+    [[nodiscard]] int rank() const { return rank_; }
+    /// Local.
+    [[nodiscard]] int size() const { return size_; }
+    /// Local.
+    [[nodiscard]] bool is_root() const { return rank_ == 0; }
+    /// Local.
+    [[nodiscard]] const traffic& sent_and_received() const { return traffic_; }
+
+    /// Local: how long this rank has sent (phase::send) and waited for others (phase::wait).
+    [[nodiscard]] phase_seconds& seconds() { return seconds_; }
+
+    /// To one rank, which calls receive. Returns when the bytes may be changed.
+    void send(std::span<const std::byte> bytes, int to)
+    {
+        const phase_timer timer(seconds_[phase::send]);
+        const std::uint64_t size = bytes.size();
+        detail::check(MPI_Send(&size, 1, MPI_UINT64_T, to, size_tag, comm_), "MPI_Send");
+        count_sent(sizeof size);
+        for_each_piece(bytes, [&](std::span<const std::byte> piece) {
+            detail::check(MPI_Send(piece.data(), int(piece.size()), MPI_BYTE, to, bytes_tag, comm_), "MPI_Send");
+            count_sent(piece.size());
+        });
+    }
+    /// Local: starts what send does; `size` is that of the bytes, and both stay where they are until `requests`, to which
+    /// this appends, have been waited for.
+    void start_message(const std::uint64_t& size, std::span<const std::byte> bytes, int to,
+                       std::vector<MPI_Request>& requests)
+    {
+        detail::check(MPI_Isend(&size, 1, MPI_UINT64_T, to, size_tag, comm_, &requests.emplace_back(MPI_REQUEST_NULL)),
+                      "MPI_Isend");
+        count_sent(sizeof size);
+        start_send(bytes, to, bytes_tag, requests);
+    }
+    /// From one rank or, for any_rank, from whoever sends first; that rank is stored then.
+    std::vector<std::byte> receive(int& from)
+    {
+        std::uint64_t size = 0;
+        MPI_Status status;
+        detail::wait_until(seconds_[phase::wait], [&] {
+            int is_there = 0;
+            detail::check(MPI_Iprobe(from, size_tag, comm_, &is_there, &status), "MPI_Iprobe");
+            return is_there != 0;
+        });
+        const phase_timer timer(seconds_[phase::wait]);
+        from = status.MPI_SOURCE;
+        detail::check(MPI_Recv(&size, 1, MPI_UINT64_T, from, size_tag, comm_, &status), "MPI_Recv");
+        count_received(sizeof size);
+        auto bytes = room_for(size);
+        for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
+            detail::check(
+                MPI_Recv(piece.data(), int(piece.size()), MPI_BYTE, from, bytes_tag, comm_, MPI_STATUS_IGNORE),
+                "MPI_Recv");
+            count_received(piece.size());
+        });
+        return bytes;
+    }
+    static constexpr int any_rank = MPI_ANY_SOURCE;
+
+    /// Local: starts a message of a size that the other side knows, which calls start_receive for it; the bytes stay
+    /// where they are until `requests`, to which this appends, have been waited for.
+    void start_send(std::span<const std::byte> bytes, int to, std::vector<MPI_Request>& requests)
+    {
+        start_send(bytes, to, known_tag, requests);
+    }
+    void start_receive(std::span<std::byte> bytes, int from, std::vector<MPI_Request>& requests)
+    {
+        for_each_piece(bytes, [&](std::span<std::byte> piece) {
+            detail::check(MPI_Irecv(piece.data(),
+                                    int(piece.size()),
+                                    MPI_BYTE,
+                                    from,
+                                    known_tag,
+                                    comm_,
+                                    &requests.emplace_back(MPI_REQUEST_NULL)),
+                          "MPI_Irecv");
+            count_received(piece.size());
+        });
+    }
+
+    /// Collective: one number from each rank to each, by rank.
+    [[nodiscard]] std::vector<std::uint64_t> to_each(const std::vector<std::uint64_t>& numbers)
+    {
+        std::vector<std::uint64_t> result(numbers.size());
+        detail::check(MPI_Alltoall(numbers.data(), 1, MPI_UINT64_T, result.data(), 1, MPI_UINT64_T, comm_),
+                      "MPI_Alltoall");
+        return result;
+    }
+
+    /// Collective: what the root gives is what all get.
+    std::vector<std::byte> broadcast(std::vector<std::byte> bytes)
+    {
+        std::uint64_t size = bytes.size();
+        MPI_Request request = MPI_REQUEST_NULL;
+        detail::check(MPI_Ibcast(&size, 1, MPI_UINT64_T, 0, comm_, &request), "MPI_Ibcast");
+        detail::wait_for(request, seconds_[phase::wait], "MPI_Ibcast");
+        if (not is_root())
+            bytes = room_for(size);
+        const phase_timer timer(seconds_[phase::send]);
+        for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
+            detail::check(MPI_Bcast(piece.data(), int(piece.size()), MPI_BYTE, 0, comm_), "MPI_Bcast");
+        });
+        return bytes;
+    }
+    /// Collective: the sums (of integers, which do not depend on the order), on all ranks.
+    template <std::size_t N>
+    [[nodiscard]] std::array<std::uint64_t, N> sum(std::array<std::uint64_t, N> values)
+    {
+        MPI_Request request = MPI_REQUEST_NULL;
+        detail::check(MPI_Iallreduce(MPI_IN_PLACE, values.data(), int(N), MPI_UINT64_T, MPI_SUM, comm_, &request),
+                      "MPI_Iallreduce");
+        detail::wait_for(request, seconds_[phase::wait], "MPI_Iallreduce");
+        return values;
+    }
+    /// Collective: the same for as many values as all ranks have.
+    [[nodiscard]] std::vector<std::uint64_t> sum(std::vector<std::uint64_t> values)
+    {
+        for_each_piece(std::span(values), [&](std::span<std::uint64_t> piece) {
+            detail::check(MPI_Allreduce(MPI_IN_PLACE, piece.data(), int(piece.size()), MPI_UINT64_T, MPI_SUM, comm_),
+                          "MPI_Allreduce");
+        });
+        return values;
+    }
+    /// Collective: the least and the greatest of each, on all ranks; unlike sums of floats they do not depend on the order.
+    template <std::size_t N>
+    [[nodiscard]] std::array<double, N> minimum(std::array<double, N> values)
+    {
+        detail::check(MPI_Allreduce(MPI_IN_PLACE, values.data(), int(N), MPI_DOUBLE, MPI_MIN, comm_), "MPI_Allreduce");
+        return values;
+    }
+    template <std::size_t N>
+    [[nodiscard]] std::array<double, N> maximum(std::array<double, N> values)
+    {
+        detail::check(MPI_Allreduce(MPI_IN_PLACE, values.data(), int(N), MPI_DOUBLE, MPI_MAX, comm_), "MPI_Allreduce");
+        return values;
+    }
+
+    /// Collective, between phases: when a rank brings a problem, all ranks throw the one of the lowest such rank, so that
+    /// an error on one rank is one message and no hang. Errors: phase_error.
+    void agree(const std::string& problem);
+
+private:
+    static constexpr int size_tag = 1, bytes_tag = 2, known_tag = 3;
+
+    template <class T, class Use>
+    void for_each_piece(std::span<T> values, const Use& use) const
+    {
+        const std::size_t most = std::max(std::size_t(1), largest_ / sizeof(T));
+        while (not values.empty()) {
+            const auto piece = values.first(std::min(values.size(), most));
+            use(piece);
+            values = values.subspan(piece.size());
+        }
+    }
+    void start_send(std::span<const std::byte> bytes, int to, int tag, std::vector<MPI_Request>& requests)
+    {
+        for_each_piece(bytes, [&](std::span<const std::byte> piece) {
+            detail::check(MPI_Isend(piece.data(),
+                                    int(piece.size()),
+                                    MPI_BYTE,
+                                    to,
+                                    tag,
+                                    comm_,
+                                    &requests.emplace_back(MPI_REQUEST_NULL)),
+                          "MPI_Isend");
+            count_sent(piece.size());
+        });
+    }
+    /// The other side is sending already and cannot be told that there is no memory, so this is an error of MPI's kind.
+    static std::vector<std::byte> room_for(std::uint64_t size)
+    {
+        try {
+            return std::vector<std::byte>(size);
+        } catch (const std::bad_alloc&) {
+            throw error("there is not enough memory for a message of " + std::to_string(size) + " bytes");
+        }
+    }
+    void count_sent(std::size_t bytes)
+    {
+        traffic_.bytes_sent += bytes;
+        ++traffic_.messages_sent;
+    }
+    void count_received(std::size_t bytes)
+    {
+        traffic_.bytes_received += bytes;
+        ++traffic_.messages_received;
+    }
+
+    MPI_Comm comm_ = MPI_COMM_NULL;
+    int rank_ = 0, size_ = 1;
+    std::size_t largest_;
+    traffic traffic_;
+    phase_seconds seconds_;
+};
+
+/// A problem that all ranks have heard of.
+struct phase_error : std::runtime_error {
+    phase_error(int rank, const std::string& text) : std::runtime_error(text), rank(rank) {}
+    int rank; ///< whose problem it is
+};
+
+inline void communicator::agree(const std::string& problem)
+{
+    int first = problem.empty() ? std::numeric_limits<int>::max() : rank_;
+    MPI_Request request = MPI_REQUEST_NULL;
+    detail::check(MPI_Iallreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm_, &request), "MPI_Iallreduce");
+    detail::wait_for(request, seconds_[phase::wait], "MPI_Iallreduce");
+    if (first == std::numeric_limits<int>::max())
+        return;
+    std::string text = problem;
+    std::uint64_t size = text.size();
+    detail::check(MPI_Bcast(&size, 1, MPI_UINT64_T, first, comm_), "MPI_Bcast");
+    text.resize(size);
+    detail::check(MPI_Bcast(text.data(), int(size), MPI_CHAR, first, comm_), "MPI_Bcast");
+    throw phase_error(first, text);
+}
+
+} // namespace kith::mpi

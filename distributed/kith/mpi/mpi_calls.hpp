@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/part/phase_seconds.hpp>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace kith::mpi {
+
+/// A call to MPI that failed, or a message that there is no memory for.
+struct error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+namespace detail {
+
+inline void check(int code, const char* call)
+{
+    if (code == MPI_SUCCESS)
+        return;
+    char text[MPI_MAX_ERROR_STRING] = "";
+    int length = 0;
+    MPI_Error_string(code, text, &length);
+    throw error(std::string(call) + ": " + std::string(text, std::size_t(length)));
+}
+
+/// Waits until `is_done()`, which lets MPI go on. Spins for a tenth of a millisecond, as most answers are near; then sleeps
+/// between two looks, an eighth of the time that has passed, a millisecond at most: MPI itself takes a whole processor to
+/// wait. Adds the time to `seconds`.
+template <class IsDone>
+void wait_until(double& seconds, const IsDone& is_done)
+{
+    constexpr double spin = 1e-4, longest = 1e-3;
+    const phase_timer timer(seconds);
+    const stopwatch since;
+    while (not is_done())
+        if (const double waited = since.seconds(); waited > spin)
+            std::this_thread::sleep_for(std::chrono::duration<double>(std::min(longest, waited / 8)));
+}
+inline void wait_for(MPI_Request request, double& seconds, const char* call)
+{
+    wait_until(seconds, [&] {
+        int is_done = 0;
+        check(MPI_Test(&request, &is_done, MPI_STATUS_IGNORE), call);
+        return is_done != 0;
+    });
+}
+
+} // namespace detail
+
+} // namespace kith::mpi

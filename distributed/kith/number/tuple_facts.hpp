@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/association/columns.hpp>
+#include <kith/level/lift.hpp>
+#include <kith/part/tile.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace kith::detail {
+
+/// Where a tuple belongs in a tile: to whom, and to which face.
+template <class Tile>
+class tuple_facts {
+public:
+    using level_type = level_of<basic_mesh<typename Tile::point_type, typename Tile::index_type>>;
+
+    explicit tuple_facts(const Tile& coarse) : coarse_(coarse), level_(coarse.mesh) {}
+
+    [[nodiscard]] const level_type& level() const { return level_; }
+
+    [[nodiscard]] bool is_owned(tuple_kind kind, std::size_t tuple) const
+    {
+        switch (kind) {
+        case tuple_kind::v: return coarse_.owns_vertex(tuple);
+        case tuple_kind::e: return coarse_.owns_edge(tuple);
+        case tuple_kind::ve: return coarse_.owns_edge(tuple / 2);
+        default: return coarse_.owns_face(face(kind, tuple));
+        }
+    }
+    /// Of the faces at the tuple the one with the smallest number.
+    [[nodiscard]] std::size_t face(tuple_kind kind, std::size_t tuple) const
+    {
+        switch (kind) {
+        case tuple_kind::v: {
+            std::size_t result = coarse_.mesh.face_count();
+            for (const auto f : level_.vertices()[tuple].faces())
+                result = std::min(result, f.index());
+            return result;
+        }
+        case tuple_kind::ve: tuple /= 2; [[fallthrough]];
+        case tuple_kind::e: {
+            const auto e = level_.edges()[tuple];
+            return e.is_boundary() ? e.lface().index() : std::min(e.lface().index(), e.rface().index());
+        }
+        case tuple_kind::f: return tuple;
+        case tuple_kind::vfe: tuple /= 2; [[fallthrough]];
+        default: return level_.corners()[tuple].f().index();
+        }
+    }
+    /// Whether a rim that a tuple gives birth to is the boundary of the whole mesh. Precondition: it is a rim here.
+    [[nodiscard]] bool is_at_true_boundary(tuple_kind kind, std::size_t tuple) const
+    {
+        switch (kind) {
+        case tuple_kind::v: return is_complete(level_.vertices()[tuple]);
+        case tuple_kind::e: return not coarse_.is_cut(tuple);
+        case tuple_kind::ve: return not coarse_.is_cut(tuple / 2);
+        case tuple_kind::f: return true;
+        case tuple_kind::vfe: tuple /= 2; [[fallthrough]];
+        default: return not coarse_.is_cut(level_.corners()[tuple].next_edge().index());
+        }
+    }
+    /// All faces that a vertex or an edge has in the whole mesh are here.
+    [[nodiscard]] bool is_complete(tuple_kind kind, std::size_t tuple) const
+    {
+        return kind == tuple_kind::v ? is_complete(level_.vertices()[tuple])
+                                     : not coarse_.is_cut(kind == tuple_kind::ve ? tuple / 2 : tuple);
+    }
+    [[nodiscard]] bool is_complete(const vertex<level_type>& v) const
+    {
+        return not v.is_boundary() or not(coarse_.is_cut(v.first_corner().next_edge().index()) or
+                                          coarse_.is_cut(v.last_corner().prev_edge().index()));
+    }
+
+private:
+    const Tile& coarse_;
+    level_type level_;
+};
+
+} // namespace kith::detail

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// A file that cannot be written, or read back; the text begins with its path.
+struct write_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Where bytes go that have their place.
+struct placed_bytes {
+    placed_bytes() = default;
+    placed_bytes(const placed_bytes&) = delete;
+    placed_bytes& operator=(const placed_bytes&) = delete;
+    virtual ~placed_bytes() = default;
+    virtual void write(std::uint64_t offset, const void* data, std::size_t size) = 0;
+};
+
+/// A file that many write at the same time, each its own bytes at their place: POSIX only, no MPI-IO, whose offsets have
+/// overflowed in one version or another of every implementation.
+class offset_file final : public placed_bytes {
+public:
+    /// Makes the file, of this size, or opens one that was made so. Errors: write_error.
+    static offset_file create(const std::string& path, std::uint64_t size)
+    {
+        offset_file file(path, O_RDWR | O_CREAT | O_TRUNC);
+        file.resize(size);
+        return file;
+    }
+    static offset_file open(const std::string& path) { return offset_file(path, O_RDWR); }
+    /// The same for a file that may be there already, which keeps what it holds. Errors: write_error.
+    static offset_file create_or_keep(const std::string& path, std::uint64_t size)
+    {
+        offset_file file(path, O_RDWR | O_CREAT);
+        file.resize(size);
+        return file;
+    }
+
+    offset_file(offset_file&& other) noexcept
+        : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1))
+    {
+    }
+    offset_file& operator=(offset_file&&) = delete;
+    ~offset_file() override
+    {
+        if (descriptor_ >= 0)
+            ::close(descriptor_);
+    }
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+    /// Errors: write_error, also for what a full disk shows when the file is closed.
+    void close()
+    {
+        if (::close(std::exchange(descriptor_, -1)) != 0)
+            refuse("cannot be written");
+    }
+    void resize(std::uint64_t size)
+    {
+        if (::ftruncate(descriptor_, off_t(size)) != 0)
+            refuse("cannot be made " + std::to_string(size) + " bytes large");
+    }
+    /// Returns when what was written is on the disk. Errors: write_error.
+    void flush()
+    {
+        if (::fdatasync(descriptor_) != 0)
+            refuse("cannot be written");
+    }
+    /// Errors: write_error, also when the file ends before.
+    void read(std::uint64_t offset, void* data, std::size_t size)
+    {
+        transfer(::pread, offset, static_cast<char*>(data), size, "cannot be read back");
+    }
+    /// Errors: write_error.
+    void write(std::uint64_t offset, const void* data, std::size_t size) override
+    {
+        transfer(::pwrite, offset, static_cast<const char*>(data), size, "cannot be written");
+    }
+
+private:
+    static constexpr std::size_t largest = std::size_t(256) << 20; // one call of some systems writes 2 GiB at most
+
+    template <class Call, class Byte>
+    void transfer(const Call& call, std::uint64_t offset, Byte* bytes, std::size_t size, const std::string& failure)
+    {
+        while (size > 0) {
+            const ssize_t count = call(descriptor_, bytes, std::min(size, largest), off_t(offset));
+            if (count == 0)
+                throw write_error(path_ + ": " + failure + " (it ends early)");
+            if (count < 0 and errno == EINTR)
+                continue;
+            if (count < 0)
+                refuse(failure);
+            bytes += count;
+            offset += std::uint64_t(count);
+            size -= std::size_t(count);
+        }
+    }
+    offset_file(const std::string& path, int flags) : path_(path), descriptor_(::open(path.c_str(), flags, 0666))
+    {
+        if (descriptor_ < 0)
+            refuse("cannot be opened for writing");
+    }
+    [[noreturn]] void refuse(const std::string& what) const
+    {
+        throw write_error(path_ + ": " + what + " (" + std::strerror(errno) + ")");
+    }
+
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+/// Compares with what is in a file instead of writing it.
+class compared_bytes final : public placed_bytes {
+public:
+    explicit compared_bytes(offset_file& file) : file_(&file) {}
+
+    /// Errors: write_error, also when the file ends before.
+    void write(std::uint64_t offset, const void* data, std::size_t size) override
+    {
+        found_.resize(size);
+        file_->read(offset, found_.data(), size);
+        const auto* const expected = static_cast<const char*>(data);
+        const auto differs = std::mismatch(found_.begin(), found_.end(), expected).first;
+        if (differs != found_.end() and not difference_)
+            difference_ = offset + std::uint64_t(differs - found_.begin());
+    }
+    /// The first byte that was met and is another one in the file.
+    [[nodiscard]] std::optional<std::uint64_t> difference() const { return difference_; }
+
+private:
+    offset_file* file_;
+    std::vector<char> found_;
+    std::optional<std::uint64_t> difference_;
+};
+
+/// Joins small writes that follow one another into large ones.
+class joined_writes {
+public:
+    explicit joined_writes(placed_bytes& out) : out_(&out) { bytes_.reserve(largest); }
+
+    template <class T>
+    void put(std::uint64_t offset, const T& value)
+    {
+        put(offset, &value, sizeof(T));
+    }
+    void put(std::uint64_t offset, const void* data, std::size_t size)
+    {
+        if (offset != start_ + bytes_.size() or bytes_.size() + size > largest) {
+            flush();
+            start_ = offset;
+        }
+        const char* bytes = static_cast<const char*>(data);
+        bytes_.insert(bytes_.end(), bytes, bytes + size);
+    }
+    void flush()
+    {
+        if (not bytes_.empty())
+            out_->write(start_, bytes_.data(), bytes_.size());
+        bytes_.clear();
+    }
+
+private:
+    static constexpr std::size_t largest = std::size_t(1) << 20;
+
+    placed_bytes* out_;
+    std::uint64_t start_ = 0;
+    std::vector<char> bytes_;
+};
+
+} // namespace kith

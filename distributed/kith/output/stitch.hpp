@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "offset_file.hpp"
+#include "vtu_layout.hpp"
+
+#include <kith/base/error.hpp>
+#include <kith/number/whole_numbering.hpp>
+#include <kith/part/tile.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace kith {
+
+/// Where a cell came from, beside its parent face.
+struct cell_origin {
+    std::uint32_t tile = 0;
+    std::uint32_t rank = 0;
+};
+
+/// One file of the whole refined mesh, stitched by association: the number of a vertex or a face says where in the file it
+/// stands, so tiles write what they own in any order, at the same time, on any rank, and no vertex is there twice. The
+/// bytes do not depend on the tiles.
+class stitched_file {
+public:
+    virtual ~stitched_file() = default;
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+
+    /// What is not of any tile; one writes it.
+    virtual void write_frame(offset_file& file) const = 0;
+    /// The vertices and faces that a tile owns. Local. Errors: write_error, and mesh_error for a vertex that has no finite
+    /// place. Cost: O(corners), and a write for each run of consecutive numbers.
+    virtual void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin) const = 0;
+
+    /// Reads back what write_tile has written, whichever rank did, and names a byte that is another one: "byte 302 of
+    /// out.vtu". Local. Errors: write_error. Cost: as write_tile.
+    [[nodiscard]] virtual std::optional<std::string>
+    difference(offset_file& file, const tile<std::array<double, 3>>& part, std::uint32_t tile) const = 0;
+
+    /// What of a tile is not in this file has been written. Local.
+    [[nodiscard]] virtual bool is_there(std::uint64_t) const { return true; }
+
+protected:
+    std::uint64_t size_ = 0;
+};
+
+namespace detail {
+
+/// Coordinates that have overflowed are in no file. Errors: mesh_error, which names the vertex.
+inline void require_finite(const tile<std::array<double, 3>>& part)
+{
+    for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+        if (not std::ranges::all_of(part.mesh.point(v), [](double x) { return std::isfinite(x); }))
+            throw mesh_error("vertex " + std::to_string(part.vertex_ids[v]) +
+                             " would have no finite place; the coordinates of the input are too large");
+}
+
+inline constexpr const char* vtu_normals = "type=\"Float64\" Name=\"Normals\" NumberOfComponents=\"3\"";
+
+inline std::optional<std::string> named_difference(const offset_file& file, const compared_bytes& compared)
+{
+    if (const auto at = compared.difference())
+        return "byte " + std::to_string(*at) + " of " + file.path();
+    return std::nullopt;
+}
+
+} // namespace detail
+
+/// VTK's unstructured grid, raw binary appended, which ParaView opens. Cell data: the parent face on level 0 and the
+/// level; tile and rank, which depend on how the work was shared out, only where asked for.
+class vtu_file : public stitched_file {
+public:
+    /// With normals, tiles have theirs, which are point data.
+    vtu_file(const whole_counts& counts, int level, bool with_origin, bool with_normals = false)
+        : level_(level), with_origin_(with_origin), with_normals_(with_normals)
+    {
+        layout_.open("Points");
+        points_ = layout_.add(counts.vertices * 24, "type=\"Float64\" NumberOfComponents=\"3\"");
+        layout_.close("Points").open("Cells");
+        connectivity_ = layout_.add(counts.corners * 8, "type=\"Int64\" Name=\"connectivity\"");
+        offsets_ = layout_.add(counts.faces * 8, "type=\"Int64\" Name=\"offsets\"");
+        types_ = layout_.add(counts.faces, "type=\"UInt8\" Name=\"types\"");
+        layout_.close("Cells");
+        if (with_normals) {
+            layout_.open("PointData Normals=\"Normals\"");
+            normals_ = layout_.add(counts.vertices * 24, detail::vtu_normals);
+            layout_.close("PointData");
+        }
+        layout_.open("CellData");
+        parents_ = layout_.add(counts.faces * 8, "type=\"Int64\" Name=\"parent\"");
+        levels_ = layout_.add(counts.faces, "type=\"UInt8\" Name=\"level\"");
+        if (with_origin) {
+            tiles_ = layout_.add(counts.faces * 4, "type=\"UInt32\" Name=\"tile\"");
+            ranks_ = layout_.add(counts.faces * 4, "type=\"UInt32\" Name=\"rank\"");
+        }
+        layout_.close("CellData").finish(counts.vertices, counts.faces);
+        size_ = layout_.size();
+    }
+
+    void write_frame(offset_file& file) const override { layout_.write_frame(file); }
+    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin) const override
+    {
+        detail::require_finite(part);
+        put_tile(file, part, origin.tile, with_origin_ ? std::optional(origin.rank) : std::nullopt);
+    }
+    [[nodiscard]] std::optional<std::string> difference(offset_file& file, const tile<std::array<double, 3>>& part,
+                                                        std::uint32_t tile) const override
+    {
+        compared_bytes compared(file);
+        put_tile(compared, part, tile, std::nullopt);
+        return detail::named_difference(file, compared);
+    }
+
+private:
+    void put_tile(placed_bytes& file, const tile<std::array<double, 3>>& part, std::uint32_t number,
+                  std::optional<std::uint32_t> rank) const
+    {
+        const auto for_owned_faces = [&](std::size_t array, std::uint64_t bytes, const auto& value) {
+            joined_writes out(file);
+            for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+                if (part.owns_face(f))
+                    out.put(layout_.offset(array) + bytes * part.face_ids[f], value(f));
+            out.flush();
+        };
+        joined_writes points(file);
+        for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+            if (part.owns_vertex(v))
+                points.put(layout_.offset(points_) + 24 * part.vertex_ids[v], part.mesh.point(v));
+        points.flush();
+        if (with_normals_)
+            for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+                if (part.owns_vertex(v))
+                    points.put(layout_.offset(normals_) + 24 * part.vertex_ids[v], part.normals[v]);
+        points.flush();
+        joined_writes corners(file);
+        for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+            if (part.owns_face(f))
+                for (std::size_t k = 0; k < part.mesh.face(f).size(); ++k)
+                    corners.put(layout_.offset(connectivity_) + 8 * part.corner_id(f, k),
+                                std::int64_t(part.vertex_ids[part.mesh.face(f)[k]]));
+        corners.flush();
+        for_owned_faces(
+            offsets_, 8, [&](std::size_t f) { return std::int64_t(part.corner_id(f, part.mesh.face(f).size())); });
+        for_owned_faces(types_, 1, [&](std::size_t f) { return vtk_cell_type(part.mesh.face(f).size()); });
+        for_owned_faces(parents_, 8, [&](std::size_t f) { return std::int64_t(part.root(f)); });
+        for_owned_faces(levels_, 1, [&](std::size_t) { return std::uint8_t(level_); });
+        if (with_origin_)
+            for_owned_faces(tiles_, 4, [&](std::size_t) { return number; });
+        if (rank)
+            for_owned_faces(ranks_, 4, [&](std::size_t) { return *rank; });
+    }
+
+    int level_;
+    bool with_origin_, with_normals_;
+    vtu_layout layout_;
+    std::size_t points_, connectivity_, offsets_, types_, parents_, levels_; // arrays there
+    std::size_t normals_ = 0, tiles_ = 0, ranks_ = 0;
+};
+
+/// Binary PLY. Faces of up to 255 corners, and as many vertices as 32 bits can number.
+class ply_file : public stitched_file {
+public:
+    /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number.
+    explicit ply_file(const whole_counts& counts, bool with_normals = false)
+        : counts_(counts), bytes_of_vertex_(with_normals ? 48 : 24)
+    {
+        if (counts.vertices > std::numeric_limits<std::int32_t>::max())
+            throw mesh_error("PLY numbers " + std::to_string(std::numeric_limits<std::int32_t>::max()) +
+                             " vertices at most, there are " + std::to_string(counts.vertices) + "; write .vtu");
+        head_ = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(counts.vertices) +
+                "\nproperty double x\nproperty double y\nproperty double z\n" +
+                (with_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") + "element face " +
+                std::to_string(counts.faces) + "\nproperty list uchar int vertex_indices\nend_header\n";
+        size_ = head_.size() + bytes_of_vertex_ * counts.vertices + counts.faces + 4 * counts.corners;
+    }
+
+    void write_frame(offset_file& file) const override { file.write(0, head_.data(), head_.size()); }
+    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin) const override
+    {
+        detail::require_finite(part);
+        put_tile(file, part);
+    }
+    [[nodiscard]] std::optional<std::string> difference(offset_file& file, const tile<std::array<double, 3>>& part,
+                                                        std::uint32_t) const override
+    {
+        compared_bytes compared(file);
+        put_tile(compared, part);
+        return detail::named_difference(file, compared);
+    }
+
+private:
+    void put_tile(placed_bytes& file, const tile<std::array<double, 3>>& part) const
+    {
+        joined_writes points(file);
+        for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+            if (part.owns_vertex(v)) {
+                const std::uint64_t at = head_.size() + bytes_of_vertex_ * part.vertex_ids[v];
+                points.put(at, part.mesh.point(v));
+                if (bytes_of_vertex_ == 48)
+                    points.put(at + 24, part.normals[v]);
+            }
+        points.flush();
+        joined_writes faces(file);
+        const std::uint64_t begin = head_.size() + bytes_of_vertex_ * counts_.vertices;
+        for (std::size_t f = 0; f < part.mesh.face_count(); ++f) {
+            if (not part.owns_face(f))
+                continue;
+            const auto face = part.mesh.face(f);
+            if (face.size() > std::numeric_limits<std::uint8_t>::max())
+                throw mesh_error("face " + std::to_string(part.face_ids[f]) + " has " + std::to_string(face.size()) +
+                                 " corners, PLY holds 255 at most; write .vtu");
+            std::uint64_t at = begin + part.face_ids[f] + 4 * part.corner_id(f, 0);
+            faces.put(at, std::uint8_t(face.size()));
+            ++at;
+            for (const auto v : face) {
+                faces.put(at, std::int32_t(part.vertex_ids[v]));
+                at += 4;
+            }
+        }
+        faces.flush();
+    }
+
+    whole_counts counts_;
+    std::uint64_t bytes_of_vertex_;
+    std::string head_;
+};
+
+} // namespace kith

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/error.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/mpi/in_agreement.hpp>
+#include <kith/number/whole_numbering.hpp>
+#include <kith/tile/numbered_tile.hpp>
+#include <kith/tile/pack.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+namespace detail {
+
+/// What a tile has to tell of the faces it owns.
+template <class Point, class Index>
+std::vector<std::byte> pack_owned(const tile<Point, Index>& part)
+{
+    std::vector<global_id> vertex_ids, faces; // of each face its number, its first corner, its degree, its vertices
+    std::vector<Point> points;
+    for (std::size_t v = 0; v < part.vertex_ids.size(); ++v)
+        if (part.owns_vertex(v)) {
+            vertex_ids.push_back(part.vertex_ids[v]);
+            points.push_back(part.mesh.point(v));
+        }
+    for (std::size_t f = 0; f < part.face_ids.size(); ++f)
+        if (part.owns_face(f)) {
+            faces.insert(faces.end(), {part.face_ids[f], part.corner_id(f, 0), part.mesh.face(f).size()});
+            for (const Index v : part.mesh.face(f))
+                faces.push_back(part.vertex_ids[v]);
+        }
+    return packer().add_array(vertex_ids).add_array(points).add_array(faces).take();
+}
+
+/// A mesh of face-vertex lists that is filled tile by tile.
+template <class Point, class Index>
+class gathered_mesh {
+public:
+    gathered_mesh(const whole_counts& counts, int degree) : points_(counts.vertices)
+    {
+        topology_.vertices = counts.vertices;
+        topology_.faces = counts.faces;
+        topology_.degree = degree;
+        topology_.corner_vertex = storage<Index>(counts.corners);
+        if (degree == 0) {
+            topology_.face_corner = storage<Index>(counts.faces + 1);
+            topology_.corner_face = storage<Index>(counts.corners);
+            topology_.face_corner[counts.faces] = Index(counts.corners);
+        }
+    }
+    /// Precondition: the bytes are those of pack_owned, or none.
+    void add(std::span<const std::byte> packed)
+    {
+        if (packed.empty())
+            return; // its rank has failed, and says so
+        unpacker in(packed);
+        const auto ids = in.get_array<std::vector<global_id>>();
+        const auto points = in.get_array<std::vector<Point>>();
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            points_[ids[i]] = points[i];
+        const auto faces = in.get_array<std::vector<global_id>>();
+        for (std::size_t i = 0; i < faces.size();) {
+            const global_id face = faces[i], corner = faces[i + 1], degree = faces[i + 2];
+            std::copy_n(faces.begin() + std::ptrdiff_t(i + 3), degree, topology_.corner_vertex.begin() + corner);
+            if (topology_.degree == 0) {
+                topology_.face_corner[face] = Index(corner);
+                std::fill_n(topology_.corner_face.begin() + corner, degree, Index(face));
+            }
+            i += 3 + degree;
+        }
+    }
+    basic_mesh<Point, Index> take(int generation) { return {std::move(points_), std::move(topology_), generation}; }
+
+private:
+    storage<Point> points_;
+    connectivity<Index> topology_;
+};
+
+} // namespace detail
+
+/// Collective: a level as one mesh on rank 0, with the numbers and the bits of refining it there, as face-vertex lists
+/// (connect::faces); an empty mesh on the others. `tiles` are those of this rank, `counts` those of the level.
+/// It is asked for by name and refused when it needs more than `memory_limit` bytes there, before anything is allocated.
+/// Errors: phase_error for that, for more elements than Index can number, and when tiles are missing.
+/// Cost: rank 0 receives tile by tile, so it holds the mesh and one tile.
+template <class Point, class Index>
+basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_tile<tile<Point, Index>>> tiles,
+                                const whole_counts& counts, std::uint64_t memory_limit)
+{
+    std::array<double, 2> form{0, 0}; // degree and generation, known where a tile is
+    std::array<std::uint64_t, 2> owned{0, 0};
+    for (const auto& [number, part] : tiles) {
+        form = {double(part.mesh.topology().degree), double(part.mesh.generation())};
+        owned[0] += owned_count(part.vertex_marks);
+        owned[1] += owned_count(part.face_marks);
+    }
+    const auto [degree, generation] = comm.maximum(form);
+    owned = comm.sum(owned);
+    basic_mesh<Point, Index> result;
+    in_agreement(comm, [&] {
+        const std::uint64_t mixed = degree == 0 ? counts.faces + 1 + counts.corners : 0;
+        const std::uint64_t bytes = counts.vertices * sizeof(Point) + (counts.corners + mixed) * sizeof(Index);
+        const std::string what = "the level has " + std::to_string(counts.vertices) + " vertices and " +
+                                 std::to_string(counts.faces) + " faces";
+        const std::string remedy = "; gather a coarser level, or write the tiles into one file";
+        if (bytes > memory_limit)
+            throw mesh_error(what + ", " + std::to_string(bytes) + " bytes on one rank, and the limit is " +
+                             std::to_string(memory_limit) + remedy);
+        if (std::max({counts.vertices, counts.faces, counts.corners}) >= std::numeric_limits<Index>::max())
+            throw mesh_error(what + ", more than a " + std::to_string(8 * sizeof(Index)) + "-bit index can number" +
+                             remedy);
+        if (owned != std::array<std::uint64_t, 2>{counts.vertices, counts.faces})
+            throw mesh_error(what + ", the tiles own " + std::to_string(owned[0]) + " and " + std::to_string(owned[1]) +
+                             "; give all tiles of the level, each once");
+    });
+    std::optional<detail::gathered_mesh<Point, Index>> whole;
+    in_agreement(comm, [&] { comm.is_root() ? void(whole.emplace(counts, int(degree))) : void(); });
+    in_agreement(comm, [&] {
+        std::string problem; // nobody may leave while others wait for a message
+        const auto packed = [&](const tile<Point, Index>& part) {
+            std::vector<std::byte> result;
+            if (problem.empty())
+                problem = problem_of([&] { result = detail::pack_owned(part); },
+                                     "there is not enough memory to send a tile");
+            return result;
+        };
+        const auto add = [&](const std::vector<std::byte>& message) {
+            if (problem.empty())
+                problem = problem_of([&] { whole->add(message); }, "there is not enough memory to gather a tile");
+        };
+        if (not comm.is_root())
+            comm.send(packer().add(std::uint64_t(tiles.size())).take(), 0);
+        for (const auto& [number, part] : tiles)
+            comm.is_root() ? add(packed(part)) : comm.send(packed(part), 0);
+        for (int rank = 1; comm.is_root() and rank < comm.size(); ++rank) {
+            const auto count = comm.receive(rank);
+            for (auto left = unpacker(count).get<std::uint64_t>(); left > 0; --left)
+                add(comm.receive(rank));
+        }
+        if (not problem.empty())
+            throw std::runtime_error(problem);
+    });
+    if (comm.is_root())
+        result = whole->take(int(generation));
+    return result;
+}
+
+} // namespace kith::mpi

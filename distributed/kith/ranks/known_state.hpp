@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/tile/pack.hpp>
+#include <kith/tile/tile_job.hpp>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith::detail {
+
+/// Some elements of a level by their numbers in the whole mesh, increasing.
+struct whole_elements {
+    std::vector<global_id> vertices, edges, faces;
+};
+template <class Tile>
+whole_elements elements_of(const Tile& part)
+{
+    const auto list = [](const auto& ids) { return std::vector<global_id>(ids.begin(), ids.end()); };
+    return {list(part.vertex_ids), list(part.edge_ids), list(part.face_ids)};
+}
+
+/// A scheme with what its state says of some elements, whose numbers in it are their places in these lists.
+template <class Scheme>
+struct known_state {
+    Scheme scheme;
+    whole_elements elements;
+};
+
+/// What the scheme of a tile knows of some of its faces, their edges and their vertices.
+template <class Tile, class Scheme, class Index>
+known_state<Scheme> state_at_faces(const Tile& part, const Scheme& scheme, std::vector<Index> faces)
+{
+    const auto& t = part.mesh.topology();
+    std::vector<Index> vertices, edges;
+    for (const Index f : faces)
+        for (Index c = t.first_corner(f); c < t.first_corner(std::size_t(f) + 1); ++c) {
+            vertices.push_back(t.corner_vertex[c]);
+            edges.push_back(t.corner_halfedge[c] / 2);
+        }
+    for (auto* list : {&vertices, &edges, &faces}) {
+        std::ranges::sort(*list);
+        list->erase(std::ranges::unique(*list).begin(), list->end());
+    }
+    const auto ids = [](const std::vector<Index>& numbers, const auto& all) {
+        std::vector<global_id> result;
+        for (const Index x : numbers)
+            result.push_back(all[x]);
+        return result;
+    };
+    return {scheme_of_part(scheme, part_numbers<Index>{vertices, edges, faces}),
+            {ids(vertices, part.vertex_ids), ids(edges, part.edge_ids), ids(faces, part.face_ids)}};
+}
+
+template <class Scheme>
+void pack_known_state(packer& out, const known_state<Scheme>& known)
+{
+    out.add_array(known.elements.vertices).add_array(known.elements.edges).add_array(known.elements.faces);
+    pack_state(out, known.scheme);
+}
+/// The inverse; `scheme` has the options of the one that was packed, and any state.
+template <class Scheme>
+known_state<Scheme> unpack_known_state(unpacker& in, Scheme scheme)
+{
+    using ids = std::vector<global_id>;
+    whole_elements elements;
+    elements.vertices = in.get_array<ids>();
+    elements.edges = in.get_array<ids>();
+    elements.faces = in.get_array<ids>();
+    unpack_state(in, scheme);
+    return {std::move(scheme), std::move(elements)};
+}
+
+/// Lets the scheme of a tile take over what another of its kind knows of elements that the tile has.
+/// Cost: O(elements log of them).
+template <class Scheme, class Tile>
+void take_over(Scheme& scheme, const Tile& part, const Scheme& other, const whole_elements& known)
+{
+    using index = typename Tile::index_type;
+    struct numbers {
+        std::vector<index> there, here;
+    };
+    const auto common = [](const std::vector<global_id>& theirs, const auto& ours) {
+        numbers result;
+        for (std::size_t x = 0; x < ours.size(); ++x)
+            if (const auto found = std::ranges::lower_bound(theirs, ours[x]);
+                found != theirs.end() and *found == ours[x]) {
+                result.there.push_back(index(found - theirs.begin()));
+                result.here.push_back(index(x));
+            }
+        return result;
+    };
+    const numbers vertices = common(known.vertices, part.vertex_ids), edges = common(known.edges, part.edge_ids),
+                  faces = common(known.faces, part.face_ids);
+    const Scheme shared = scheme_of_part(other, part_numbers<index>{vertices.there, edges.there, faces.there});
+    const part_numbers<index> here{vertices.here, edges.here, faces.here};
+    for_each_state(scheme, shared, [&]<class State>(State& state, const State& more) {
+        constexpr bool joins = requires { state.add_part(more, here); };
+        static_assert(
+            joins,
+            "the state that a scheme names in its traits() needs add_part(const T&, const part_numbers<Index>&), the "
+            "inverse of of_part, to be refined with shadows that are fetched; give it that, or use rank_refinement");
+        if constexpr (joins)
+            state.add_part(more, here);
+    });
+}
+
+} // namespace kith::detail

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/error.hpp>
+#include <kith/mpi/all_to_all.hpp>
+#include <kith/mpi/in_agreement.hpp>
+#include <kith/tile/numbered_tile.hpp>
+#include <kith/tile/pack.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+/// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile that
+/// is not there, or there twice.
+template <class Tile>
+std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
+                                       std::uint64_t all_tiles)
+{
+    std::vector<std::uint64_t> faces(all_tiles), seen(all_tiles);
+    std::string problem;
+    for (const auto& [number, part] : tiles) {
+        if (number >= all_tiles) {
+            problem = "tile " + std::to_string(number) + " is not one of " + std::to_string(all_tiles) +
+                      "; give the number of all tiles";
+            break;
+        }
+        ++seen[number];
+        faces[number] += owned_count(part.face_marks);
+    }
+    comm.agree(problem);
+    seen = comm.sum(std::move(seen));
+    for (std::uint64_t t = 0; t < all_tiles; ++t)
+        if (seen[t] != 1)
+            problem = "tile " + std::to_string(t) + " is there " + std::to_string(seen[t]) +
+                      " times; give all tiles of the level, each once";
+    comm.agree(problem);
+    return comm.sum(std::move(faces));
+}
+
+/// A rank for each tile, so that all ranks get about as many faces: the largest tile first, each to the rank that has least
+/// (Graham 1969: at most 4/3 of what would be best). Equal ones go by their numbers, so all ranks find the same. Local.
+inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_tile, int ranks)
+{
+    std::vector<std::size_t> order(faces_of_tile.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t t) { return faces_of_tile[t]; });
+    std::vector<std::uint64_t> load(std::size_t(ranks), 0);
+    std::vector<int> rank_of(faces_of_tile.size());
+    for (const std::size_t t : order) {
+        const auto least = std::ranges::min_element(load);
+        rank_of[t] = int(least - load.begin());
+        *least += faces_of_tile[t];
+    }
+    return rank_of;
+}
+
+/// Collective: moves tiles of any level to other ranks; tile t goes to rank `rank_of[t]`, which is the same list on all
+/// ranks. Returns those that are here now, in the order of their numbers, with all they knew: their roots on level 0 travel
+/// with them, and the tuple that an element came from is whole_numbering::origin of its number, on any rank.
+/// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory where
+/// messages are made and taken apart; mpi::error, and std::bad_alloc in between, which no other rank hears of.
+/// Cost: a message per pair of ranks; the tiles of this rank are in memory twice meanwhile.
+template <class Point, class Index>
+std::vector<numbered_tile<tile<Point, Index>>>
+repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> tiles, std::span<const int> rank_of)
+{
+    struct no_scheme {};
+    std::vector<std::vector<std::byte>> to(std::size_t(comm.size()));
+    in_agreement(comm, [&] {
+        for (const auto& moving : tiles) {
+            if (moving.number >= rank_of.size())
+                throw mesh_error("tile " + std::to_string(moving.number) + " has no new rank; the list has " +
+                                 std::to_string(rank_of.size()) + " ranks, give one per tile");
+            if (const int rank = rank_of[moving.number]; rank < 0 or rank >= comm.size())
+                throw mesh_error("tile " + std::to_string(moving.number) + " is to go to rank " + std::to_string(rank) +
+                                 "; there are ranks 0 to " + std::to_string(comm.size() - 1));
+        }
+    });
+    in_agreement(comm, [&] {
+        for (auto& [number, part] : tiles) {
+            const auto packed = pack(tile_job<tile<Point, Index>, no_scheme>{std::exchange(part, {}), {}});
+            const auto message = packer().add(number).add_array(packed).take();
+            auto& bytes = to[std::size_t(rank_of[number])];
+            bytes.insert(bytes.end(), message.begin(), message.end());
+        }
+    });
+    const auto came = all_to_all(comm, std::move(to));
+    tiles.clear();
+    in_agreement(comm, [&] {
+        for (const auto& bytes : came)
+            for (unpacker in(bytes); not in.is_at_end();) {
+                const auto number = in.template get<std::uint64_t>();
+                const auto packed = in.template get_array<std::vector<std::byte>>();
+                tiles.push_back({number, unpack<Point, Index>(packed, no_scheme()).part});
+            }
+        std::ranges::sort(tiles, {}, [](const auto& moved) { return moved.number; });
+    });
+    return tiles;
+}
+
+} // namespace kith::mpi

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ply_slice.hpp"
+#include "slice_links.hpp"
+
+#include <kith/mpi/all_to_all.hpp>
+#include <kith/mpi/in_agreement.hpp>
+#include <kith/number/whole_counts.hpp>
+#include <kith/ranks/grow_shadows.hpp>
+#include <kith/tile/tile_patch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::mpi {
+
+/// The tiles of a control mesh that no rank holds as a whole: one per rank, its number is that of the rank.
+template <class Point, class Index>
+struct sliced_mesh {
+    std::vector<numbered_tile<tile<Point, Index>>> tiles; ///< of this rank
+    whole_counts counts;
+    std::uint64_t bytes_read = 0; ///< by this rank
+};
+
+namespace detail {
+
+/// The owned faces of a rank and what touches them, as a tile with one ring of shadows.
+template <class Point, class Index>
+tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& slice, slice_links<Point>& links)
+{
+    auto patch = links.own_patch();
+    const auto missing = links.faces_around();
+    const auto asked = all_to_all(comm, missing);
+    std::vector<std::vector<std::byte>> replies(asked.size());
+    for (std::size_t rank = 0; rank < asked.size(); ++rank) {
+        tile_patch<Point> reply;
+        for (const global_id face : asked[rank]) {
+            const std::size_t f = face - slice.first_face;
+            reply.append_face(patch, f, f * std::size_t(slice.degree));
+        }
+        packer out;
+        pack_patch(out, reply);
+        replies[rank] = out.take();
+    }
+    for (const auto& bytes : all_to_all(comm, std::move(replies))) {
+        unpacker in(bytes);
+        patch.append(unpack_patch<Point>(in));
+    }
+    return tile_of_patch<Index>(std::move(patch), slice.degree, 0, true);
+}
+
+/// Whoever owns the smallest face of an element owns it. Precondition: a ring of shadows around faces [first, end).
+template <class Point, class Index>
+void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
+{
+    const auto& t = part.mesh.topology();
+    std::vector<global_id> smallest(part.mesh.vertex_count(), ~global_id(0));
+    const auto is_ours = [&](global_id face) { return face >= first and face < end; };
+    for (std::size_t f = 0; f < part.mesh.face_count(); ++f) {
+        part.face_marks[f] = is_ours(part.face_ids[f]) ? owned_mark : 0;
+        for (const Index v : part.mesh.face(f))
+            smallest[v] = std::min(smallest[v], part.face_ids[f]);
+    }
+    const auto incomplete = incomplete_vertices(part);
+    for (std::size_t v = 0; v < smallest.size(); ++v)
+        part.vertex_marks[v] = incomplete[v] == 0 and is_ours(smallest[v]) ? owned_mark : 0;
+    for (std::size_t e = 0; e < t.edges(); ++e) {
+        const Index left = t.halfedge_corner[2 * e], right = t.halfedge_corner[2 * e + 1];
+        global_id face = part.face_ids[kith::detail::face_of_corner(t, left)];
+        if (right != t.none)
+            face = std::min(face, part.face_ids[kith::detail::face_of_corner(t, right)]);
+        if (not part.is_cut(e) and is_ours(face))
+            part.edge_marks[e] = static_cast<unsigned char>(part.edge_marks[e] | owned_mark);
+    }
+}
+
+} // namespace detail
+
+/// Collective: reads a PLY file of triangles or of quads, each rank its part of the bytes, and makes one tile per rank with
+/// `rings` > 0 rings of shadows: the tiles that tile_cutter makes of the mesh and its block_partition, with the numbers
+/// that make_mesh gives. A vertex, and the edges to larger ones, are looked after by the rank that reads the vertex.
+/// Errors: phase_error for a file that cannot be read so, and for what is not a manifold.
+/// Cost: O(file / ranks) memory and work on each rank, and of the shadows, but O(n^2) work for a vertex of n faces; about
+/// twenty messages at most to each rank.
+template <class Index = std::uint32_t>
+sliced_mesh<std::array<double, 3>, Index> read_tiles(communicator& comm, const std::string& path, int rings)
+{
+    using point = std::array<double, 3>;
+    sliced_mesh<point, Index> result;
+    mesh_slice<point> slice;
+    in_agreement(comm, [&] {
+        sliced_ply file(path);
+        const slice_ranges ranges(file.vertices(), file.faces(), file.degree(), comm.size());
+        const auto r = std::size_t(comm.rank());
+        slice = file.read(ranges.face[r], ranges.face[r + 1], ranges.vertex[r], ranges.vertex[r + 1]);
+        result.bytes_read = file.bytes_read();
+        start_at_smallest(slice);
+    });
+    const slice_ranges ranges(slice.vertices, slice.faces, slice.degree, comm.size());
+    detail::slice_links<point> links(comm, slice, ranges);
+    result.counts = {slice.vertices, links.edges(), slice.faces, slice.faces * global_id(slice.degree)};
+    auto part = detail::tile_of_slice<point, Index>(comm, slice, links);
+    detail::mark_owned(part, ranges.face[std::size_t(comm.rank())], ranges.face[std::size_t(comm.rank()) + 1]);
+    result.tiles.push_back({std::uint64_t(comm.rank()), std::move(part)});
+    grow_shadows(comm, std::span(result.tiles), rings);
+    return result;
+}
+
+} // namespace kith::mpi

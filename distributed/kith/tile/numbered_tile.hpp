@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/part/tile.hpp>
+#include <kith/step/submesh.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace kith {
+
+/// A tile, and which one it is of all tiles of a level, wherever they lie.
+template <class Tile>
+struct numbered_tile {
+    std::uint64_t number = 0;
+    Tile part;
+};
+
+/// The elements of a tile that may carry values.
+enum class element_kind : unsigned char { vertex, edge, face };
+
+/// The numbers in the whole mesh of all elements of one kind, and their marks.
+template <class Tile>
+std::span<const global_id> ids_of(const Tile& part, element_kind kind)
+{
+    const auto& ids = kind == element_kind::vertex ? part.vertex_ids
+                      : kind == element_kind::edge ? part.edge_ids
+                                                   : part.face_ids;
+    return {ids.data(), ids.size()};
+}
+template <class Tile>
+std::span<const unsigned char> marks_of(const Tile& part, element_kind kind)
+{
+    const auto& marks = kind == element_kind::vertex ? part.vertex_marks
+                        : kind == element_kind::edge ? part.edge_marks
+                                                     : part.face_marks;
+    return {marks.data(), marks.size()};
+}
+
+/// How many rings of shadows a tile has around the faces it owns. Precondition: the tile has its edges.
+/// Cost: O(elements) per ring.
+template <class Tile>
+int rings_of_shadows(const Tile& part)
+{
+    using index = typename Tile::index_type;
+    std::vector<index> owned;
+    for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+        if (part.owns_face(f))
+            owned.push_back(index(f));
+    submesh_cutter cutter(part.mesh);
+    int rings = 0;
+    for (std::size_t reached = owned.size(), before = 0; reached != part.mesh.face_count() and reached != before;
+         ++rings) {
+        before = reached;
+        reached = cutter.faces_around(owned, rings + 1).size();
+    }
+    return rings;
+}
+
+/// Per vertex, whether it has faces in the whole mesh that are not here. Precondition: the tile has its edges.
+template <class Tile>
+std::vector<unsigned char> incomplete_vertices(const Tile& part)
+{
+    const auto& t = part.mesh.topology();
+    std::vector<unsigned char> result(part.mesh.vertex_count(), 0);
+    for (std::size_t e = 0; e < t.edges(); ++e)
+        if (part.is_cut(e)) {
+            const auto c = t.halfedge_corner[2 * e];
+            result[t.corner_vertex[c]] = result[t.corner_vertex[detail::next_corner(t, c)]] = 1;
+        }
+    return result;
+}
+
+/// The faces that another tile may see: the shadows, and those at a vertex that has faces elsewhere.
+/// Precondition: the tile has its edges.
+template <class Tile>
+std::vector<typename Tile::index_type> faces_at_cuts(const Tile& part)
+{
+    using index = typename Tile::index_type;
+    const auto incomplete = incomplete_vertices(part);
+    std::vector<index> result;
+    for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+        if (not part.owns_face(f) or
+            std::ranges::any_of(part.mesh.face(f), [&](index v) { return incomplete[v] != 0; }))
+            result.push_back(index(f));
+    return result;
+}
+
+} // namespace kith

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/level/lift.hpp>
+#include <kith/level/validate.hpp>
+#include <kith/refine.hpp>
+#include <kith/step/scheme.hpp>
+
+namespace kith::detail {
+
+/// What a control mesh must be before it is cut into tiles. Errors: mesh_error for everything that `refine` refuses, and for
+/// face-vertex lists only, since tiles have the numbers of its edges.
+template <scheme Scheme, class Point, class Index>
+void require_control(const basic_mesh<Point, Index>& mesh, int levels)
+{
+    require_levels<Scheme>(levels);
+    validate(mesh).require_ok();
+    require_edges(mesh);
+    require_input<Scheme>(level_of<basic_mesh<Point, Index>>(mesh), mesh.generation());
+}
+
+} // namespace kith::detail

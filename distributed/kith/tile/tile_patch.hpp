@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/part/tile.hpp>
+#include <kith/step/submesh.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// Some faces of a level with all that a tile knows of them, in the numbers of the whole mesh. Patches may be joined, with
+/// faces that occur several times, and are made tiles again.
+template <class Point>
+struct tile_patch {
+    struct face {
+        global_id id, first_corner, root;
+        std::uint64_t degree;
+    };
+    struct corner {
+        global_id vertex;
+        global_id end;           ///< 2e+s, the side s of edge e that lies in the face
+        std::uint64_t has_other; ///< whether the edge has another face in the whole mesh
+    };
+    struct vertex {
+        global_id id;
+        global_id first_face,
+            first_corner;         ///< where its fan starts, the corner counted in the face; ~0 where not known
+        global_id corners_before; ///< see tile
+        Point point;
+    };
+
+    std::vector<face> faces;
+    std::vector<corner> corners;  ///< face by face
+    std::vector<vertex> vertices; ///< of all corners, in any order, each once or several times
+
+    void append(const tile_patch& more)
+    {
+        faces.insert(faces.end(), more.faces.begin(), more.faces.end());
+        corners.insert(corners.end(), more.corners.begin(), more.corners.end());
+        vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
+    }
+    /// One face of a patch that has its vertices in the order of its corners; `first` is where those of the face begin.
+    void append_face(const tile_patch& from, std::size_t face, std::size_t first)
+    {
+        const auto begin = std::ptrdiff_t(first), end = std::ptrdiff_t(first + from.faces[face].degree);
+        faces.push_back(from.faces[face]);
+        corners.insert(corners.end(), from.corners.begin() + begin, from.corners.begin() + end);
+        vertices.insert(vertices.end(), from.vertices.begin() + begin, from.vertices.begin() + end);
+    }
+};
+
+/// These faces of a tile that has its edges. Where all of a vertex's faces are in the tile its fan's start is known.
+template <class Point, class Index>
+tile_patch<Point> patch_of(const tile<Point, Index>& part, std::span<const Index> faces)
+{
+    constexpr global_id unknown = ~global_id(0);
+    const auto& t = part.mesh.topology();
+    tile_patch<Point> result;
+    for (const Index f : faces) {
+        const auto vertices = part.mesh.face(f);
+        result.faces.push_back({part.face_ids[f], part.corner_id(f, 0), part.root(f), vertices.size()});
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            const Index half = t.corner_halfedge[t.first_corner(f) + k], v = vertices[k], start = t.vertex_corner[v];
+            result.corners.push_back({part.vertex_ids[v],
+                                      part.end_id(half / 2, half % 2),
+                                      t.halfedge_corner[half ^ 1] != t.none or part.is_cut(half / 2)});
+            const bool is_closed = t.halfedge_corner[t.corner_halfedge[start] ^ 1] != t.none;
+            const Index first = detail::face_of_corner(t, start);
+            result.vertices.push_back({part.vertex_ids[v],
+                                       is_closed ? part.face_ids[first] : unknown,
+                                       is_closed ? start - t.first_corner(first) : unknown,
+                                       part.corners_before.empty() ? 0 : part.corners_before[v],
+                                       part.mesh.point(v)});
+        }
+    }
+    return result;
+}
+
+namespace detail {
+
+/// A tile from a patch, but for who owns what.
+template <class Point, class Index>
+class patch_builder {
+    using patch = tile_patch<Point>;
+    static constexpr Index none = connectivity<Index>::none;
+
+public:
+    explicit patch_builder(patch all) : all_(std::move(all))
+    {
+        std::size_t corner = 0;
+        for (const auto& f : all_.faces) {
+            faces_.push_back({&f, corner});
+            corner += f.degree;
+        }
+        const auto face_id = [](const placed_face& f) { return f.face->id; };
+        std::ranges::sort(faces_, {}, face_id);
+        faces_.erase(std::ranges::unique(faces_, {}, face_id).begin(), faces_.end());
+        std::ranges::sort(all_.vertices, {}, [](const auto& v) { return std::tuple(v.id, v.first_face); });
+        all_.vertices.erase(std::ranges::unique(all_.vertices, {}, &patch::vertex::id).begin(), all_.vertices.end());
+        for (const auto& f : faces_)
+            for (std::size_t k = 0; k < f.face->degree; ++k)
+                edges_.push_back(all_.corners[f.corner + k].end / 2);
+        std::ranges::sort(edges_);
+        edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
+    }
+
+    /// `degree` is that of all faces, or 0.
+    [[nodiscard]] tile<Point, Index> build(int degree, int generation, bool with_corners_before) const
+    {
+        tile<Point, Index> result;
+        connectivity<Index> t;
+        fill_corners(t, degree, result);
+        std::vector<global_id> vertex_ids;
+        for (const auto& v : all_.vertices)
+            vertex_ids.push_back(v.id);
+        split_fans(t, vertex_ids);
+        storage<Point> points(t.vertices);
+        result.vertex_marks = storage<unsigned char>(t.vertices, 0);
+        if (with_corners_before)
+            result.corners_before = storage<global_id>(t.vertices);
+        for (std::size_t v = 0; v < t.vertices; ++v) {
+            const auto& known = *std::ranges::lower_bound(all_.vertices, vertex_ids[v], {}, &patch::vertex::id);
+            points[v] = known.point;
+            if (with_corners_before)
+                result.corners_before[v] = known.corners_before;
+            if (t.vertex_corner[v] == none)
+                t.vertex_corner[v] = Index(t.first_corner(local_face(known.first_face)) + known.first_corner);
+        }
+        result.vertex_ids = storage<global_id>(vertex_ids);
+        result.edge_ids = storage<global_id>(edges_);
+        fill_faces(result, degree == 0);
+        result.mesh = {std::move(points), std::move(t), generation};
+        return result;
+    }
+
+private:
+    struct placed_face {
+        const typename patch::face* face;
+        std::size_t corner; // the first of its corners
+    };
+
+    [[nodiscard]] std::size_t local_face(global_id id) const
+    {
+        const auto face_id = [](const placed_face& f) { return f.face->id; };
+        return std::size_t(std::ranges::lower_bound(faces_, id, {}, face_id) - faces_.begin());
+    }
+    [[nodiscard]] std::size_t local_edge(global_id end) const
+    {
+        return std::size_t(std::ranges::lower_bound(edges_, end / 2) - edges_.begin());
+    }
+
+    void fill_corners(connectivity<Index>& t, int degree, tile<Point, Index>& result) const
+    {
+        std::size_t corners = 0;
+        for (const auto& f : faces_)
+            corners += f.face->degree;
+        t.vertices = all_.vertices.size();
+        t.faces = faces_.size();
+        t.degree = degree;
+        t.corner_vertex = storage<Index>(corners);
+        t.corner_halfedge = storage<Index>(corners);
+        t.halfedge_corner = storage<Index>(2 * edges_.size(), none);
+        if (degree == 0) {
+            t.face_corner = storage<Index>(faces_.size() + 1);
+            t.corner_face = storage<Index>(corners);
+            t.face_corner[faces_.size()] = Index(corners);
+        }
+        // Side 0 of an edge always has a face here; an edge of which only the other side is here is turned.
+        std::vector<unsigned char> left_is_here(edges_.size(), 0);
+        for (const auto& f : faces_)
+            for (std::size_t k = 0; k < f.face->degree; ++k)
+                if (const global_id end = all_.corners[f.corner + k].end; end % 2 == 0)
+                    left_is_here[local_edge(end)] = 1;
+        result.edge_marks = storage<unsigned char>(edges_.size(), 0);
+        std::size_t c = 0;
+        for (std::size_t f = 0; f < faces_.size(); ++f) {
+            if (degree == 0)
+                t.face_corner[f] = Index(c);
+            for (std::size_t k = 0; k < faces_[f].face->degree; ++k, ++c) {
+                const auto& corner = all_.corners[faces_[f].corner + k];
+                const std::size_t edge = local_edge(corner.end);
+                const bool turned = left_is_here[edge] == 0;
+                const std::size_t half = 2 * edge + (corner.end % 2 ^ std::size_t(turned));
+                t.corner_halfedge[c] = Index(half);
+                t.halfedge_corner[half] = Index(c);
+                t.corner_vertex[c] = Index(
+                    std::ranges::lower_bound(all_.vertices, corner.vertex, {}, &patch::vertex::id) -
+                    all_.vertices.begin());
+                if (degree == 0)
+                    t.corner_face[c] = Index(f);
+                result.edge_marks[edge] = static_cast<unsigned char>((turned ? turned_mark : 0) |
+                                                                     (corner.has_other != 0 ? cut_mark : 0));
+            }
+        }
+        for (std::size_t e = 0; e < edges_.size(); ++e)
+            if (t.halfedge_corner[2 * e + 1] != none)
+                result.edge_marks[e] = 0;
+    }
+
+    void fill_faces(tile<Point, Index>& result, bool mixed) const
+    {
+        std::vector<global_id> roots;
+        for (const auto& f : faces_)
+            roots.push_back(f.face->root);
+        std::ranges::sort(roots);
+        roots.erase(std::ranges::unique(roots).begin(), roots.end());
+        result.roots = storage<global_id>(roots);
+        result.face_ids = storage<global_id>(faces_.size());
+        result.root_of = storage<Index>(faces_.size());
+        result.face_marks = storage<unsigned char>(faces_.size(), 0);
+        if (mixed)
+            result.first_corner_ids = storage<global_id>(faces_.size());
+        for (std::size_t f = 0; f < faces_.size(); ++f) {
+            const auto& face = *faces_[f].face;
+            result.face_ids[f] = face.id;
+            result.root_of[f] = Index(std::ranges::lower_bound(roots, face.root) - roots.begin());
+            if (mixed)
+                result.first_corner_ids[f] = face.first_corner;
+        }
+    }
+
+    patch all_;
+    std::vector<placed_face> faces_; // by number, each once
+    std::vector<global_id> edges_;
+};
+
+} // namespace detail
+
+/// The tile that a patch makes, of which nothing is owned yet. `degree` is that of all faces, or 0 when they are of many.
+/// Precondition: wherever all faces of an inner vertex are there, one says where its fan starts.
+/// Cost: O(elements log of them).
+template <class Index, class Point>
+tile<Point, Index> tile_of_patch(tile_patch<Point> patch, int degree, int generation, bool with_corners_before)
+{
+    return detail::patch_builder<Point, Index>(std::move(patch)).build(degree, generation, with_corners_before);
+}
+
+} // namespace kith

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile_job.hpp"
+
+#include <kith/number/new_elements.hpp>
+#include <kith/step/step.hpp>
+#include <kith/step/submesh.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace kith::detail {
+
+/// A refined tile before it is trimmed: too large by what the shadows made, wrong at its rim.
+template <class Tile, class Scheme>
+class tile_step {
+    using point = typename Tile::point_type;
+    using index = typename Tile::index_type;
+    static constexpr index none = connectivity<index>::none;
+
+public:
+    tile_step(const Tile& coarse, const Scheme& scheme, const whole_numbering<columns_type<Scheme>>& whole)
+        : coarse_(coarse)
+        , fine_(refine_mesh<connect::everything>(coarse.mesh, scheme, ids_))
+        , elements_(coarse, ids_, whole)
+        , scheme_(scheme)
+    {
+        advance(scheme_, elements_.facts().level(), ids_);
+        const auto& t = fine_.topology();
+        is_cut_.assign(fine_.edge_count(), 0);
+        for (std::size_t e = 0; e < fine_.edge_count(); ++e)
+            if (t.halfedge_corner[2 * e + 1] == none) {
+                const auto [kind, tuple] = ids_.edges.origin(e);
+                is_cut_[e] = not elements_.facts().is_at_true_boundary(kind, tuple);
+            }
+        is_owned_.assign(fine_.face_count(), 0);
+        for (std::size_t f = 0; f < fine_.face_count(); ++f)
+            is_owned_[f] = elements_.owns_face(f);
+    }
+
+    /// Of the owned faces keeps those that touch the boundary of the whole mesh.
+    void keep_boundary()
+    {
+        const auto& t = fine_.topology();
+        std::vector<unsigned char> at_boundary(fine_.vertex_count(), 0);
+        for (std::size_t e = 0; e < fine_.edge_count(); ++e)
+            if (t.halfedge_corner[2 * e + 1] == none and not is_cut_[e]) {
+                const index c = t.halfedge_corner[2 * e];
+                at_boundary[t.corner_vertex[c]] = at_boundary[t.corner_vertex[next_corner(t, c)]] = 1;
+            }
+        for (std::size_t f = 0; f < fine_.face_count(); ++f)
+            if (std::ranges::none_of(fine_.face(f), [&](index v) { return at_boundary[v] != 0; }))
+                is_owned_[f] = 0;
+    }
+
+    /// The owned faces with `rings` rings around them, in the numbers of the whole mesh; `scheme` becomes theirs.
+    [[nodiscard]] Tile trim(int rings, Scheme& scheme)
+    {
+        submesh_cutter<point, index> cutter(fine_);
+        std::vector<index> owned;
+        for (std::size_t f = 0; f < fine_.face_count(); ++f)
+            if (is_owned_[f] != 0)
+                owned.push_back(index(f));
+        auto part = cutter.cut(cutter.faces_around(owned, rings));
+        scheme = scheme_of_part(scheme_, part.numbers());
+
+        Tile result;
+        result.vertex_ids = storage<global_id>(part.vertex_from.size());
+        result.vertex_marks = storage<unsigned char>(part.vertex_from.size());
+        for (std::size_t v = 0; v < part.vertex_from.size(); ++v) {
+            const index from = part.vertex_from[v];
+            result.vertex_ids[v] = elements_.vertex_id(from);
+            const bool mine = elements_.owns_vertex(from, [&] { return is_owned_[first_face_at_vertex(from)] != 0; });
+            result.vertex_marks[v] = mine and not part.is_copy(v) ? owned_mark : 0;
+        }
+        result.edge_ids = storage<global_id>(part.edge_from.size());
+        result.edge_marks = storage<unsigned char>(part.edge_from.size());
+        for (std::size_t e = 0; e < part.edge_from.size(); ++e) {
+            const index from = part.edge_from[e];
+            result.edge_ids[e] = elements_.edge_id(from);
+            const bool cut = is_cut_[from] != 0 or part.edge_is_new_rim[e] != 0;
+            const bool mine = elements_.owns_edge(from, [&] { return is_owned_[first_face_at_edge(from)] != 0; });
+            result.edge_marks[e] = static_cast<unsigned char>(
+                (mine ? owned_mark : 0) | (cut ? cut_mark : 0) |
+                (was_turned(from) != (part.edge_is_turned[e] != 0) ? turned_mark : 0));
+        }
+        elements_.begin_faces(result, part.face_from.size());
+        for (std::size_t f = 0; f < part.face_from.size(); ++f) {
+            elements_.number_face(result, f, part.face_from[f]);
+            result.face_marks[f] = is_owned_[part.face_from[f]] != 0 ? owned_mark : 0;
+        }
+        result.mesh = std::move(part.mesh);
+        return result;
+    }
+
+private:
+    /// A piece of an edge is directed as the edge is.
+    [[nodiscard]] bool was_turned(index edge) const
+    {
+        const auto [kind, tuple] = ids_.edges.origin(edge);
+        const bool is_piece = kind == tuple_kind::e or kind == tuple_kind::ve;
+        return is_piece and (coarse_.edge_marks[kind == tuple_kind::ve ? tuple / 2 : tuple] & turned_mark) != 0;
+    }
+    [[nodiscard]] index first_face_at_vertex(index vertex) const
+    {
+        const level_of<basic_mesh<point, index>> level(fine_);
+        std::size_t result = fine_.face_count();
+        for (const auto f : level.vertices()[vertex].faces())
+            result = std::min(result, f.index());
+        return index(result);
+    }
+    [[nodiscard]] index first_face_at_edge(index edge) const
+    {
+        const auto& t = fine_.topology();
+        const index left = face_of_corner(t, t.halfedge_corner[2 * edge]);
+        const index right = t.halfedge_corner[2 * edge + 1];
+        return right == none ? left : std::min(left, face_of_corner(t, right));
+    }
+
+    const Tile& coarse_;
+    numbering_of<Scheme, index> ids_;
+    basic_mesh<point, index> fine_;
+    new_elements<Tile, Scheme> elements_;
+    Scheme scheme_;
+    std::vector<unsigned char> is_cut_;
+    std::vector<unsigned char> is_owned_;
+};
+
+} // namespace kith::detail

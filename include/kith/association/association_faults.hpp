@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "association.hpp"
+
+#include <kith/base/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+/// The faults of a scheme that an association space finds while the scheme runs. They stay out of the loops: `for_each`
+/// has everything inlined into its loops that is not told otherwise.
+namespace kith::faults {
+
+struct named_column {
+    std::string_view letters;
+    const char* name;
+};
+inline constexpr std::array<named_column, 7> columns_by_letters{{{"v", "per_vertex"},
+                                                                 {"e", "per_edge"},
+                                                                 {"f", "per_face"},
+                                                                 {"fv", "per_corner"},
+                                                                 {"ev", "per_end"},
+                                                                 {"ef", "per_side"},
+                                                                 {"efv", "per_corner_side"}}};
+
+[[noreturn, gnu::noinline]] inline void refuse(const tuple_elements& tuple, const std::string& why)
+{
+    throw association_error("assoc" + to_string(tuple) + why);
+}
+template <class Level>
+[[noreturn, gnu::noinline]] void refuse(const Level& level, tuple_kind kind, std::size_t tuple, const char* why)
+{
+    refuse(list_tuple(level, kind, tuple), why);
+}
+template <element... X>
+[[noreturn, gnu::noinline]] void not_incident(const char* target,
+                                              X... x) // by value: references would keep the elements out of registers
+{
+    refuse(list_tuple(x...), std::string(" -> ") + target + ": the elements do not touch");
+}
+template <class Level>
+[[noreturn, gnu::noinline]] void wrong_degree(const Level& level, tuple_kind kind, std::size_t tuple, std::size_t has,
+                                              std::size_t declared)
+{
+    refuse(list_tuple(level, kind, tuple),
+           " -> F has " + std::to_string(has) + " vertices, its column says " + std::to_string(declared));
+}
+template <class Level>
+[[noreturn, gnu::noinline]] void taken_side(const Level& level, tuple_kind kind, std::size_t tuple,
+                                            std::size_t halfedge)
+{
+    refuse(list_tuple(level, kind, tuple),
+           " -> F: side " + std::to_string(halfedge % 2) + " of new edge " + std::to_string(halfedge / 2) +
+               " has a face already");
+}
+
+/// What declares the vertex of such a tuple, which no column does; nothing for elements of one kind, of which no column
+/// can speak.
+inline std::string column_for(const tuple_elements& tuple)
+{
+    std::string letters;
+    for (const auto& [letter, index] : tuple)
+        letters += letter;
+    const auto found = std::ranges::find(columns_by_letters, letters, &named_column::letters);
+    return found == columns_by_letters.end() ? ""
+                                             : std::string("declare ") + found->name + " among the new vertices, or ";
+}
+/// A vertex that is in no column and that nobody has made so far.
+[[noreturn, gnu::noinline]] inline void read_early(const tuple_elements& tuple)
+{
+    const std::string column = column_for(tuple);
+    refuse(tuple, " -> V is read before it is set" + (column.empty() ? "" : "; " + column + "set it first"));
+}
+/// A vertex under a tuple that no column declares, in a scheme that numbers its edges.
+[[noreturn, gnu::noinline]] inline void undeclared(const tuple_elements& tuple)
+{
+    refuse(tuple,
+           " -> V: a scheme that declares edges cannot make vertices under tuples that no column declares; " +
+               column_for(tuple) + "leave edges to be matched");
+}
+/// The same in any scheme, in a loop that may run on threads: its number would be that of its turn.
+[[noreturn, gnu::noinline]] inline void without_order(const tuple_elements& tuple)
+{
+    const auto [letter, index] = tuple.front();
+    const std::string of = letter == 'v' ? "vertices" : letter == 'e' ? "edges" : "faces";
+    refuse(tuple,
+           " -> V is in no column and is written inside for_each or in_blocks, whose order is not promised; " +
+               column_for(tuple) + "write it in a plain loop: for (auto " + letter + " : coarse." + of + "())");
+}
+
+inline constexpr const char* absent_vertex = " -> V: the columns of the scheme leave this tuple out";
+inline constexpr const char* absent_edge = " -> E: the columns of the scheme leave this tuple out";
+inline constexpr const char* absent_face = " -> F: the columns of the scheme leave this tuple out";
+inline constexpr const char* vertex_read_early = " -> V is read before it is set";
+inline constexpr const char* vertex_set_twice = " -> V is set twice";
+inline constexpr const char* face_set_twice = " -> F is set twice";
+inline constexpr const char* no_side = " -> F: the scheme declares edges, so each line needs its side: v >> side";
+
+} // namespace kith::faults

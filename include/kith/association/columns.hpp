@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/level/level_elements.hpp>
+
+#include <cstddef>
+#include <tuple>
+
+namespace kith {
+
+/// The kinds of tuples of incident elements; thesis table 4.1. Every such tuple is an index: (v), (e), (f) their own
+/// number, (v,f) and (e,f) a corner, (v,e) an end of an edge (2e+s), (v,f,e) a corner and a side of it (2c+s).
+/// (v1,v2) adjacent and (f1,f2) adjacent are an edge.
+enum class tuple_kind : unsigned char { v, e, f, vf, ve, ef, vfe };
+
+/// How many tuples of a kind a level has.
+template <class Level>
+std::size_t tuple_count(const Level& level, tuple_kind kind)
+{
+    switch (kind) {
+    case tuple_kind::v: return level.vertex_count();
+    case tuple_kind::e: return level.edge_count();
+    case tuple_kind::f: return level.face_count();
+    case tuple_kind::ve: return 2 * level.edge_count();
+    case tuple_kind::vfe: return 2 * level.corner_count();
+    default: return level.corner_count();
+    }
+}
+
+/// The elements by which conditions and degrees of a column speak of tuples: the vertex, edge or face itself, the corner
+/// of (v,f), (e,f) and (v,f,e), the edge of (v,e).
+template <tuple_kind Kind, class Level>
+auto tuple_elements_of(const Level& level)
+{
+    if constexpr (Kind == tuple_kind::v)
+        return level.vertices();
+    else if constexpr (Kind == tuple_kind::e or Kind == tuple_kind::ve)
+        return level.edges();
+    else if constexpr (Kind == tuple_kind::f)
+        return level.faces();
+    else
+        return level.corners();
+}
+
+/// How many tuples of a kind share such an element.
+constexpr std::size_t tuples_per_element(tuple_kind kind)
+{
+    return kind == tuple_kind::ve or kind == tuple_kind::vfe ? 2 : 1;
+}
+
+template <tuple_kind Kind, class Level>
+auto tuple_element(const Level& level, std::size_t index)
+{
+    return tuple_elements_of<Kind>(level)[index / tuples_per_element(Kind)];
+}
+
+/// Which tuples of a column give birth: all of them, all or none as the form of the scheme says, all inner ones and some
+/// at the boundary, the latter only, or those that a condition picks anywhere.
+struct everywhere {};
+struct all_or_none {
+    bool all;
+};
+template <class Keep>
+struct inside_or {
+    static constexpr bool inner = true;
+    Keep keep;
+};
+template <class Keep>
+struct boundary_where {
+    static constexpr bool inner = false;
+    Keep keep;
+};
+
+template <class Keep>
+struct only_where {
+    Keep keep;
+};
+
+/// A column: the tuples of one kind that give birth to new elements of one kind, and for faces their degree.
+/// The id of a new element is the base of its column plus the index of its tuple.
+template <tuple_kind Kind, class Where = everywhere, class Degree = int>
+struct column {
+    static constexpr tuple_kind kind = Kind;
+    Where where;
+    Degree degree;
+
+    /// All tuples if the condition holds, else none.
+    [[nodiscard]] constexpr auto when(bool condition) const
+    {
+        return column<Kind, all_or_none, Degree>{{condition}, degree};
+    }
+    /// Only inner tuples.
+    [[nodiscard]] constexpr auto inside() const
+    {
+        return inside_or([](const auto&) { return false; });
+    }
+    /// Inner tuples, and those at the boundary that `keep` accepts.
+    template <class Keep>
+    [[nodiscard]] constexpr auto inside_or(Keep keep) const
+    {
+        return column<Kind, kith::inside_or<Keep>, Degree>{{keep}, degree};
+    }
+    /// Tuples at the boundary that `keep` accepts.
+    template <class Keep>
+    [[nodiscard]] constexpr auto on_boundary(Keep keep) const
+    {
+        return column<Kind, kith::boundary_where<Keep>, Degree>{{keep}, degree};
+    }
+    /// Tuples that `keep` accepts.
+    template <class Keep>
+    [[nodiscard]] constexpr auto only(Keep keep) const
+    {
+        return column<Kind, only_where<Keep>, Degree>{{keep}, degree};
+    }
+    /// The degree of the new faces as a function of the tuple's element; it may be asked on several threads.
+    template <class Of>
+    [[nodiscard]] constexpr auto of_degree(Of of) const
+    {
+        return column<Kind, Where, Of>{where, of};
+    }
+};
+
+inline constexpr column<tuple_kind::v> per_vertex{};
+inline constexpr column<tuple_kind::e> per_edge{};
+inline constexpr column<tuple_kind::f> per_face{};
+inline constexpr column<tuple_kind::vf> per_corner{};       ///< (v,f)
+inline constexpr column<tuple_kind::ve> per_end{};          ///< (v,e)
+inline constexpr column<tuple_kind::ef> per_side{};         ///< (e,f)
+inline constexpr column<tuple_kind::vfe> per_corner_side{}; ///< (v,f,e)
+
+/// A degree known while compiling.
+template <std::size_t N>
+struct fixed_degree {
+    static constexpr std::size_t value = N;
+
+    template <class Element>
+    constexpr std::size_t operator()(const Element&) const
+    {
+        return N;
+    }
+};
+template <tuple_kind Kind, class Where, class Degree>
+[[nodiscard]] constexpr auto triangles(const column<Kind, Where, Degree>& c)
+{
+    return c.of_degree(fixed_degree<3>{});
+}
+template <tuple_kind Kind, class Where, class Degree>
+[[nodiscard]] constexpr auto quads(const column<Kind, Where, Degree>& c)
+{
+    return c.of_degree(fixed_degree<4>{});
+}
+
+template <class... Columns>
+struct new_vertices {
+    std::tuple<Columns...> list;
+    constexpr explicit new_vertices(Columns... c) : list(c...) {}
+};
+template <class... Columns>
+struct new_edges {
+    std::tuple<Columns...> list;
+    constexpr explicit new_edges(Columns... c) : list(c...) {}
+};
+template <class... Columns>
+struct new_faces {
+    std::tuple<Columns...> list;
+    constexpr explicit new_faces(Columns... c) : list(c...) {}
+};
+
+/// What a scheme declares: which tuples give birth to vertices, to edges and to faces. A scheme that declares no edges
+/// has them found by matching, which is slower and needs nothing else.
+template <class Vertices, class Edges, class Faces>
+struct columns {
+    Vertices vertices;
+    Edges edges;
+    Faces faces;
+
+    constexpr columns(Vertices v, Edges e, Faces f) : vertices(v), edges(e), faces(f) {}
+    constexpr columns(Vertices v, Faces f)
+        requires(std::tuple_size_v<decltype(Edges::list)> == 0)
+        : columns(v, Edges(), f)
+    {
+    }
+};
+template <class Vertices, class Faces>
+columns(Vertices, Faces) -> columns<Vertices, new_edges<>, Faces>;
+
+} // namespace kith

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "level_elements.hpp"
+
+#include <kith/base/for_parts.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+
+namespace kith {
+
+namespace detail {
+
+/// A level that knows a better order for its elements than that of their numbers goes through them by faces: the faces of
+/// a refined level follow a quadtree, and the neighbourhoods that are met in that order lie close together in memory; in
+/// the order of their numbers every ring would be fetched anew.
+template <class Level>
+concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level::vertex_handle),
+                                    void (*g)(typename Level::edge_handle, typename Level::corner_handle)) {
+    level.for_vertices_of(0, 0, f);
+    level.for_edges_of(0, 0, g);
+};
+
+template <class Level, class Element>
+inline constexpr bool met_by_faces = ordered_by_faces<Level> and
+                                     (std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>);
+
+/// Whether a mask is worth being inlined into the loop as a whole: it is a tree of small functions, and one that stays a
+/// call in the innermost loop costs more than the arithmetic. Not for the walks through the traits of other meshes, nor
+/// for numbers that are classes with memory of their own, which would make very large functions.
+template <class Level>
+inline constexpr bool inlines_masks = ordered_by_faces<Level> and
+                                      std::is_trivially_copyable_v<typename Level::point_type>;
+
+/// Calls f on the elements with these numbers.
+template <class Level, class Element, class F>
+void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
+{
+    for (std::size_t i = begin; i < end; ++i)
+        f(range[i]);
+}
+
+/// The same with all that f calls inlined.
+template <class Level, class Element, class F>
+[[gnu::flatten]] void for_numbers_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
+                                          const F& f)
+{
+    for_numbers(range, begin, end, f);
+}
+
+/// Calls f on the elements that belong to the faces [begin, end).
+template <class Level, class Element, class F>
+void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
+{
+    const Level& level = range.level();
+    if constexpr (std::same_as<Element, vertex<Level>>)
+        level.for_vertices_of(begin, end, [&](auto v) { f(vertex<Level>(level, v)); });
+    else
+        level.for_edges_of(begin, end, [&](auto e, auto left) { f(edge<Level>(level, e, left, left)); });
+}
+
+/// The same with all that f calls inlined.
+template <class Level, class Element, class F>
+[[gnu::flatten]] void for_faces_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
+                                        const F& f)
+{
+    for_faces(range, begin, end, f);
+}
+
+} // namespace detail
+
+/// The same as for_each, in the order of the numbers on each thread: for bodies that look at their own element only and
+/// write what lies in that order, too.
+template <class Level, class Element, class F>
+void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
+{
+    detail::for_parts(range.size(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+        const detail::loop_body inside(true);
+        if constexpr (detail::inlines_masks<Level>)
+            detail::for_numbers_inlined(range, begin, end, f);
+        else
+            detail::for_numbers(range, begin, end, f);
+    });
+}
+
+/// Calls f on every element of a range such as `coarse.faces()`. The order is not promised: bodies must write only what
+/// belongs to their own element, as associations do. Vertices under tuples without a column do not: the number of each
+/// would be that of its turn. Errors: association_error for them.
+template <class Level, class Element, class F>
+void for_each(const all_elements<Level, Element>& range, const F& f)
+{
+    if constexpr (detail::met_by_faces<Level, Element>)
+        detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+            const detail::loop_body inside(true);
+            if constexpr (detail::inlines_masks<Level>)
+                detail::for_faces_inlined(range, begin, end, f);
+            else
+                detail::for_faces(range, begin, end, f);
+        });
+    else
+        for_each_by_number(range, f);
+}
+
+} // namespace kith

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "level_elements.hpp"
+#include "mesh_level.hpp"
+#include "native_level.hpp"
+
+#include <kith/base/error.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/mesh/bulk_reader.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace kith {
+
+/// The levels that schemes walk on: any mesh through its traits, the native mesh directly.
+template <class M>
+struct level_view {
+    using type = level_elements<mesh_level<M>>;
+};
+template <class Point, class Index>
+struct level_view<basic_mesh<Point, Index>> {
+    using type = level_elements<native_level<Point, Index, 0>>;
+};
+template <class M>
+using level_of = typename level_view<M>::type;
+
+/// Errors: mesh_error for a native mesh of face-vertex lists only, whose edges nobody knows.
+template <mesh M>
+void require_edges(const M& mesh)
+{
+    if constexpr (requires { mesh.topology(); })
+        if (mesh.topology().faces_only())
+            throw mesh_error("the mesh has face-vertex lists only and no edges; refine it with connect::everything");
+}
+
+/// Steps since the control mesh, as far as the mesh type remembers them.
+template <mesh M>
+int generation_of(const M& mesh)
+{
+    if constexpr (requires { mesh_traits<M>::generation(mesh); })
+        return mesh_traits<M>::generation(mesh);
+    else
+        return 0;
+}
+
+/// The native mesh with the elements of another one, numbered, directed and started as there, so that refining either
+/// gives the same bits. Removed elements are left out. Errors: as mesh_level. Cost: O(elements).
+template <mesh M>
+auto lift(const level_elements<mesh_level<M>>& level, int generation = 0)
+{
+    using point = typename mesh_level<M>::point_type;
+    using index = std::uint32_t;
+    connectivity<index> t;
+    t.vertices = level.vertex_count();
+    t.faces = level.face_count();
+    t.corner_vertex = storage<index>(level.corner_count());
+    t.corner_halfedge = storage<index>(level.corner_count());
+    t.halfedge_corner = storage<index>(2 * level.edge_count(), t.none);
+    t.vertex_corner = storage<index>(level.vertex_count());
+
+    std::size_t degree = t.faces == 0 ? 0 : level.faces()[0].degree();
+    for (const auto f : level.faces())
+        if (f.degree() != degree)
+            degree = 0;
+    t.degree = degree == 3 or degree == 4 ? int(degree) : 0;
+    if (t.degree == 0) {
+        t.face_corner = storage<index>(t.faces + 1);
+        t.corner_face = storage<index>(level.corner_count());
+        t.face_corner[0] = 0;
+        for (const auto f : level.faces()) {
+            const index first = t.face_corner[f.index()];
+            t.face_corner[f.index() + 1] = index(first + f.degree());
+            std::fill_n(t.corner_face.begin() + first, f.degree(), index(f.index()));
+        }
+    }
+    for (const auto c : level.corners()) {
+        t.corner_vertex[c.index()] = index(c.v().index());
+        t.corner_halfedge[c.index()] = index(c.halfedge());
+        t.halfedge_corner[c.halfedge()] = index(c.index());
+    }
+    storage<point> points(level.vertex_count());
+    for (const auto v : level.vertices()) {
+        t.vertex_corner[v.index()] = index(v.first_corner().index());
+        points[v.index()] = v.point();
+    }
+    return basic_mesh<point, index>(std::move(points), std::move(t), generation);
+}
+
+template <mesh M>
+auto lift(const M& mesh)
+{
+    if (auto native = detail::bulk_reader<M>(mesh).read(generation_of(mesh)))
+        return *std::move(native);
+    return lift(level_elements<mesh_level<M>>(mesh), generation_of(mesh));
+}
+
+} // namespace kith

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lift.hpp"
+
+#include <kith/mesh/make_mesh.hpp>
+#include <kith/mesh/mesh_report.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace kith {
+
+/// Everything that is wrong with a mesh that can be built but not refined. Elements are named by the index that their
+/// library gives them. Nothing is changed. Cost: O(elements), faces with many corners a logarithm more.
+template <mesh M>
+mesh_report validate(const M& mesh)
+{
+    using traits = mesh_traits<M>;
+    mesh_report report;
+    const auto number = [&](const auto& handle) { return std::size_t(traits::index(mesh, handle)); };
+    std::vector<std::size_t> faces_at(traits::vertex_bound(mesh), 0);
+    std::vector<std::size_t> corners; // of a face, by number
+    bool empty = true;
+    for (const auto f : traits::faces(mesh)) {
+        empty = false;
+        corners.clear();
+        const auto first = traits::halfedge_of(mesh, f);
+        auto h = first;
+        do {
+            corners.push_back(number(traits::source(mesh, h)));
+            ++faces_at[corners.back()];
+            h = traits::next(mesh, h);
+        } while (h != first and corners.size() <= traits::halfedge_bound(mesh));
+        std::ranges::sort(corners);
+        if (const auto twice = std::ranges::adjacent_find(corners); twice != corners.end())
+            report.add_repeated_corner(number(f), *twice);
+        if (corners.size() < 3)
+            report.add_few_corners(number(f), corners.size());
+    }
+    if (empty)
+        report.add_no_faces();
+    for (const auto e : traits::edges(mesh)) {
+        const auto h = traits::halfedge_of(mesh, e);
+        if (traits::is_boundary(mesh, h) and traits::is_boundary(mesh, traits::opposite(mesh, h)))
+            report.add(problem::nonmanifold_edge, [&] {
+                return "edge " + std::to_string(number(e)) + ": has no face; remove it or give it a face";
+            });
+    }
+    for (const auto v : traits::vertices(mesh)) {
+        if (not detail::point_is_finite(typename traits::point(traits::point_of(mesh, v))))
+            report.add_not_finite(number(v));
+        if (traits::is_isolated(mesh, v) or faces_at[number(v)] == 0) {
+            report.add_isolated(number(v));
+            continue;
+        }
+        // Clockwise through the faces; from the boundary, beyond which nothing is promised, back and the other way.
+        const std::size_t all = faces_at[number(v)];
+        const auto start = traits::halfedge_of(mesh, v);
+        const auto is_inside = [&](const auto& h) { return not traits::is_boundary(mesh, h); };
+        std::size_t fan = is_inside(start) ? 1 : 0;
+        auto in = traits::opposite(mesh, start);
+        auto out = start;
+        while (is_inside(in) and (out = traits::next(mesh, in)) != start and fan <= all) {
+            ++fan;
+            in = traits::opposite(mesh, out);
+        }
+        if (not is_inside(in))
+            for (out = start; is_inside(out) and fan <= all;) {
+                out = traits::opposite(mesh, traits::prev(mesh, out));
+                fan += is_inside(out) ? 1 : 0;
+            }
+        if (fan != all)
+            report.add_several_fans(number(v), all);
+    }
+    return report;
+}
+
+/// `lift` of a mesh that can be refined. Errors: mesh_error with everything that `validate` finds. Cost: as `lift`.
+template <mesh M>
+auto lift_valid(const M& mesh)
+{
+    if (auto native = detail::bulk_reader<M>(mesh).read(generation_of(mesh)))
+        return *std::move(native);
+    validate(mesh).require_ok();
+    return lift(level_elements<mesh_level<M>>(mesh), generation_of(mesh));
+}
+
+/// The native mesh cannot be made with bad connectivity, so only its points and loose vertices are looked at.
+template <class Point, class Index>
+mesh_report validate(const basic_mesh<Point, Index>& mesh)
+{
+    mesh_report report;
+    detail::check_points(mesh.points(), report);
+    if (mesh.face_count() == 0)
+        report.add_no_faces();
+    return report;
+}
+
+} // namespace kith

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/affine.hpp>
+#include <kith/base/storage.hpp>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// A point as the weights of the vertices of an earlier level, by increasing vertex number: a row of the subdivision
+/// matrix. A scheme evaluated over rows gives the matrix.
+struct stencil_row {
+    std::vector<std::pair<std::size_t, double>> entries;
+
+    friend bool operator==(const stencil_row&, const stencil_row&) = default;
+};
+
+template <>
+struct affine<stencil_row> {
+    using scalar = double;
+    using sum = stencil_row;
+
+    static const stencil_row& load(const stencil_row& row) { return row; }
+    static const stencil_row& store(const stencil_row& total) { return total; }
+    static void add(stencil_row& total, const stencil_row& more)
+    {
+        std::vector<std::pair<std::size_t, double>> merged;
+        merged.reserve(total.entries.size() + more.entries.size());
+        auto a = total.entries.begin();
+        auto b = more.entries.begin();
+        while (a != total.entries.end() or b != more.entries.end()) {
+            if (b == more.entries.end() or (a != total.entries.end() and a->first < b->first))
+                merged.push_back(*a++);
+            else if (a == total.entries.end() or b->first < a->first)
+                merged.push_back(*b++);
+            else {
+                merged.emplace_back(a->first, a->second + b->second);
+                ++a, ++b;
+            }
+        }
+        total.entries = std::move(merged);
+    }
+    static void scale(stencil_row& total, double weight)
+    {
+        for (auto& entry : total.entries)
+            entry.second *= weight;
+    }
+};
+
+/// A subdivision matrix in compressed rows: point i of the finer level is the sum over k in [row_start[i],
+/// row_start[i+1]) of weight[k] times point column[k] of the coarser one.
+struct subdivision_matrix {
+    std::size_t columns = 0;
+    std::vector<std::size_t> row_start{0};
+    std::vector<std::size_t> column;
+    std::vector<double> weight;
+
+    [[nodiscard]] std::size_t rows() const { return row_start.size() - 1; }
+
+    /// Any values of the coarser level, one per vertex, carried to the finer one.
+    /// Precondition: values.size() == columns. Cost: O(entries).
+    template <affine_value T>
+    [[nodiscard]] std::vector<T> apply(std::span<const T> values) const
+    {
+        using traits = affine<T>;
+        const auto term = [&](std::size_t k) {
+            typename traits::sum result = traits::load(values[column[k]]);
+            traits::scale(result, static_cast<typename traits::scalar>(weight[k]));
+            return result;
+        };
+        std::vector<T> result;
+        result.reserve(rows());
+        for (std::size_t i = 0; i < rows(); ++i) {
+            typename traits::sum total = term(row_start[i]);
+            for (std::size_t k = row_start[i] + 1; k < row_start[i + 1]; ++k)
+                traits::add(total, term(k));
+            result.push_back(traits::store(total));
+        }
+        return result;
+    }
+
+    /// Restriction to its prolongation. Cost: O(entries).
+    [[nodiscard]] subdivision_matrix transposed() const
+    {
+        subdivision_matrix result;
+        result.columns = rows();
+        result.row_start.assign(columns + 1, 0);
+        for (const std::size_t j : column)
+            ++result.row_start[j + 1];
+        for (std::size_t j = 0; j < columns; ++j)
+            result.row_start[j + 1] += result.row_start[j];
+        result.column.resize(column.size());
+        result.weight.resize(weight.size());
+        std::vector<std::size_t> end(result.row_start.begin(), result.row_start.end() - 1);
+        for (std::size_t i = 0; i < rows(); ++i)
+            for (std::size_t k = row_start[i]; k < row_start[i + 1]; ++k) {
+                const std::size_t place = end[column[k]]++;
+                result.column[place] = i;
+                result.weight[place] = weight[k];
+            }
+        return result;
+    }
+};
+
+/// Rows as a matrix over `columns` coarse vertices.
+inline subdivision_matrix make_matrix(const storage<stencil_row>& rows, std::size_t columns)
+{
+    subdivision_matrix result;
+    result.columns = columns;
+    for (const auto& row : rows) {
+        for (const auto& [column, weight] : row.entries) {
+            result.column.push_back(column);
+            result.weight.push_back(weight);
+        }
+        result.row_start.push_back(result.column.size());
+    }
+    return result;
+}
+
+} // namespace kith

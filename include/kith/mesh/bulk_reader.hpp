@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "basic_mesh.hpp"
+#include "dense_numbers.hpp"
+#include "make_mesh.hpp"
+#include "match.hpp"
+
+#include <kith/base/for_parts.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <type_traits>
+#include <utility>
+
+namespace kith::detail {
+
+/// Reads a mesh of another library into the native arrays in a few passes on all threads, and sees on the way whether
+/// anything is wrong with it. What is wrong, `validate` knows.
+template <mesh M>
+class bulk_reader {
+    using traits = mesh_traits<M>;
+    using index = std::uint32_t;
+    using point = typename traits::point;
+    using halfedge = typename traits::halfedge;
+
+public:
+    /// Errors: mesh_error for more elements than can be numbered.
+    explicit bulk_reader(const M& mesh)
+        : mesh_(mesh)
+        , vertices_(mesh, traits::vertices(mesh), traits::vertex_bound(mesh))
+        , edges_(mesh, traits::edges(mesh), traits::edge_bound(mesh))
+        , faces_(mesh, traits::faces(mesh), traits::face_bound(mesh))
+    {
+    }
+
+    /// The native mesh with its elements, numbered, directed and started as they are there; nothing unless the mesh is
+    /// one that can be refined. Cost: O(elements).
+    [[nodiscard]] std::optional<basic_mesh<point, index>> read(int generation)
+    {
+        t_.vertices = vertices_.size();
+        t_.faces = faces_.size();
+        if (not(read_faces() and sides_are_joined() and each_vertex_has_one_fan() and read_points()))
+            return std::nullopt;
+        return basic_mesh<point, index>(std::move(points_), std::move(t_), generation);
+    }
+
+private:
+    /// Calls good(i) for all i below size, on all threads; whether it always held.
+    template <class Good>
+    static bool all(std::size_t size, const Good& good)
+    {
+        std::atomic<bool> result = true;
+        for_parts(size, std::is_trivially_copyable_v<point>, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (not good(i)) {
+                    result.store(false, std::memory_order_relaxed);
+                    return;
+                }
+        });
+        return result;
+    }
+
+    bool read_faces()
+    {
+        if (t_.faces == 0)
+            return false;
+        const std::size_t degree = degree_of(0);
+        if (degree == 3 or degree == 4) {
+            t_.degree = int(degree);
+            if (read_corners(t_.faces * degree))
+                return true;
+        }
+        t_.degree = 0; // of some other face it is another one, or something is wrong
+        t_.face_corner = storage<index>(t_.faces + 1);
+        all(t_.faces, [this](std::size_t f) { return t_.face_corner[f + 1] = index(degree_of(f)), true; });
+        std::size_t corners = 0;
+        t_.face_corner[0] = 0;
+        for (std::size_t f = 0; f < t_.faces; ++f)
+            t_.face_corner[f + 1] = index(corners = std::min(corners + t_.face_corner[f + 1], 2 * edges_.size() + 1));
+        t_.corner_face = storage<index>(corners);
+        return read_corners(corners);
+    }
+    /// At most one more than there are half-edges.
+    [[nodiscard]] std::size_t degree_of(std::size_t f) const
+    {
+        const auto first = traits::halfedge_of(mesh_, faces_[f]);
+        std::size_t result = 0;
+        auto h = first;
+        do {
+            ++result;
+            h = traits::next(mesh_, h);
+        } while (h != first and result <= 2 * edges_.size());
+        return result;
+    }
+    bool read_corners(std::size_t corners)
+    {
+        if (corners > 2 * edges_.size())
+            return false;
+        t_.corner_vertex = storage<index>(corners);
+        t_.corner_halfedge = storage<index>(corners);
+        is_closed_ = corners == 2 * edges_.size();
+        t_.halfedge_corner = is_closed_ ? storage<index>(corners) : storage<index>(2 * edges_.size(), t_.none);
+        t_.vertex_corner = storage<index>(t_.vertices, t_.none);
+        return all(t_.faces, [this](std::size_t f) {
+            const std::size_t first = t_.first_corner(f), end = t_.first_corner(f + 1);
+            const auto start = traits::halfedge_of(mesh_, faces_[f]);
+            auto h = start;
+            for (std::size_t c = first; c < end; ++c) {
+                if (c != first and h == start)
+                    return false;
+                const std::size_t number = number_of(h);
+                const auto from = traits::source(mesh_, h);
+                const std::size_t v = vertices_.number(mesh_, from);
+                if (number >= t_.halfedge_corner.size() or v >= t_.vertices) // it has been removed
+                    return false;
+                t_.corner_vertex[c] = index(v);
+                t_.corner_halfedge[c] = index(number);
+                store(t_.halfedge_corner[number], index(c)); // faces of a bad mesh may share it
+                if (traits::halfedge_of(mesh_, from) == h)
+                    store(t_.vertex_corner[v], index(c));
+                if (t_.degree == 0)
+                    t_.corner_face[c] = index(f);
+                h = traits::next(mesh_, h);
+            }
+            return h == start and end - first >= 3 and comes_to_no_vertex_twice(first, end);
+        });
+    }
+    [[nodiscard]] bool comes_to_no_vertex_twice(std::size_t first, std::size_t end) const
+    {
+        const auto begin = t_.corner_vertex.begin();
+        if (end - first > 16)
+            return std::set<index>(begin + first, begin + end).size() == end - first;
+        for (std::size_t c = first + 1; c < end; ++c)
+            if (std::find(begin + first, begin + c, begin[c]) != begin + c)
+                return false;
+        return true;
+    }
+    /// 2 * edge + side; side 0 is the one that directs the edge and has a face.
+    [[nodiscard]] std::size_t number_of(halfedge h) const
+    {
+        const auto e = traits::edge_of(mesh_, h);
+        const auto directs = traits::halfedge_of(mesh_, e);
+        const bool is_first = (directs == h) != traits::is_boundary(mesh_, directs);
+        return 2 * edges_.number(mesh_, e) + (is_first ? 0 : 1);
+    }
+
+    /// Every half-edge belongs to one corner at most, and every edge has a face.
+    bool sides_are_joined()
+    {
+        return all(t_.corners(), [this](std::size_t c) { return t_.halfedge_corner[t_.corner_halfedge[c]] == c; }) and
+               (t_.corners() == 2 * edges_.size() or
+                all(edges_.size(), [this](std::size_t e) { return t_.halfedge_corner[2 * e] != t_.none; }));
+    }
+
+    /// Lets fans start where they should: inside where they are told, at the boundary where nothing lies clockwise. In the
+    /// order of the faces, since their neighbours lie close together.
+    bool each_vertex_has_one_fan()
+    {
+        const auto across = [this](index c) { return t_.halfedge_corner[t_.corner_halfedge[c] ^ 1]; };
+        std::atomic<std::size_t> fans = 0, corners_in_fans = 0;
+        for_parts(t_.corners(), true, [&](std::size_t begin, std::size_t end) {
+            std::size_t count = 0, size = 0;
+            for (std::size_t c = begin; c < end; ++c) {
+                const bool at_boundary = not is_closed_ and across(index(c)) == t_.none;
+                const index v = t_.corner_vertex[c];
+                index& start = t_.vertex_corner[v];
+                if (at_boundary)
+                    store(start, index(c));
+                else if (std::atomic_ref(start).load(std::memory_order_relaxed) != c)
+                    continue;
+                std::size_t met = 1;
+                index o = across(prev_corner(t_, index(c)));
+                for (; o != t_.none and o != c and t_.corner_vertex[o] == v; o = across(prev_corner(t_, o)))
+                    ++met;
+                if (o == (at_boundary ? t_.none : index(c))) { // else it is met where it starts, or is no fan of v
+                    ++count;
+                    size += met;
+                }
+            }
+            fans += count;
+            corners_in_fans += size;
+        });
+        return fans == t_.vertices and corners_in_fans == t_.corners();
+    }
+    bool read_points()
+    {
+        points_ = storage<point>(t_.vertices);
+        return all(t_.vertices, [this](std::size_t i) {
+            const auto v = vertices_[i];
+            points_[i] = traits::point_of(mesh_, v);
+            return t_.vertex_corner[i] != t_.none and point_is_finite(points_[i]);
+        });
+    }
+    static void store(index& place, index value) { std::atomic_ref(place).store(value, std::memory_order_relaxed); }
+
+    const M& mesh_;
+    dense_numbers<M, typename traits::vertex> vertices_;
+    dense_numbers<M, typename traits::edge> edges_;
+    dense_numbers<M, typename traits::face> faces_;
+    connectivity<index> t_;
+    storage<point> points_;
+    bool is_closed_ = false;
+};
+
+} // namespace kith::detail

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// What can be wrong with a mesh.
+enum class problem : unsigned char {
+    empty_mesh,
+    not_finite,
+    bad_index,
+    degenerate_face,
+    isolated_vertex,
+    nonmanifold_edge,
+    turned_face,
+    nonmanifold_vertex,
+};
+
+/// Everything that `validate` found: each problem counted, the first few of each kind told with their elements.
+class mesh_report {
+public:
+    static constexpr std::size_t told_of_each_kind = 8;
+
+    mesh_report() = default;
+    /// For elements that the user numbers from there: OBJ files begin with 1.
+    explicit mesh_report(std::size_t first_number) : first_number_(first_number) {}
+
+    /// An element as the user numbers it.
+    [[nodiscard]] std::string number(std::size_t element) const
+    {
+        return std::to_string(std::ptrdiff_t(element + first_number_)); // one that was negative reads like that
+    }
+
+    /// Adds a problem; `describe()` is called only while there is room to tell it.
+    template <class Describe>
+    void add(problem kind, const Describe& describe)
+    {
+        if (counts_[std::size_t(kind)]++ < told_of_each_kind)
+            told_.emplace_back(kind, describe());
+    }
+
+    // What is found on more than one way into the library; elements by number.
+    void add_no_faces()
+    {
+        add(problem::empty_mesh, [] { return std::string("the mesh has no faces; nothing can be refined"); });
+    }
+    void add_not_finite(std::size_t vertex)
+    {
+        add(problem::not_finite,
+            [&] { return named("vertex", vertex) + "a coordinate is not a finite number; give it a place"; });
+    }
+    void add_isolated(std::size_t vertex)
+    {
+        add(problem::isolated_vertex,
+            [&] { return named("vertex", vertex) + "belongs to no face; remove it or give it a face"; });
+    }
+    void add_several_fans(std::size_t vertex, std::size_t faces)
+    {
+        add(problem::nonmanifold_vertex, [&] {
+            return named("vertex", vertex) + "its " + std::to_string(faces) +
+                   " faces form several fans; split the vertex, one copy per fan";
+        });
+    }
+    void add_few_corners(std::size_t face, std::size_t corners)
+    {
+        add(problem::degenerate_face, [&] {
+            return named("face", face) + "has " + std::to_string(corners) + (corners == 1 ? " corner" : " corners") +
+                   "; remove it";
+        });
+    }
+    void add_repeated_corner(std::size_t face, std::size_t vertex)
+    {
+        add(problem::degenerate_face, [&] {
+            return named("face", face) + "comes to vertex " + number(vertex) +
+                   " twice; remove the repeated corner or the face";
+        });
+    }
+
+    [[nodiscard]] bool ok() const { return told_.empty(); }
+    explicit operator bool() const { return ok(); }
+    [[nodiscard]] std::size_t count(problem kind) const { return counts_[std::size_t(kind)]; }
+    [[nodiscard]] bool has(problem kind) const { return count(kind) != 0; }
+
+    /// One line per told problem, then how many more there are of each kind.
+    [[nodiscard]] std::vector<std::string> lines() const
+    {
+        std::vector<std::string> result;
+        for (const auto& [kind, text] : told_)
+            result.push_back(text);
+        for (std::size_t kind = 0; kind < counts_.size(); ++kind)
+            if (counts_[kind] > told_of_each_kind)
+                result.push_back("and " + std::to_string(counts_[kind] - told_of_each_kind) +
+                                 " more: " + std::string(names[kind]));
+        return result;
+    }
+    [[nodiscard]] std::string text() const
+    {
+        std::string result;
+        for (const auto& line : lines())
+            result += (result.empty() ? "" : "\n") + line;
+        return result;
+    }
+    /// Throws mesh_error with the text when there is any problem.
+    void require_ok() const
+    {
+        if (not ok())
+            throw mesh_error(text());
+    }
+
+private:
+    [[nodiscard]] std::string named(const char* kind, std::size_t element) const
+    {
+        return kind + (" " + number(element)) + ": ";
+    }
+
+    static constexpr std::array<std::string_view, 8> names{"empty mesh",
+                                                           "coordinates that are not finite",
+                                                           "indices out of range",
+                                                           "degenerate faces",
+                                                           "isolated vertices",
+                                                           "edges with too many faces",
+                                                           "edges whose faces are turned",
+                                                           "vertices with several fans"};
+
+    std::size_t first_number_ = 0;
+    std::array<std::size_t, 8> counts_{};
+    std::vector<std::pair<problem, std::string>> told_;
+};
+
+} // namespace kith

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/affine.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <ranges>
+#include <type_traits>
+#include <utility>
+
+namespace kith {
+
+template <class Point, std::unsigned_integral Index>
+class basic_mesh;
+
+/// What kith needs to know of a mesh type. Specialise it once per mesh library: static functions over dumb handles,
+/// each O(1), nothing added to the mesh. `examples/own_mesh.cpp` adapts a home-made mesh in one page.
+///
+///   vertex, edge, face, halfedge   small regular handles, valid as long as the mesh is not changed
+///   point                          the coordinates of a vertex; needs an `affine<point>`
+///
+///   vertices(m) edges(m) faces(m)  ranges of handles, removed elements left out, always in the same order
+///   index(m, x)                    a number of x (all four kinds), unique among its kind ...
+///   vertex_bound(m) edge_bound(m) face_bound(m) halfedge_bound(m)   ... and below this bound
+///   next(m, h) prev(m, h)          around the face of h, counter-clockwise
+///   opposite(m, h)                 the other half-edge of the edge of h
+///   is_boundary(m, h)              h has no face; only next, prev and face_of need not work then
+///   source(m, h) edge_of(m, h) face_of(m, h)
+///   halfedge_of(m, v)              a half-edge that leaves v; any one, the library turns it to the boundary itself
+///   halfedge_of(m, e)              the half-edge that directs e
+///   halfedge_of(m, f)              the half-edge at which f starts
+///   is_isolated(m, v)              v has no edge
+///   point_of(m, v)
+///   build(basic_mesh<point, uint32_t>&&) -> M     the mesh with these elements, in this order and direction (optional:
+///                                  without it a mesh can be read, not written)
+///
+///   build(basic_mesh<point, uint32_t>&&, const M& source) -> M     the same for a mesh that was refined from `source`, of
+///                                  which it may keep more than elements (optional)
+///
+///   For meshes that several threads may write; `fill` is their `build` then, and `refine` makes the last level in them:
+///
+///   request_like(m, source)        lets an empty m have the attributes that `source` has (optional; comes first)
+///   make_room(m, vertices, edges, faces)   gives an empty m so many elements, not joined yet; throws mesh_error for more
+///                                  than it can number
+///   points(m)                      the array of all points
+///   at<Handle>(i)                  the vertex, edge, half-edge or face whose index is i; half-edges 2i and 2i+1 are edge i
+///   set_side(m, h, f, v, next)     h lies in face f, leads to v and is followed by `next`
+///   set_boundary_side(m, h, v, next)   the same for a half-edge without face
+///   set_start(m, f, h, degree)     f starts at h; throws mesh_error for faces of a degree that it cannot hold
+///   set_start(m, v, h)             v starts at h, which leaves it; comes before the boundary sides
+///   target(m, h)                   where h was told to lead
+///   mark_odd_generation(m)         for `generation` to remember
+///
+///   generation(m)                  how many steps `build` was told the mesh is away from its control mesh (optional; 0)
+///
+/// The order in which a mesh starts its vertices, edges and faces is the order of the operands of a mask, so it is
+/// part of the promise "same mesh, same bits"; `build` keeps it.
+template <class M>
+struct mesh_traits;
+
+template <class R, class T>
+concept range_of = std::ranges::input_range<R> and std::convertible_to<std::ranges::range_reference_t<R>, T>;
+
+/// A mesh that kith can read: see mesh_traits for what each line means.
+template <class M, class T = mesh_traits<M>>
+concept mesh = std::regular<typename T::vertex> and std::regular<typename T::edge> and
+               std::regular<typename T::face> and std::regular<typename T::halfedge> and
+               affine_value<typename T::point> and
+               requires(const M& m, typename T::vertex v, typename T::edge e, typename T::face f,
+                        typename T::halfedge h) {
+                   { T::vertices(m) } -> range_of<typename T::vertex>;
+                   { T::edges(m) } -> range_of<typename T::edge>;
+                   { T::faces(m) } -> range_of<typename T::face>;
+                   { T::index(m, v) } -> std::convertible_to<std::size_t>;
+                   { T::index(m, e) } -> std::convertible_to<std::size_t>;
+                   { T::index(m, f) } -> std::convertible_to<std::size_t>;
+                   { T::index(m, h) } -> std::convertible_to<std::size_t>;
+                   { T::vertex_bound(m) } -> std::convertible_to<std::size_t>;
+                   { T::edge_bound(m) } -> std::convertible_to<std::size_t>;
+                   { T::face_bound(m) } -> std::convertible_to<std::size_t>;
+                   { T::halfedge_bound(m) } -> std::convertible_to<std::size_t>;
+                   { T::next(m, h) } -> std::convertible_to<typename T::halfedge>;
+                   { T::prev(m, h) } -> std::convertible_to<typename T::halfedge>;
+                   { T::opposite(m, h) } -> std::convertible_to<typename T::halfedge>;
+                   { T::is_boundary(m, h) } -> std::convertible_to<bool>;
+                   { T::source(m, h) } -> std::convertible_to<typename T::vertex>;
+                   { T::edge_of(m, h) } -> std::convertible_to<typename T::edge>;
+                   { T::face_of(m, h) } -> std::convertible_to<typename T::face>;
+                   { T::halfedge_of(m, v) } -> std::convertible_to<typename T::halfedge>;
+                   { T::halfedge_of(m, e) } -> std::convertible_to<typename T::halfedge>;
+                   { T::halfedge_of(m, f) } -> std::convertible_to<typename T::halfedge>;
+                   { T::is_isolated(m, v) } -> std::convertible_to<bool>;
+                   { T::point_of(m, v) } -> std::convertible_to<typename T::point>;
+               };
+
+/// A mesh that kith can also make.
+template <class M, class T = mesh_traits<M>>
+concept refinable_mesh = mesh<M, T> and requires(basic_mesh<typename T::point, std::uint32_t>&& fine) {
+    { T::build(std::move(fine)) } -> std::convertible_to<M>;
+};
+
+/// The mesh with these elements, refined from `source`: by `build`, with what of the source it keeps.
+template <refinable_mesh M>
+M build_like(const M& source, basic_mesh<typename mesh_traits<M>::point, std::uint32_t>&& fine)
+{
+    if constexpr (requires { mesh_traits<M>::build(std::move(fine), source); })
+        return mesh_traits<M>::build(std::move(fine), source);
+    else
+        return mesh_traits<M>::build(std::move(fine));
+}
+
+} // namespace kith

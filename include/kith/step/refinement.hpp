@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/association/foreign_level.hpp>
+#include <kith/association/pass_space.hpp>
+#include <kith/association/polygon.hpp>
+#include <kith/base/for_parts.hpp>
+#include <kith/level/for_each.hpp>
+#include <kith/level/values.hpp>
+#include <kith/mask/choose.hpp>
+#include <kith/mesh/match.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// One refinement step as a scheme sees it: `auto& [coarse, assoc, generation] = r;`
+template <class Level, class Space, class Scalar>
+struct refinement {
+    using scalar = Scalar;
+
+    const Level& coarse; ///< the level that is read
+    const Space& assoc;  ///< its association space; assigning to an association makes an element of the next level
+    int generation;      ///< steps since the control mesh
+};
+
+/// The type in which a scheme forms its weights.
+template <class Refinement>
+using scalar_type = typename Refinement::scalar;
+
+namespace detail {
+
+/// Calls f(id, degree) for each new face, on threads; `degree()` says how many corners it will have.
+template <class Level, class Numbering, class Columns, class F>
+void for_new_faces(const Level& coarse, const Numbering& ids, const Columns& columns, const F& f)
+{
+    const auto in_column = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c) {
+        constexpr std::size_t each = tuples_per_element(K);
+        for_each_by_number(tuple_elements_of<K>(coarse), [&](const auto& x) {
+            for (std::size_t tuple = each * x.index(); tuple < each * (x.index() + 1); ++tuple)
+                if (const auto id = ids.faces.template id<K>(tuple); id != ids.faces.none)
+                    f(id, [&] { return c.degree(x); });
+        });
+    };
+    std::apply([&](const auto&... c) { (in_column(c), ...); }, columns.faces.list);
+}
+
+/// 3 or 4 if all new faces have so many corners, else 0.
+template <class Level, class Numbering, class Columns>
+int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& columns)
+{
+    constexpr std::size_t unknown = 0, mixed = std::numeric_limits<std::size_t>::max();
+    std::atomic<std::size_t> common = unknown;
+    for_new_faces(coarse, ids, columns, [&](std::size_t, const auto& degree) {
+        std::size_t so_far = common.load(std::memory_order_relaxed);
+        if (so_far == mixed)
+            return;
+        const std::size_t here = degree();
+        if (so_far == unknown and common.compare_exchange_strong(so_far, here, std::memory_order_relaxed))
+            return;
+        if (here != so_far)
+            common.store(mixed, std::memory_order_relaxed);
+    });
+    return common == 3 or common == 4 ? int(common) : 0;
+}
+
+/// As many `none`, written by all threads.
+template <class Index>
+storage<Index> none_yet(std::size_t size)
+{
+    storage<Index> result(size);
+    for_parts(size, true, [&](std::size_t begin, std::size_t end) {
+        std::fill(result.begin() + begin, result.begin() + end, connectivity<Index>::none);
+    });
+    return result;
+}
+
+/// Allocates the connectivity of the next level as far as its numbering tells it.
+template <connect Connect, bool Checked, class Level, class Numbering, class Columns>
+auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& columns)
+{
+    using index = typename Numbering::index_type;
+    connectivity<index> fine;
+    if constexpr (Connect != connect::nothing) {
+        fine.vertices = ids.vertices.total();
+        fine.faces = ids.faces.total();
+        fine.degree = int(Numbering::common_degree);
+        std::size_t corners = fine.faces * Numbering::common_degree;
+        if constexpr (Numbering::common_degree == 0) {
+            fine.degree = degree_of_all(coarse, ids, columns);
+            corners = fine.faces * std::size_t(fine.degree);
+            if (fine.degree == 0) {
+                fine.face_corner = storage<index>(fine.faces + 1);
+                fine.face_corner[0] = 0;
+                for_new_faces(coarse, ids, columns, [&](std::size_t id, const auto& degree) {
+                    fine.face_corner[id + 1] = index(degree());
+                });
+                for (std::size_t id = 0; id < fine.faces; ++id)
+                    fine.face_corner[id + 1] = index(corners += fine.face_corner[id + 1]);
+            }
+        }
+        // Where edges are matched there may be two half-edges for each corner.
+        require_numbers<index>(corners, Connect == connect::everything and not Numbering::has_edges ? 2 : 1, "corners");
+        if (fine.degree == 0)
+            fine.corner_face = storage<index>(corners);
+        fine.corner_vertex = storage<index>(corners);
+        if constexpr (Connect == connect::everything and Numbering::has_edges) {
+            const bool clear = Checked or not coarse.is_closed(); // the far sides of boundary edges are never written
+            fine.corner_halfedge = storage<index>(corners);
+            fine.halfedge_corner = clear ? none_yet<index>(2 * ids.edges.total())
+                                         : storage<index>(2 * ids.edges.total());
+            fine.vertex_corner = Checked ? none_yet<index>(fine.vertices) : storage<index>(fine.vertices);
+        }
+    }
+    return fine;
+}
+
+/// At the boundary a fan has to start where nothing lies clockwise: behind the boundary edge that leaves the vertex.
+template <class Index>
+void turn_boundary_fans(connectivity<Index>& fine)
+{
+    for_parts(fine.edges(), true, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e)
+            if (fine.halfedge_corner[2 * e + 1] == fine.none) {
+                const Index c = fine.halfedge_corner[2 * e];
+                fine.vertex_corner[fine.corner_vertex[c]] = c;
+            }
+    });
+}
+
+/// What cannot be seen while a scheme runs: elements that were never made, and faces that form no manifold.
+template <class Level, class Numbering, class Index>
+void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine,
+                 const std::vector<unsigned char>& vertex_is_set, const std::vector<unsigned char>& face_is_set,
+                 const std::vector<Index>& vertex_start)
+{
+    const auto require_all = [&](const auto& column_ids, const auto& is_set, const char* why) {
+        for (std::size_t id = 0; id < is_set.size(); ++id)
+            if (not is_set[id]) {
+                const auto [kind, index] = column_ids.origin(id);
+                faults::refuse(coarse, kind, index, why);
+            }
+    };
+    require_all(ids.vertices, vertex_is_set, " -> V was never set");
+    require_all(ids.faces, face_is_set, " -> F was never set");
+    for (std::size_t e = 0; e < fine.edges(); ++e)
+        if (fine.halfedge_corner[2 * e] == fine.none) {
+            const auto [kind, index] = ids.edges.origin(e);
+            faults::refuse(coarse, kind, index, " -> E has no face on its left side");
+        }
+    for (std::size_t e = 0; e < fine.edges(); ++e) {
+        const Index left = fine.halfedge_corner[2 * e], right = fine.halfedge_corner[2 * e + 1];
+        if (right != fine.none and (fine.corner_vertex[left] != fine.corner_vertex[next_corner(fine, right)] or
+                                    fine.corner_vertex[right] != fine.corner_vertex[next_corner(fine, left)])) {
+            const auto [kind, index] = ids.edges.origin(e);
+            faults::refuse(coarse, kind, index, " -> E: its two sides do not join the same vertices");
+        }
+    }
+    if (fine.vertex_corner.empty())
+        return;
+    for (std::size_t v = 0; v < vertex_start.size(); ++v)
+        if (const Index c = fine.vertex_corner[v];
+            c != fine.none and (fine.corner_vertex[c] != v or fine.corner_halfedge[c] != vertex_start[v])) {
+            const auto [kind, index] = ids.vertices.origin(v);
+            faults::refuse(
+                coarse, kind, index, " -> V starts at a corner that is not its own, or at another side there");
+        }
+    for (std::size_t c = 0; c < fine.corners(); ++c) // vertices for which the scheme named no start
+        if (Index& start = fine.vertex_corner[fine.corner_vertex[c]]; start == fine.none)
+            start = Index(c);
+    for (std::size_t v = 0; v < fine.vertices; ++v)
+        if (fine.vertex_corner[v] == fine.none) {
+            const auto [kind, index] = ids.vertices.origin(v);
+            faults::refuse(coarse, kind, index, " -> V is in no face");
+        }
+}
+
+/// One step of a scheme.
+template <class Scheme, class Refinement>
+void call(const Scheme& scheme, const Refinement& r)
+{
+    if constexpr (std::invocable<const Scheme&, const Refinement&>)
+        scheme(r);
+    else
+        static_cast<void>(refused::scheme_call<(sizeof(Scheme) > 0)>());
+}
+
+} // namespace detail
+
+/// Runs a scheme once: fills `values` with the values of the next level and returns its connectivity, as far as
+/// `Connect` asks. Errors: association_error for faults of the scheme. Cost: that of the scheme.
+template <connect Connect, bool Checked, class Level, class Scheme, class Numbering, class Columns, class Values>
+auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids, const Columns& columns,
+                Values& values)
+{
+    auto fine = detail::allocate_level<Connect, Checked>(coarse, ids, columns);
+    values.allocate(ids.vertices.total());
+    using space = association_space<Level, Numbering, Values, Connect, Checked>;
+    const space assoc(coarse, ids, values, fine);
+    const detail::loop_body outside(false); // the caller's loops are not the scheme's
+    detail::call(scheme, refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
+    if constexpr (Checked and Connect != connect::nothing)
+        detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set(), assoc.vertex_start());
+    if constexpr (Connect != connect::nothing)
+        fine.vertices += values.listed_count();
+    if constexpr (Connect == connect::everything) {
+        if constexpr (Numbering::has_edges) {
+            if (not coarse.is_closed())
+                detail::turn_boundary_fans(fine);
+        } else {
+            mesh_report report;
+            match(fine, report);
+            if (not report)
+                throw association_error("the faces that the scheme made are no manifold:\n" + report.text());
+        }
+    }
+    return fine;
+}
+
+/// The same with the next level written straight into a mesh of another library, with the attributes of `source`.
+/// Precondition: the scheme is trusted and declares its edges.
+template <fillable_mesh M, class Level, class Scheme, class Numbering>
+M run_scheme_into(const M& source, const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
+{
+    M result; // not moved from here on: meshes of OpenMesh copy instead
+    foreign_level<M> fine(
+        result, ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed(), &source);
+    point_values<Level> values;
+    values.allocate_at(fine.points());
+    using space =
+        association_space<Level, Numbering, point_values<Level>, connect::everything, false, foreign_level<M>>;
+    const space assoc(coarse, ids, values, fine);
+    const detail::loop_body outside(false);
+    detail::call(scheme, refinement<Level, space, typename point_values<Level>::scalar>{coarse, assoc, generation});
+    fine.finish(generation + 1);
+    return result;
+}
+
+} // namespace kith

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scheme_traits.hpp"
+
+#include <kith/association/numbering.hpp>
+#include <kith/base/counts.hpp>
+#include <kith/base/error.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace kith {
+
+/// A scheme is a function object on a refinement, with the columns it fills:
+///
+///   columns() or columns(generation)    which tuples give birth to what
+///   operator()(refinement)              one step
+///
+/// and, if it has more to say, `static constexpr auto traits()`: scheme_traits.
+template <class S>
+concept scheme = requires(const S& s) { columns_of(s, 0); };
+
+template <class S>
+concept countable_scheme = scheme<S> and detail::says_next<S, traits_type<S>>;
+
+/// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh, or its boundary.
+template <class S, class Level>
+void require_input(const Level& level, [[maybe_unused]] int generation = 0)
+{
+    if constexpr (needs_triangles<S> or needs_quads<S>)
+        for (const auto f : level.faces())
+            if (f.degree() != (needs_triangles<S> ? 3 : 4))
+                throw mesh_error(std::string(scheme_name<S>()) + ": face " + std::to_string(f.index()) + " has " +
+                                 std::to_string(f.degree()) + " vertices; " +
+                                 (needs_triangles<S> ? "triangulate the mesh first"
+                                                     : "split it into quads first, by one step of the linear scheme"));
+    if constexpr (needs_closed<S>)
+        for (const auto e : level.edges())
+            if (e.is_boundary())
+                throw mesh_error(std::string(scheme_name<S>()) + ": edge " + std::to_string(e.index()) +
+                                 " between vertices " + std::to_string(e.org().index()) + " and " +
+                                 std::to_string(e.dst().index()) +
+                                 " is a boundary edge; close the mesh first, or take a scheme with a boundary rule");
+    if constexpr (detail::is_said<decltype(traits_of<S>.require)>) {
+        constexpr bool is_function = std::invocable<decltype(traits_of<S>.require), const Level&, int>;
+        static_assert(is_function, "traits().require of a scheme is a function of (const auto& level, int generation)");
+        if constexpr (is_function)
+            traits_of<S>.require(level, generation);
+    }
+}
+
+} // namespace kith

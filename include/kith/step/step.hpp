@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "level_state.hpp"
+#include "refinement.hpp"
+#include "scheme.hpp"
+
+#include <kith/base/large_blocks.hpp>
+#include <kith/level/lift.hpp>
+
+#include <concepts>
+#include <type_traits>
+#include <utility>
+
+namespace kith {
+
+/// The numbering that one step of a scheme leaves behind.
+template <class Scheme, class Index>
+using numbering_of = numbering<decltype(columns_of(std::declval<const Scheme&>(), 0)), Index>;
+
+/// One step over the points of a level: the next level as a native mesh, and its numbering.
+/// Errors: mesh_error for more elements than the index can number, association_error for faults of the scheme.
+template <connect Connect, class Level, class Scheme>
+auto refine_level(const Level& coarse, const Scheme& scheme, int generation,
+                  numbering_of<Scheme, typename Level::index_type>& ids)
+{
+    static_assert(kith::scheme<Scheme>, "a scheme needs columns() and a call operator that takes a refinement");
+    const auto columns = columns_of(scheme, generation);
+    ids = {coarse, columns};
+    point_values<Level> values;
+    auto topology = run_scheme<Connect, not is_trusted<Scheme>>(coarse, scheme, generation, ids, columns, values);
+    return basic_mesh<typename Level::point_type, typename Level::index_type>(
+        values.take(), std::move(topology), generation + 1);
+}
+
+/// Calls f with the native mesh as the level that fits its faces best: quads, triangles or any.
+template <class Scheme, class Point, class Index, class F>
+decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& f)
+{
+    KITH_ASSERT(not mesh.topology().faces_only());
+    if constexpr (needs_triangles<Scheme>) {
+        if (mesh.topology().degree != 3)
+            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh));
+        return f(level_elements<native_level<Point, Index, 3>>(mesh));
+    } else if constexpr (needs_quads<Scheme>) {
+        if (mesh.topology().degree != 4)
+            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh));
+        return f(level_elements<native_level<Point, Index, 4>>(mesh));
+    } else {
+        if (mesh.topology().degree == 4)
+            return f(level_elements<native_level<Point, Index, 4>>(mesh));
+        return f(level_elements<native_level<Point, Index, 0>>(mesh));
+    }
+}
+
+/// One step from a native mesh. Precondition: it has its edges. Errors: as `refine_level`, and for faces that the scheme
+/// does not take.
+template <connect Connect, class Scheme, class Point, class Index>
+basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                                     numbering_of<Scheme, Index>& ids)
+{
+    return with_native_level<Scheme>(
+        mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
+}
+
+/// One step to a mesh of the type of `source`, from which it was refined: written straight into it where it is fillable and
+/// the scheme is trusted and declares its edges. Errors: as `refine_level`, and those of `make_room` or `build`.
+template <class M, class Level, class Scheme>
+M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, int generation,
+                    numbering_of<Scheme, typename Level::index_type>& ids)
+{
+    if constexpr (fillable_mesh<M> and is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
+        ids = {coarse, columns_of(scheme, generation)};
+        return run_scheme_into(source, coarse, scheme, generation, ids);
+    } else {
+        auto fine = refine_level<connect::everything>(coarse, scheme, generation, ids);
+        shared_blocks.give_back(); // the other library takes its memory elsewhere
+        return build_like(source, std::move(fine));
+    }
+}
+
+} // namespace kith

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Meshes and tags from files and into files.
+#include "read_mesh.hpp"
+#include "tags_of_creases.hpp"
+#include "write_mesh.hpp"

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "boundary.hpp"
+#include "creases.hpp"
+
+#include <kith/level/for_each.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace kith {
+
+/// The rules of Catmull-Clark and Loop where a mesh is not smooth: at boundaries, creases, corners and darts, with the
+/// blend of semi-sharp ones. DeRose, Kass & Truong 1998, section 3; case by case as in OpenSubdiv; docs/schemes.md.
+template <class Level>
+class sharp_rules {
+public:
+    /// Errors: mesh_error for sharp elements that the level does not have.
+    sharp_rules(const Level& coarse, const creases& sharp, boundary_corner corners)
+        : sharp_(&sharp), corners_(corners), all_smooth_(sharp.empty() and coarse.is_closed())
+    {
+        if (sharp.empty())
+            return;
+        require_below(sharp.edges(), coarse.edge_count(), "edge");
+        require_below(sharp.vertices(), coarse.vertex_count(), "vertex");
+        edge_is_sharp_.resize(coarse.edge_count());
+        near_sharp_.resize(coarse.vertex_count());
+        for (const auto& [edge, sharpness] : sharp.edges()) {
+            const auto e = coarse.edges()[edge];
+            edge_is_sharp_[edge] = true;
+            near_sharp_[e.org().index()] = near_sharp_[e.dst().index()] = true;
+        }
+        for (const auto& [vertex, sharpness] : sharp.vertices())
+            near_sharp_[vertex] = true;
+        large_fans_ = sharp.large_fans(coarse);
+    }
+
+    /// Makes the points of the edges of r.coarse: by smooth(e) where the scheme's own mask is all there is to it.
+    template <class R, class Smooth>
+    void make_edges(const R& r, const Smooth& smooth) const
+    {
+        make_all(r.coarse.edges(), r.assoc, smooth);
+    }
+    /// The same for the vertices of r.coarse.
+    template <class R, class Smooth>
+    void make_vertices(const R& r, const Smooth& smooth) const
+    {
+        make_all(r.coarse.vertices(), r.assoc, smooth);
+    }
+
+    /// Neither boundary nor crease.
+    [[nodiscard]] bool is_smooth(const edge<Level>& e) const
+    {
+        return not e.is_boundary() and (edge_is_sharp_.empty() or not edge_is_sharp_[e.index()]);
+    }
+    [[nodiscard]] bool is_smooth(const vertex<Level>& v) const
+    {
+        return (near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary();
+    }
+
+    /// What the limit at a vertex that is not smooth depends on: nothing (a corner), a curve, or more than a mask can tell.
+    enum class limit_kind : unsigned char { corner, curve, unknown };
+    struct limit_rule {
+        limit_kind kind;
+        std::array<vertex<Level>, 2> ends; ///< the neighbours along the curve
+    };
+    /// Half a ring of at least two faces lies at v.
+    [[nodiscard]] bool is_on_boundary_curve(const vertex<Level>& v) const
+    {
+        return v.is_boundary() and v.face_count() >= 2 and limit_of(v).kind == limit_kind::curve;
+    }
+    [[nodiscard]] limit_rule limit_of(const vertex<Level>& v) const
+    {
+        if (is_kept_corner(v))
+            return {limit_kind::corner, {v, v}};
+        vertex_rule rule(v);
+        const double s = sharp_->of_vertex(v.index());
+        bool lasts = s == 0 or s == infinitely_sharp; // what is semi-sharp changes its rule on a later level
+        for (const auto e : v.edges())
+            if (const double sharpness = sharp_->sharpness(e); sharpness > 0) {
+                rule.add(e.org() == v ? e.dst() : e.org());
+                lasts = lasts and sharpness == infinitely_sharp;
+            }
+        const rule_kind kind = kind_of(s > 0, rule.sharp_edges);
+        return {not lasts or kind == rule_kind::smooth ? limit_kind::unknown
+                : kind == rule_kind::corner            ? limit_kind::corner
+                                                       : limit_kind::curve,
+                rule.ends};
+    }
+
+private:
+    template <class List>
+    static void require_below(const List& sharp, std::size_t count, const char* kind)
+    {
+        if (not sharp.empty() and sharp.back().first >= count)
+            throw mesh_error("creases: " + std::string(kind) + " " + std::to_string(sharp.back().first) +
+                             " does not exist, there are " + std::to_string(count) +
+                             "; make the creases for this mesh and level");
+    }
+
+    /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every time.
+    template <class Range, class Space, class Smooth>
+    void make_all(const Range& range, const Space& assoc, const Smooth& smooth) const
+    {
+        constexpr bool native = detail::ordered_by_faces<Level>;
+        if constexpr (native)
+            if (all_smooth_)
+                return for_each(range, [&](auto x) { assoc(x, targets::V) = smooth(x); });
+        for_each(range, [&](auto x) {
+            if ((not native and all_smooth_) or is_smooth(x))
+                assoc(x, targets::V) = smooth(x);
+            else
+                make(x, assoc(x, targets::V), smooth);
+        });
+    }
+
+    /// Assigns the point of an edge that is not smooth: its midpoint, or between that and the smooth mask.
+    template <class Association, class Smooth>
+    [[gnu::noinline]] void make(edge<Level> e, const Association& target, const Smooth& smooth) const
+    {
+        const double s = sharp_->sharpness(e);
+        const bool stays_sharp = sharp_->method == crease_method::chaikin and
+                                 sharp_->child_sharpness(e.org(), e, large_fans_) > 0 and
+                                 sharp_->child_sharpness(e.dst(), e, large_fans_) > 0;
+        if (s >= 1 or stays_sharp)
+            target = average(e.org(), e.dst());
+        else
+            target = s * average(e.org(), e.dst()) + (1 - s) * smooth(e);
+    }
+
+    /// Assigns the point of a vertex that is not smooth.
+    template <class Association, class Smooth>
+    [[gnu::noinline]] void make(vertex<Level> v, const Association& target, const Smooth& smooth) const
+    {
+        if (near_sharp_.empty() or not near_sharp_[v.index()]) { // on the boundary, far from all creases
+            if (is_kept_corner(v))
+                target = v;
+            else
+                target = cubic_curve_vertex(v, v.first_rim(), v.last_rim());
+            return;
+        }
+        const auto [parent, child, weight] = classify(v);
+        const auto rule = [&](const auto& r, const auto& use) {
+            if (r.kind == rule_kind::corner)
+                use(sum(v));
+            else if (r.kind == rule_kind::crease)
+                use(cubic_curve_vertex(v, r.ends[0], r.ends[1]));
+            else
+                use(smooth(v));
+        };
+        if (parent.kind == rule_kind::smooth or parent.kind == child.kind)
+            rule(parent, [&](const auto& mask) { target = mask; });
+        else
+            rule(parent, [&, w = weight](const auto& now) {
+                rule(child, [&](const auto& later) { target = w * now + (1 - w) * later; });
+            });
+    }
+
+    enum class rule_kind : unsigned char { smooth, crease, corner };
+    struct vertex_rule {
+        rule_kind kind = rule_kind::smooth;
+        std::size_t sharp_edges = 0;
+        std::array<vertex<Level>, 2> ends; ///< of the first two of them
+
+        explicit vertex_rule(const vertex<Level>& v) : ends{v, v} {}
+        void add(const vertex<Level>& end)
+        {
+            if (sharp_edges < 2)
+                ends[sharp_edges] = end;
+            ++sharp_edges;
+        }
+    };
+    struct classes {
+        vertex_rule parent, child;
+        double weight; ///< of the parent's rule where the two differ
+    };
+
+    static rule_kind kind_of(bool corner, std::size_t sharp_edges)
+    {
+        return corner or sharp_edges >= 3 ? rule_kind::corner
+               : sharp_edges == 2         ? rule_kind::crease
+                                          : rule_kind::smooth; // with one sharp edge: a dart
+    }
+    bool is_kept_corner(const vertex<Level>& v) const
+    {
+        return corners_ == boundary_corner::kept and v.is_boundary() and v.face_count() == 1;
+    }
+    classes classify(const vertex<Level>& v) const
+    {
+        const double s = is_kept_corner(v) ? infinitely_sharp : sharp_->of_vertex(v.index());
+        double transition = 0;
+        int transitions = 0;
+        const auto ends_now = [&](double value) { transition += value, ++transitions; };
+        if (s > 0 and s <= 1)
+            ends_now(s);
+        vertex_rule parent(v), child(v);
+        for (const auto e : v.edges()) {
+            const double now = sharp_->sharpness(e);
+            if (now <= 0)
+                continue;
+            const auto end = e.org() == v ? e.dst() : e.org();
+            const double later = sharp_->child_sharpness(v, e, large_fans_);
+            parent.add(end);
+            if (later > 0)
+                child.add(end);
+            if (sharp_->method == crease_method::chaikin ? later == 0 : now <= 1)
+                ends_now(now);
+        }
+        parent.kind = kind_of(s > 0, parent.sharp_edges);
+        child.kind = kind_of(s > 1, child.sharp_edges);
+        return {parent, child, transitions == 0 ? 0. : std::min(1., transition / transitions)};
+    }
+
+    const creases* sharp_;
+    boundary_corner corners_;
+    bool all_smooth_;                              // nothing to look at
+    std::vector<bool> edge_is_sharp_, near_sharp_; // empty: no creases
+    std::vector<creases::large_fan> large_fans_;
+};
+
+} // namespace kith

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/affine.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace kith {
+
+using normal_vector = std::array<double, 3>;
+
+namespace detail {
+
+/// The exponent of the largest coordinate of some vectors; that of the smallest number for zeros.
+class common_exponent {
+public:
+    template <class Vector>
+    void add(const Vector& v)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (const auto x = double(v[i]); x != 0 and std::isfinite(x))
+                value_ = std::max(value_, std::ilogb(x));
+    }
+    [[nodiscard]] int value() const { return value_; }
+
+private:
+    int value_ = std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits;
+};
+
+template <class Vector>
+normal_vector scaled(const Vector& v, int exponent)
+{
+    normal_vector result;
+    for (std::size_t i = 0; i < 3; ++i)
+        result[i] = std::scalbn(double(v[i]), exponent);
+    return result;
+}
+
+inline bool is_finite(const normal_vector& v)
+{
+    return std::isfinite(v[0]) and std::isfinite(v[1]) and std::isfinite(v[2]);
+}
+
+/// Brings the largest coordinate near to one, which changes no other bit.
+template <class Vector>
+normal_vector brought_near_one(const Vector& v)
+{
+    common_exponent exponent;
+    exponent.add(v);
+    return scaled(v, -exponent.value());
+}
+
+} // namespace detail
+
+/// The vector of length one in the direction of v, whatever its size; nothing for zero and for what is not finite.
+template <class Vector>
+std::optional<normal_vector> unit_vector(const Vector& v)
+{
+    auto n = detail::brought_near_one(v);
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    if (not(length > 0) or not std::isfinite(length))
+        return std::nullopt;
+    for (double& x : n)
+        x /= length;
+    return n;
+}
+
+/// The unit normal of the plane of two vectors, counter-clockwise; nothing where they are parallel or not finite.
+template <class Vector>
+std::optional<normal_vector> unit_normal(const Vector& first, const Vector& second)
+{
+    const auto a = detail::brought_near_one(first), b = detail::brought_near_one(second);
+    normal_vector n;
+    for (std::size_t i = 0; i < 3; ++i)
+        n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+    return unit_vector(n);
+}
+
+/// For each wanted vertex the mean of its faces' normals, each weighed by its area (Newell's formula), of length one; zero where
+/// no face has an area. Sums are formed with exponents of their own, so that they neither overflow nor vanish.
+/// Precondition: `wanted` is empty, which means all, or has a mark per vertex. Cost: O(corners).
+template <class Point, std::unsigned_integral Index>
+std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> positions,
+                                             std::span<const unsigned char> wanted = {})
+{
+    const auto is_wanted = [&](Index v) { return wanted.empty() or wanted[v] != 0; };
+    const auto exponent_of = [&](std::size_t f) {
+        detail::common_exponent result;
+        for (const Index v : mesh.face(f))
+            result.add(affine<Point>::load(positions[v]));
+        return result.value();
+    };
+    std::vector<int> exponents(mesh.vertex_count(), std::numeric_limits<int>::min());
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (int exponent = exponent_of(f); const Index v : mesh.face(f))
+            exponents[v] = std::max(exponents[v], exponent);
+    std::vector<normal_vector> result(mesh.vertex_count(), normal_vector{});
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto face = mesh.face(f);
+        if (std::ranges::none_of(face, is_wanted))
+            continue;
+        const int exponent = exponent_of(f);
+        normal_vector normal{};
+        auto p = detail::scaled(affine<Point>::load(positions[face[0]]), -exponent);
+        for (std::size_t i = 0; i < face.size(); ++i) {
+            const auto q = detail::scaled(affine<Point>::load(positions[face[(i + 1) % face.size()]]), -exponent);
+            for (std::size_t k = 0; k < 3; ++k)
+                normal[k] += (p[(k + 1) % 3] - q[(k + 1) % 3]) * (p[(k + 2) % 3] + q[(k + 2) % 3]);
+            p = q;
+        }
+        if (not detail::is_finite(normal))
+            continue;
+        for (const Index v : face) {
+            const int shift = 2 * (exponent - exponents[v]);
+            for (std::size_t k = 0; k < 3; ++k)
+                result[v][k] += shift == 0 ? normal[k] : std::scalbn(normal[k], shift);
+        }
+    }
+    for (auto& n : result)
+        n = unit_vector(n).value_or(normal_vector{});
+    return result;
+}
+
+} // namespace kith

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// All schemes, and what goes with them.
+#include "butterfly.hpp"
+#include "catmull_clark.hpp"
+#include "doo_sabin.hpp"
+#include "figures.hpp"
+#include "four_eight.hpp"
+#include "interpolatory_sqrt3.hpp"
+#include "kobbelt.hpp"
+#include "linear.hpp"
+#include "loop.hpp"
+#include "mid_edge.hpp"
+#include "nasri_hasbini.hpp"
+#include "sqrt3.hpp"
+#include "tri_quad.hpp"
+#include "unified.hpp"
+
+#include <kith/crease/make_creases.hpp>
+#include <kith/crease/vertex_type.hpp>
+#include <kith/limit/limit_surface.hpp>

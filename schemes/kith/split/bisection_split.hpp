@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/step/refinement.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace kith {
+
+/// The 4-8 bisection of a tri-quad mesh: triangles that each mark one edge, both triangles of an inner marked edge marking
+/// it. Every marked edge gives birth to a vertex and is bisected; the edges that were unmarked are the marked ones of the
+/// next level. The marked edge of a triangle is its first one, on every mesh type, so the mark needs no room and is handed
+/// on by the order of the corners alone. Velho & Zorin 2001, section 3.
+struct bisection_split {
+    template <class Corner>
+    static bool is_first(const Corner& c)
+    {
+        return c == c.f().first_corner();
+    }
+    template <class Edge>
+    static bool is_marked(const Edge& e)
+    {
+        return is_first(e.lcorner());
+    }
+
+    /// Two triangles at a marked edge are a block, a quad; of a corner whose half-edge is a side of one, that of the next side.
+    /// Precondition: the marked edge of c's triangle does not lie at the boundary.
+    template <class Corner>
+    static Corner block_next(const Corner& c)
+    {
+        return c.next() == c.f().first_corner() ? c.next().across().next() : c.next();
+    }
+
+    /// What the columns pick. `before(n, m)`: how many of the tuples before the n-th, with m marked edges before that of the
+    /// n-th. `picked(r, m)`: the r-th that is picked, where the m marked edges come first. By these tiles number what is picked
+    /// in a mesh that nobody holds.
+    struct marked_edge {
+        template <class Edge>
+        constexpr bool operator()(const Edge& e) const
+        {
+            return is_marked(e);
+        }
+        static constexpr std::uint64_t before(std::uint64_t, std::uint64_t m) { return m; }
+        static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t) { return r; }
+    };
+    struct unmarked_edge {
+        template <class Edge>
+        constexpr bool operator()(const Edge& e) const
+        {
+            return not is_marked(e);
+        }
+        static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return n - m; }
+        static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t m) { return r + m; }
+    };
+    struct end_of_marked_edge : marked_edge {
+        static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return 2 * m + n % 2; }
+    };
+    struct corner_at_marked_edge {
+        template <class Corner>
+        constexpr bool operator()(const Corner& c) const
+        {
+            return not(c.next() == c.f().first_corner());
+        }
+        static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t) { return n / 3 * 2 + n % 3; }
+        static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t) { return r / 2 * 3 + r % 2; }
+    };
+
+    static constexpr auto columns()
+    {
+        return kith::columns(new_vertices(per_vertex, per_edge.only(marked_edge{})),
+                             new_edges(per_edge.only(unmarked_edge{}), per_end.only(end_of_marked_edge{}), per_face),
+                             new_faces(triangles(per_corner).only(corner_at_marked_edge{})));
+    }
+
+    /// Boundary edges are marked in odd generations, as `tri_quad` makes and numbers them.
+    static constexpr counts next(const counts& c, int generation)
+    {
+        const auto on_boundary = generation % 2 != 0 ? c.boundary_edges : 0;
+        const auto marked = (c.faces + on_boundary) / 2;
+        return {.vertices = c.vertices + marked,
+                .edges = c.edges + marked + c.faces,
+                .faces = 2 * c.faces,
+                .boundary_edges = c.boundary_edges + on_boundary};
+    }
+
+    /// Throws mesh_error unless the triangles agree on their marked edges.
+    template <class Level>
+    static void require_marks(const Level& coarse)
+    {
+        for (const auto f : coarse.faces()) {
+            const auto c = f.first_corner();
+            if (not c.is_boundary() and not(c.across() == c.across().f().first_corner()))
+                throw mesh_error(
+                    "4-8: faces " + std::to_string(f.index()) + " and " + std::to_string(c.across().f().index()) +
+                    " do not both start with the edge between them; make a tri-quad mesh first (tri_quad)");
+        }
+    }
+
+    template <class R>
+    static void connect(const R& r)
+    {
+        using namespace targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.faces(), [&](auto f) {
+            const auto a = f.first_corner(); // the marked edge is a -> b, the apex d
+            const auto b = a.next();
+            const auto d = b.next();
+            const auto ab = a.next_edge();
+            const auto bd = b.next_edge();
+            const auto da = d.next_edge();
+            assoc(a, F) = polygon(assoc(d.v(), V) >> assoc(da, E).along(da),
+                                  assoc(a.v(), V) >> assoc(a.v(), ab, E).along(ab),
+                                  assoc(ab, V) >> assoc(f, E).left());
+            assoc(b, F) = polygon(assoc(b.v(), V) >> assoc(bd, E).along(bd),
+                                  assoc(d.v(), V) >> assoc(f, E).right(),
+                                  assoc(ab, V) >> assoc(b.v(), ab, E).along(ab));
+        });
+        for_each(coarse.vertices(), [&](auto v) {
+            const auto c = v.first_corner();
+            const auto a = c.f().first_corner();
+            const auto en = c.next_edge();
+            if (c == a)
+                assoc(v, V).starts_at(assoc(a, F).corner(1), assoc(v, en, E).along(en));
+            else
+                assoc(v, V).starts_at(assoc(c == a.next() ? c : a, F).corner(0), assoc(en, E).along(en));
+        });
+        for_each(coarse.edges(), [&](auto e) {
+            if (is_marked(e))
+                assoc(e, V).starts_at(assoc(e.lcorner().next(), F).corner(2), assoc(e.dst(), e, E).left());
+        });
+    }
+};
+
+} // namespace kith

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/error.hpp>
+#include <kith/level/for_each.hpp>
+#include <kith/step/scheme_traits.hpp>
+
+#include <string>
+
+namespace kith {
+
+/// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one of
+/// two corners there; between two triangles, which are back to back then, those that split triangles would make two edges
+/// with the same ends, at every level, which no list of faces can tell apart. No step makes such vertices where there are
+/// none, so looking at a mesh before the first is enough. Cost: O(vertices).
+template <class Scheme, class Level>
+void require_three_faces(const Level& coarse)
+{
+    for_each_by_number(coarse.vertices(), [&](const auto& v) {
+        const auto first = v.first_corner(), before = first.prev();
+        if (first.is_boundary() or before.is_boundary())
+            return;
+        const auto second = before.across();
+        if (not(first.across().next() == second)) // what lies clockwise and what lies counter-clockwise
+            return;
+        const bool triangles = first.f().degree() == 3 and second.f().degree() == 3;
+        throw mesh_error(std::string(scheme_name<Scheme>()) + ": vertex " + std::to_string(v.index()) +
+                         " lies between 2 faces only, the scheme needs three; " +
+                         (triangles ? "remove these triangles, which are back to back, or put a vertex into one of them"
+                                    : "join its edges to one first"));
+    });
+}
+
+} // namespace kith

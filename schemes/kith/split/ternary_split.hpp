@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/step/refinement.hpp>
+
+namespace kith {
+
+/// The ternary quad split: every vertex, every end of an edge and every corner gives birth to a vertex; every face to a face
+/// of its own degree, every side of a face and every corner to a quad. Thesis 2.1.5. Used by Nasri-Hasbini.
+struct ternary_split {
+    static constexpr auto columns()
+    {
+        const auto corners = [](const auto& f) { return f.degree(); };
+        return kith::columns(new_vertices(per_vertex, per_end, per_corner),
+                             new_edges(per_end, per_edge, per_corner_side, per_side),
+                             new_faces(per_face.of_degree(corners), quads(per_side), quads(per_corner)));
+    }
+
+    static constexpr counts next(const counts& c)
+    {
+        return {.vertices = c.vertices + 2 * c.edges + c.corners(),
+                .edges = 3 * c.edges + 3 * c.corners(),
+                .faces = c.faces + 2 * c.corners(),
+                .boundary_edges = 3 * c.boundary_edges};
+    }
+
+    template <class R>
+    static void connect(const R& r)
+    {
+        using namespace targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.faces(), [&](auto f) {
+            assoc(f, F) = polygon(f.corners(),
+                                  [&](auto c) { return assoc(c, V) >> assoc(c.next_edge(), f, E).left(); });
+        });
+        for_each(coarse.corners(), [&](auto c) {
+            const auto v = c.v();
+            const auto w = c.next().v();
+            const auto f = c.f();
+            const auto en = c.next_edge();
+            const auto ep = c.prev_edge();
+            assoc(en, f, F) = polygon(assoc(v, en, V) >> assoc(en, E).along(en),
+                                      assoc(w, en, V) >> assoc(c.next(), en, E).left(),
+                                      assoc(c.next(), V) >> assoc(en, f, E).right(),
+                                      assoc(c, V) >> assoc(c, en, E).right());
+            assoc(c, F) = polygon(assoc(v, V) >> assoc(v, en, E).along(en),
+                                  assoc(v, en, V) >> assoc(c, en, E).left(),
+                                  assoc(c, V) >> assoc(c, ep, E).right(),
+                                  assoc(v, ep, V) >> assoc(v, ep, E).along(ep));
+            assoc(c, V).starts_at(assoc(c, F).corner(2), assoc(c, ep, E).right());
+        });
+        for_each_by_number(coarse.vertices(), [&](auto v) {
+            const auto c = v.first_corner();
+            const auto en = c.next_edge();
+            assoc(v, V).starts_at(assoc(c, F).corner(0), assoc(v, en, E).along(en));
+        });
+        for_each(coarse.edges(), [&](auto e) {
+            const auto c = e.lcorner();
+            assoc(e.org(), e, V).starts_at(assoc(c, F).corner(1), assoc(c, e, E).left());
+            assoc(e.dst(), e, V).starts_at(assoc(c.next(), F).corner(3), assoc(e.dst(), e, E).left());
+        });
+    }
+};
+
+} // namespace kith
