@@ -4,12 +4,11 @@
 #include "column_facts.hpp"
 #include "whole_tuple.hpp"
 
-#include <kith/association/columns.hpp>
+#include <kith/association/column_numbers.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/part/tile.hpp>
 
 #include <compare>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -28,11 +27,6 @@ struct boundary_fact {
 };
 
 namespace detail {
-
-template <class Degree>
-inline constexpr bool has_degree = not std::same_as<Degree, int>;
-template <class Degree>
-inline constexpr bool has_fixed_degree = requires { Degree::value; };
 
 template <class Tile, class Level>
 bool is_owned(const Tile& rim, const vertex<Level>& v)
@@ -76,7 +70,7 @@ void add_boundary_facts(const column<Kind, Where, Degree>& c, std::uint64_t i, c
             const auto element = tuple_element<Kind>(level, tuple);
             const bool keep = c.where.keep(element);
             std::int64_t more = 0;
-            if constexpr (has_degree<Degree> and not has_fixed_degree<Degree>)
+            if constexpr (has_degree<Degree> and fixed_degree_of<Degree> == 0)
                 more = (keep ? std::int64_t(c.degree(element)) : 0) - std::int64_t(element.face_count());
             if (Where::inner or keep)
                 facts.push_back({i, in_whole(part, level, Kind, tuple).id, more, keep});

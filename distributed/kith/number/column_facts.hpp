@@ -23,9 +23,6 @@ concept picks_by_marks = requires(const Where& where, global_id n) {
     { where.keep.before(n, n) } -> std::same_as<global_id>;
     { where.keep.picked(n, n) } -> std::same_as<global_id>;
 };
-/// Picks inner tuples or tuples at the boundary, which has to be known for this.
-template <class Where>
-inline constexpr bool picks_at_boundary = requires { Where::inner; };
 
 template <class List>
 struct column_facts;
@@ -33,9 +30,9 @@ template <template <class...> class List, class... C>
 struct column_facts<List<C...>> {
     static constexpr bool any_by_marks = (picks_by_marks<decltype(C::where)> or ...);
     static constexpr bool any_at_boundary = (picks_at_boundary<decltype(C::where)> or ...);
-    static constexpr bool any_of_faces_at_vertex = ((C::kind == tuple_kind::v and not requires {
-                                                        decltype(C::degree)::value;
-                                                    }) or ...);
+    static constexpr bool any_of_faces_at_vertex = ((C::kind == tuple_kind::v and
+                                                     fixed_degree_of<decltype(C::degree)> == 0) or
+                                                    ...);
 };
 
 } // namespace detail

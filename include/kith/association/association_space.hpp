@@ -2,7 +2,6 @@
 #pragma once
 
 #include "association_faults.hpp"
-#include "connect.hpp"
 #include "numbering.hpp"
 #include "vertex_dictionary.hpp"
 
@@ -15,6 +14,9 @@
 #include <vector>
 
 namespace kith {
+
+/// How much of a new level's connectivity is wanted: none (only values are computed), face-vertex lists, or all.
+enum class connect : unsigned char { nothing, faces, everything };
 
 template <class Level, class Numbering, class Values, bool Checked> class pass_space;
 

@@ -4,6 +4,7 @@
 #include <kith/level/level_elements.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 
 namespace kith {
@@ -13,18 +14,32 @@ namespace kith {
 /// (v1,v2) adjacent and (f1,f2) adjacent are an edge.
 enum class tuple_kind : unsigned char { v, e, f, vf, ve, ef, vfe };
 
+/// How many elements of each kind a level has.
+struct element_counts {
+    std::uint64_t vertices = 0, edges = 0, faces = 0, corners = 0;
+};
+template <class Level>
+element_counts count_elements(const Level& level)
+{
+    return {level.vertex_count(), level.edge_count(), level.face_count(), level.corner_count()};
+}
+
 /// How many tuples of a kind a level has.
+constexpr std::uint64_t tuple_count(const element_counts& level, tuple_kind kind)
+{
+    switch (kind) {
+    case tuple_kind::v: return level.vertices;
+    case tuple_kind::e: return level.edges;
+    case tuple_kind::f: return level.faces;
+    case tuple_kind::ve: return 2 * level.edges;
+    case tuple_kind::vfe: return 2 * level.corners;
+    default: return level.corners;
+    }
+}
 template <class Level>
 std::size_t tuple_count(const Level& level, tuple_kind kind)
 {
-    switch (kind) {
-    case tuple_kind::v: return level.vertex_count();
-    case tuple_kind::e: return level.edge_count();
-    case tuple_kind::f: return level.face_count();
-    case tuple_kind::ve: return 2 * level.edge_count();
-    case tuple_kind::vfe: return 2 * level.corner_count();
-    default: return level.corner_count();
-    }
+    return tuple_count(count_elements(level), kind);
 }
 
 /// The elements by which conditions and degrees of a column speak of tuples: the vertex, edge or face itself, the corner
