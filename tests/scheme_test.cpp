@@ -14,14 +14,29 @@ struct nameless {
     static constexpr auto columns() { return kith::columns(new_vertices(per_vertex), new_faces(triangles(per_face))); }
 };
 struct triangles_by_name : nameless {
-    static constexpr auto traits()
-    {
-        return scheme_traits{
-            .name = "by-name", .faces = face_shape::triangles, .next = [](const counts& c, int) { return c; }};
-    }
+    static constexpr auto traits() { return scheme_traits{.name = "by-name", .faces = face_shape::triangles}; }
 };
 struct closed : nameless {
     static constexpr auto traits() { return scheme_traits{.closed_only = true}; }
+};
+struct each_corner_cut {
+    static constexpr auto columns()
+    {
+        return kith::columns(new_vertices(per_end),
+                             new_edges(per_edge, per_corner),
+                             new_faces(per_face.of_degree([](const auto& f) { return 2 * f.degree(); }),
+                                       per_vertex.of_degree([](const auto& v) { return v.face_count(); })));
+    }
+};
+struct each_corner_cut_of_closed : each_corner_cut {
+    static constexpr auto traits() { return scheme_traits{.closed_only = true}; }
+};
+struct centroids {
+    static constexpr auto columns()
+    {
+        return kith::columns(
+            new_vertices(per_vertex, per_face), new_edges(per_edge, per_corner), new_faces(triangles(per_side)));
+    }
 };
 struct by_generation {
     static constexpr auto columns(int generation)
@@ -48,8 +63,20 @@ TEST(scheme, may_have_a_name)
 
 TEST(scheme, may_count_its_next_level)
 {
-    EXPECT_TRUE(countable_scheme<triangles_by_name>);
-    EXPECT_FALSE(countable_scheme<nameless>);
+    EXPECT_TRUE(countable_scheme<centroids>);
+    EXPECT_FALSE(countable_scheme<nameless>);        // tuples without a column may give birth to vertices
+    EXPECT_FALSE(countable_scheme<by_generation>);   // how many boundary vertices are even?
+    EXPECT_FALSE(countable_scheme<each_corner_cut>); // what becomes of corners at the boundary?
+    EXPECT_TRUE(countable_scheme<each_corner_cut_of_closed>);
+}
+
+TEST(scheme, counts_of_the_next_level_follow_from_the_columns)
+{
+    const counts house{.vertices = 7, .edges = 11, .faces = 5, .boundary_edges = 2};
+    EXPECT_EQ(next_counts(centroids(), house, 0),
+              (counts{.vertices = 12, .edges = 31, .faces = 20, .boundary_edges = 2}));
+    const counts cube{.vertices = 8, .edges = 12, .faces = 6};
+    EXPECT_EQ(next_counts(each_corner_cut_of_closed(), cube, 0), (counts{.vertices = 24, .edges = 36, .faces = 14}));
 }
 
 TEST(scheme, refuses_the_faces_it_does_not_take)

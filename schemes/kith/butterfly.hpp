@@ -26,7 +26,6 @@ struct butterfly {
         return scheme_traits{.name = "butterfly",
                              .faces = face_shape::triangles,
                              .trusted = true,
-                             .next = [](const counts& c, int) { return triangle_split::next(c); },
                              .require = [](const auto& level, int) { require_three_faces<butterfly>(level); },
                              .reach = [](int rings) { return (rings + 1) / 2 + 1; },
                              .ignores_numbers = [] { return true; }};

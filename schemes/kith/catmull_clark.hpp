@@ -26,7 +26,6 @@ struct catmull_clark {
     {
         return scheme_traits{.name = "catmull-clark",
                              .trusted = true,
-                             .next = [](const counts& c, int) { return quad_split::next(c); },
                              .reach = [](const catmull_clark& s, int rings) { return s.sharpness.reach(rings); },
                              .state = &catmull_clark::sharpness,
                              .ignores_numbers = [](const catmull_clark& s) { return s.sharpness.empty(); }};

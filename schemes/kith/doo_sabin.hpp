@@ -38,7 +38,6 @@ struct doo_sabin {
     {
         return scheme_traits{.name = "doo-sabin",
                              .trusted = true,
-                             .next = [](const doo_sabin& s, const counts& c, int) { return s.split().next(c); },
                              .require = [](const auto& level, int) { require_three_faces<doo_sabin>(level); },
                              .reach =
                                  [](const doo_sabin& s, int rings) {

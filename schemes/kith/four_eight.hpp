@@ -20,14 +20,12 @@ struct four_eight {
     /// Reach: along unmarked edges a step makes no ring thinner, docs/distributed.md.
     static constexpr auto traits()
     {
-        return scheme_traits{
-            .name = "4-8",
-            .faces = face_shape::triangles,
-            .trusted = true,
-            .next = [](const counts& c, int generation) { return bisection_split::next(c, generation); },
-            .require = [](const auto& level, int) { bisection_split::require_marks(level); },
-            .reach = [](int rings) { return rings + 1; },
-            .is_marked = [](const auto& e) { return bisection_split::is_marked(e); }};
+        return scheme_traits{.name = "4-8",
+                             .faces = face_shape::triangles,
+                             .trusted = true,
+                             .require = [](const auto& level, int) { bisection_split::require_marks(level); },
+                             .reach = [](int rings) { return rings + 1; },
+                             .is_marked = [](const auto& e) { return bisection_split::is_marked(e); }};
     }
     static constexpr auto columns() { return bisection_split::columns(); }
 

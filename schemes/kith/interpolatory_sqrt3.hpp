@@ -26,7 +26,6 @@ struct interpolatory_sqrt3 {
                              .faces = face_shape::triangles,
                              .closed_only = true,
                              .trusted = true,
-                             .next = [](const counts& c, int generation) { return sqrt3_split::next(c, generation); },
                              .require = [](const auto& level, int) { require_three_faces<interpolatory_sqrt3>(level); },
                              .ignores_numbers = [] { return true; }};
     }

@@ -28,7 +28,6 @@ struct kobbelt {
         return scheme_traits{.name = "kobbelt",
                              .faces = face_shape::quads,
                              .trusted = true,
-                             .next = [](const counts& c, int) { return quad_split::next(c); },
                              .reach = [](int rings) { return (rings + 1) / 2 + 2; },
                              .ignores_numbers = [] { return true; }};
     }

@@ -14,10 +14,7 @@ namespace kith {
 struct linear {
     static constexpr auto traits()
     {
-        return scheme_traits{.name = "linear",
-                             .trusted = true,
-                             .next = [](const counts& c, int) { return quad_split::next(c); },
-                             .reach = [](int rings) { return rings / 2 + 1; }};
+        return scheme_traits{.name = "linear", .trusted = true, .reach = [](int rings) { return rings / 2 + 1; }};
     }
     static constexpr auto columns() { return quad_split::columns(); }
     static linear like(library) { return {}; }
@@ -48,7 +45,6 @@ struct linear_triangles {
         return scheme_traits{.name = "linear-triangles",
                              .faces = face_shape::triangles,
                              .trusted = true,
-                             .next = [](const counts& c, int) { return triangle_split::next(c); },
                              .require = [](const auto& level, int) { require_three_faces<linear_triangles>(level); },
                              .reach = [](int rings) { return rings / 2 + 1; }};
     }

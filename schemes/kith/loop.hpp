@@ -33,7 +33,6 @@ struct loop {
         return scheme_traits{.name = "loop",
                              .faces = face_shape::triangles,
                              .trusted = true,
-                             .next = [](const counts& c, int) { return triangle_split::next(c); },
                              .require = [](const auto& level, int) { require_three_faces<loop>(level); },
                              .reach = [](const loop& s, int rings) { return s.sharpness.reach(rings); },
                              .state = &loop::sharpness,

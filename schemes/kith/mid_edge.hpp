@@ -19,7 +19,6 @@ struct mid_edge {
     {
         return scheme_traits{.name = "mid-edge",
                              .trusted = true,
-                             .next = [](const counts& c, int) { return mid_edge_split::next(c); },
                              .require = [](const auto& level, int) { require_three_faces<mid_edge>(level); },
                              .reach = [](int rings) { return rings + 1; }};
     }

@@ -22,10 +22,8 @@ namespace kith {
 struct nasri_hasbini {
     static constexpr auto traits()
     {
-        return scheme_traits{.name = "nasri-hasbini",
-                             .trusted = true,
-                             .next = [](const counts& c, int) { return ternary_split::next(c); },
-                             .reach = [](int rings) { return (rings + 1) / 3 + 1; }};
+        return scheme_traits{
+            .name = "nasri-hasbini", .trusted = true, .reach = [](int rings) { return (rings + 1) / 3 + 1; }};
     }
     static constexpr auto columns() { return ternary_split::columns(); }
 

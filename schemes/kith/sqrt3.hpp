@@ -27,7 +27,6 @@ struct sqrt3 {
             .name = "sqrt3",
             .faces = face_shape::triangles,
             .trusted = true,
-            .next = [](const counts& c, int generation) { return sqrt3_split::next(c, generation); },
             .require =
                 [](const auto& control, int generation) {
                     require_three_faces<sqrt3>(control);

@@ -21,15 +21,7 @@ namespace kith {
 struct unified {
     int degree = 3;
 
-    static constexpr auto traits()
-    {
-        return scheme_traits{.name = "unified",
-                             .closed_only = true,
-                             .trusted = true,
-                             .next = [](const unified& s, const counts& c, int) {
-                                 return s.is_primal() ? quad_split::next(c) : dual_split().next(c);
-                             }};
-    }
+    static constexpr auto traits() { return scheme_traits{.name = "unified", .closed_only = true, .trusted = true}; }
     static constexpr int max_degree = 9; ///< up to which the authors have proved smoothness
 
     [[nodiscard]] constexpr bool is_primal() const { return degree % 2 != 0; }

@@ -82,6 +82,7 @@ class column_ids {
 
 public:
     static constexpr std::size_t size = numbers::size;
+    static constexpr auto kinds = numbers::kinds;
     static constexpr Index none = std::numeric_limits<Index>::max();
 
     column_ids() = default;
@@ -131,6 +132,11 @@ public:
             return numbers_.template number<Kind>(index);
         else
             return numbers_.number(numbers::template position<Kind>(), index, tuples_per_element(Kind));
+    }
+    /// The ids in column i of tuples that follow one another, all those of some elements. Cost: O(1).
+    [[nodiscard]] number_range ids(std::size_t i, const number_range& tuples) const
+    {
+        return numbers_.numbers(i, tuples);
     }
     /// The inverse: the tuple that gave birth to an element. Precondition: id < total(). Cost: O(1), O(log n) in a column
     /// whose tuples do not follow one another.

@@ -39,11 +39,18 @@ inline constexpr std::size_t fixed_degree_of<fixed_degree<N>> = N;
 /// Picks inner tuples or tuples at the boundary, which has to be known for this.
 template <class Where>
 inline constexpr bool picks_at_boundary = requires { Where::inner; };
-/// Every column without a condition has all of its tuples or none, on any mesh.
+/// Columns without one have all of their tuples or none, on any mesh.
 template <class Where>
 inline constexpr bool has_condition = not std::same_as<Where, everywhere> and not std::same_as<Where, all_or_none>;
 
 } // namespace detail
+
+/// Numbers that follow one another, from `begin` to before `end`.
+struct number_range {
+    std::size_t begin = 0, end = 0;
+
+    friend constexpr bool operator==(const number_range&, const number_range&) = default;
+};
 
 /// How the new elements of one kind are numbered, and the corners of new faces: column after column, in each column the
 /// tuples that give birth in their order. All numbers of new elements come from here, whoever knows how many elements the
@@ -118,25 +125,45 @@ public:
     {
         return picked_[i].is_run() ? start_[i] + index - base_[i] < count(i) : picked_[i].has(index, each);
     }
+    /// The numbers in column i of tuples that follow one another, of all those of their parents; where some are not picked
+    /// there are fewer.
+    [[nodiscard]] number_range numbers(std::size_t i, const number_range& tuples) const
+    {
+        const auto before = [&](std::uint64_t tuple) {
+            if (not picked_[i].is_run())
+                return base_[i] + picked_[i].rank(tuple, tuples_per_element(kinds[i]));
+            const std::uint64_t first = base_[i] - start_[i];
+            return start_[i] + std::clamp(tuple, first, first + count(i));
+        };
+        return {before(tuples.begin), before(tuples.end)};
+    }
     /// The inverse: the tuple that gave birth to an element. Precondition: id < total().
     [[nodiscard]] std::pair<tuple_kind, std::uint64_t> origin(std::uint64_t id) const
     {
-        std::size_t i = 0;
-        while (id >= base_[i + 1])
-            ++i;
+        const std::size_t i = column_of(id);
         return {kinds[i],
                 picked_[i].is_run() ? id - start_[i] : picked_[i].tuple(id - base_[i], tuples_per_element(kinds[i]))};
     }
+    /// How many corners a new face has if its column says it while compiling, else 0. Precondition: id < total().
+    [[nodiscard]] std::size_t degree(std::uint64_t id) const { return degrees[column_of(id)]; }
     /// The first corner of the face that a tuple in column i gives birth to.
     [[nodiscard]] std::uint64_t first_corner(std::size_t i, const auto& tuple) const
     {
-        constexpr std::array<std::size_t, size> degrees{detail::fixed_degree_of<decltype(Columns::degree)>...};
         if (degrees[i] == 0)
             return first_corner_[i] + picked_[i].corners_before(tuple);
         return first_corner_[i] + degrees[i] * (number(i, tuple, tuples_per_element(kinds[i])) - base_[i]);
     }
 
 private:
+    static constexpr std::array<std::size_t, size> degrees{detail::fixed_degree_of<decltype(Columns::degree)>...};
+
+    [[nodiscard]] std::size_t column_of(std::uint64_t id) const
+    {
+        std::size_t i = 0;
+        while (id >= base_[i + 1])
+            ++i;
+        return i;
+    }
     static std::uint64_t index_of(std::uint64_t index) { return index; }
     static std::uint64_t index_of(const auto& tuple)
         requires requires { tuple.id; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/counts.hpp>
 #include <kith/level/level_elements.hpp>
 
 #include <cstddef>
@@ -69,30 +70,46 @@ auto tuple_element(const Level& level, std::size_t index)
     return tuple_elements_of<Kind>(level)[index / tuples_per_element(Kind)];
 }
 
+/// Nobody has said what a count comes to; see next_counts.
+struct uncounted {};
+
 /// Which tuples of a column give birth: all of them, all or none as the form of the scheme says, all inner ones and some
-/// at the boundary, the latter only, or those that a condition picks anywhere.
+/// at the boundary, the latter only, or those that a condition picks anywhere. `how_many(counts)` says of a level with
+/// these counts how many tuples at the boundary are left out, are picked there, or are picked.
 struct everywhere {};
 struct all_or_none {
     bool all;
 };
-template <class Keep>
+template <class Keep, class HowMany = uncounted>
 struct inside_or {
     static constexpr bool inner = true;
     Keep keep;
+    HowMany how_many;
 };
-template <class Keep>
+template <class Keep, class HowMany = uncounted>
 struct boundary_where {
     static constexpr bool inner = false;
     Keep keep;
+    HowMany how_many;
 };
-
-template <class Keep>
+template <class Keep, class HowMany = uncounted>
 struct only_where {
     Keep keep;
+    HowMany how_many;
 };
+
+/// How many tuples lie at the boundary. Of faces there may be fewer than edges.
+template <tuple_kind Kind>
+    requires(Kind != tuple_kind::f)
+constexpr std::uint64_t boundary_tuples(const counts& c)
+{
+    return tuples_per_element(Kind) * (Kind == tuple_kind::v ? c.boundary_vertices() : c.boundary_edges);
+}
 
 /// A column: the tuples of one kind that give birth to new elements of one kind, and for faces their degree.
 /// The id of a new element is the base of its column plus the index of its tuple.
+/// What a condition picks follows from no column; said by a function of the counts of a level, or a pointer to one of
+/// them, it lets levels be counted before they are made (countable_scheme).
 template <tuple_kind Kind, class Where = everywhere, class Degree = int>
 struct column {
     static constexpr tuple_kind kind = Kind;
@@ -107,25 +124,29 @@ struct column {
     /// Only inner tuples.
     [[nodiscard]] constexpr auto inside() const
     {
-        return inside_or([](const auto&) { return false; });
+        const auto never = [](const auto&) { return false; };
+        if constexpr (Kind == tuple_kind::f)
+            return inside_or(never);
+        else
+            return inside_or(never, &boundary_tuples<Kind>);
     }
-    /// Inner tuples, and those at the boundary that `keep` accepts.
-    template <class Keep>
-    [[nodiscard]] constexpr auto inside_or(Keep keep) const
+    /// Inner tuples, and those at the boundary that `keep` accepts; `left_out` says how many it does not.
+    template <class Keep, class LeftOut = uncounted>
+    [[nodiscard]] constexpr auto inside_or(Keep keep, LeftOut left_out = {}) const
     {
-        return column<Kind, kith::inside_or<Keep>, Degree>{{keep}, degree};
+        return column<Kind, kith::inside_or<Keep, LeftOut>, Degree>{{keep, left_out}, degree};
     }
-    /// Tuples at the boundary that `keep` accepts.
-    template <class Keep>
-    [[nodiscard]] constexpr auto on_boundary(Keep keep) const
+    /// Tuples at the boundary that `keep` accepts; `picked` says how many.
+    template <class Keep, class Picked = uncounted>
+    [[nodiscard]] constexpr auto on_boundary(Keep keep, Picked picked = {}) const
     {
-        return column<Kind, kith::boundary_where<Keep>, Degree>{{keep}, degree};
+        return column<Kind, kith::boundary_where<Keep, Picked>, Degree>{{keep, picked}, degree};
     }
-    /// Tuples that `keep` accepts.
-    template <class Keep>
-    [[nodiscard]] constexpr auto only(Keep keep) const
+    /// Tuples that `keep` accepts; `picked` says how many.
+    template <class Keep, class Picked = uncounted>
+    [[nodiscard]] constexpr auto only(Keep keep, Picked picked = {}) const
     {
-        return column<Kind, only_where<Keep>, Degree>{{keep}, degree};
+        return column<Kind, only_where<Keep, Picked>, Degree>{{keep, picked}, degree};
     }
     /// The degree of the new faces as a function of the tuple's element; it may be asked on several threads.
     template <class Of>
@@ -152,6 +173,14 @@ struct fixed_degree {
     constexpr std::size_t operator()(const Element&) const
     {
         return N;
+    }
+};
+/// The degree of the face that a new one comes from.
+struct same_degree {
+    template <class Face>
+    constexpr std::size_t operator()(const Face& f) const
+    {
+        return f.degree();
     }
 };
 template <tuple_kind Kind, class Where, class Degree>
@@ -183,17 +212,26 @@ struct new_faces {
 
 /// What a scheme declares: which tuples give birth to vertices, to edges and to faces. A scheme that declares no edges
 /// has them found by matching, which is slower and needs nothing else.
-template <class Vertices, class Edges, class Faces>
+template <class Vertices, class Edges, class Faces, class Boundary = uncounted>
 struct columns {
     Vertices vertices;
     Edges edges;
     Faces faces;
+    Boundary boundary;
 
-    constexpr columns(Vertices v, Edges e, Faces f) : vertices(v), edges(e), faces(f) {}
+    constexpr columns(Vertices v, Edges e, Faces f, Boundary b = {}) : vertices(v), edges(e), faces(f), boundary(b) {}
     constexpr columns(Vertices v, Faces f)
         requires(std::tuple_size_v<decltype(Edges::list)> == 0)
         : columns(v, Edges(), f)
     {
+    }
+
+    /// The same with a function of the counts of a level that says those of the next level's boundary; needed where
+    /// vertices tell the degree of new faces, see next_counts.
+    template <class Of>
+    [[nodiscard]] constexpr auto with_boundary(Of of) const
+    {
+        return columns<Vertices, Edges, Faces, Of>(vertices, edges, faces, of);
     }
 };
 template <class Vertices, class Faces>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "next_counts.hpp"
 #include "scheme_traits.hpp"
 
 #include <kith/association/numbering.hpp>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace kith {
 
@@ -23,8 +25,18 @@ namespace kith {
 template <class S>
 concept scheme = requires(const S& s) { columns_of(s, 0); };
 
+/// A scheme whose levels can be counted before they are made; a scheme that takes closed meshes only need say nothing of
+/// the boundary.
 template <class S>
-concept countable_scheme = scheme<S> and detail::says_next<S, traits_type<S>>;
+concept countable_scheme = scheme<S> and
+                           countable_columns<decltype(columns_of(std::declval<const S&>(), 0)), needs_closed<S>>;
+
+/// The counts of the next level. Cost: O(1).
+template <countable_scheme S>
+counts next_counts(const S& scheme, const counts& coarse, int generation)
+{
+    return next_counts<needs_closed<S>>(columns_of(scheme, generation), coarse, generation);
+}
 
 /// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh, or its boundary.
 template <class S, class Level>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/counts.hpp>
-
 #include <concepts>
 #include <functional>
 #include <string_view>
@@ -33,8 +31,7 @@ struct scheme_traits {
     face_shape faces = face_shape::any; ///< others are refused
     bool closed_only = false;           ///< a boundary is refused
     bool trusted = false; ///< its text has been tested with every association checked: they need no check any more
-    /// counts next(const counts&, int generation): those of the next level in closed form, for plans over many levels.
-    Next next{};
+    Next next{};          ///< refused: counts of the next level follow from the columns, see next_counts
     /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take.
     Require require{};
     /// int reach(int rings): for tiles, the rings of faces around a tile that a step uses up; see reaching_scheme.
@@ -111,6 +108,11 @@ KITH_HAS_MEMBER(ignores_numbers)
 KITH_HAS_MEMBER(traits)
 #undef KITH_HAS_MEMBER
 
+#define KITH_REFUSE_NEXT(holds, where)                                                                                 \
+    static_assert(holds,                                                                                               \
+                  where " next, which nobody looks at; counts of the next level follow from its columns, where each "  \
+                        "condition says how many tuples it picks: per_vertex.on_boundary(keep, how_many)")
+
 /// Refuses members by which schemes said what they now say in traits(): nobody would look at them.
 template <class S>
 consteval void refuse_former_members()
@@ -123,7 +125,7 @@ consteval void refuse_former_members()
     KITH_SAY(quads_only, ".faces = kith::face_shape::quads");
     KITH_SAY(closed_only, ".closed_only = true");
     KITH_SAY(trusted, ".trusted = true");
-    KITH_SAY(next, ".next = [](const kith::counts& c, int generation) {...}");
+    KITH_REFUSE_NEXT(not has_next<S>(), "a scheme has a member");
     KITH_SAY(require, ".require = [](const auto& level, int generation) {...}");
     KITH_SAY(reach, ".reach = [](int rings) {...}");
     KITH_SAY(is_marked, ".is_marked = [](const auto& edge) {...}");
@@ -134,8 +136,6 @@ consteval void refuse_former_members()
 }
 
 template <class S, class Traits>
-inline constexpr bool says_next = answers<counts, decltype(Traits::next), S, const counts&, int>();
-template <class S, class Traits>
 inline constexpr bool says_reach = answers<int, decltype(Traits::reach), S, int>();
 template <class S, class Traits>
 inline constexpr bool says_ignores_numbers = answers<bool, decltype(Traits::ignores_numbers), S>();
@@ -144,10 +144,8 @@ inline constexpr bool says_ignores_numbers = answers<bool, decltype(Traits::igno
 template <class S, class Traits>
 consteval void require_signatures()
 {
-    static_assert(
-        not is_said<decltype(Traits::next)> or says_next<S, Traits>,
-        "traits().next of a scheme is a function of (const counts&, int generation), or of (const the_scheme&, "
-        "const counts&, int generation), that returns counts");
+    KITH_REFUSE_NEXT(not is_said<decltype(Traits::next)>, "traits() of a scheme say");
+#undef KITH_REFUSE_NEXT
     static_assert(not is_said<decltype(Traits::reach)> or says_reach<S, Traits>,
                   "traits().reach of a scheme is a function of (int rings), or of (const the_scheme&, int rings), that "
                   "returns int");
@@ -205,12 +203,6 @@ inline constexpr bool needs_closed = traits_of<S>.closed_only;
 template <class S>
 inline constexpr bool is_trusted = traits_of<S>.trusted;
 
-/// The counts of the next level. Precondition: countable_scheme.
-template <class S>
-constexpr counts next_counts(const S& scheme, const counts& coarse, int generation)
-{
-    return detail::ask(traits_of<S>.next, scheme, coarse, generation);
-}
 /// Whether a scheme may be given levels whose elements are in another order.
 template <class S>
 constexpr bool ignores_numbers([[maybe_unused]] const S& scheme)

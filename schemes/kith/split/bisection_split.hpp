@@ -34,8 +34,15 @@ struct bisection_split {
 
     /// What the columns pick. `before(n, m)`: how many of the tuples before the n-th, with m marked edges before that of the
     /// n-th. `picked(r, m)`: the r-th that is picked, where the m marked edges come first. By these tiles number what is picked
-    /// in a mesh that nobody holds.
-    struct marked_edge {
+    /// in a mesh that nobody holds. `marked(counts, generation)`: m of a whole level.
+    struct of_marks {
+        /// Boundary edges are marked in odd generations, as `tri_quad` makes and numbers them.
+        static constexpr std::uint64_t marked(const counts& c, int generation)
+        {
+            return (c.faces + (generation % 2 != 0 ? c.boundary_edges : 0)) / 2;
+        }
+    };
+    struct marked_edge : of_marks {
         template <class Edge>
         constexpr bool operator()(const Edge& e) const
         {
@@ -44,7 +51,7 @@ struct bisection_split {
         static constexpr std::uint64_t before(std::uint64_t, std::uint64_t m) { return m; }
         static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t) { return r; }
     };
-    struct unmarked_edge {
+    struct unmarked_edge : of_marks {
         template <class Edge>
         constexpr bool operator()(const Edge& e) const
         {
@@ -56,7 +63,7 @@ struct bisection_split {
     struct end_of_marked_edge : marked_edge {
         static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return 2 * m + n % 2; }
     };
-    struct corner_at_marked_edge {
+    struct corner_at_marked_edge : of_marks {
         template <class Corner>
         constexpr bool operator()(const Corner& c) const
         {
@@ -71,17 +78,6 @@ struct bisection_split {
         return kith::columns(new_vertices(per_vertex, per_edge.only(marked_edge{})),
                              new_edges(per_edge.only(unmarked_edge{}), per_end.only(end_of_marked_edge{}), per_face),
                              new_faces(triangles(per_corner).only(corner_at_marked_edge{})));
-    }
-
-    /// Boundary edges are marked in odd generations, as `tri_quad` makes and numbers them.
-    static constexpr counts next(const counts& c, int generation)
-    {
-        const auto on_boundary = generation % 2 != 0 ? c.boundary_edges : 0;
-        const auto marked = (c.faces + on_boundary) / 2;
-        return {.vertices = c.vertices + marked,
-                .edges = c.edges + marked + c.faces,
-                .faces = 2 * c.faces,
-                .boundary_edges = c.boundary_edges + on_boundary};
     }
 
     /// Throws mesh_error unless the triangles agree on their marked edges.

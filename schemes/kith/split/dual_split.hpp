@@ -16,37 +16,15 @@ struct dual_split {
     [[nodiscard]] constexpr auto columns() const
     {
         const auto capped = [cap = cap_boundary](const auto& v) { return cap and v.face_count() >= 3; };
-        const auto corners = [](const auto& f) { return f.degree(); };
+        const auto caps = [cap = cap_boundary](const counts& c) { return cap ? c.boundary_vertices_of_many_faces : 0; };
+        const auto not_capped = [caps](const counts& c) { return c.boundary_vertices() - caps(c); };
         const auto faces_around = [](const auto& v) { return v.face_count(); };
         return kith::columns(new_vertices(per_corner),
-                             new_edges(per_side, per_end.inside(), per_vertex.on_boundary(capped)),
-                             new_faces(per_face.of_degree(corners),
+                             new_edges(per_side, per_end.inside(), per_vertex.on_boundary(capped, caps)),
+                             new_faces(per_face.of_degree(same_degree{}),
                                        quads(per_edge).inside(),
-                                       per_vertex.inside_or(capped).of_degree(faces_around)));
-    }
-
-    [[nodiscard]] constexpr counts next(const counts& c) const
-    {
-        const auto one = c.boundary_vertices_of_one_face;
-        const auto many = c.boundary_vertices_of_many_faces;
-        const auto several = c.boundary_vertices() - one; // with two faces or more
-        counts result{.vertices = c.corners(),
-                      .edges = c.corners() + 2 * (c.edges - c.boundary_edges),
-                      .faces = c.faces + (c.edges - c.boundary_edges) + (c.vertices - c.boundary_vertices()),
-                      .boundary_vertices_of_one_face = one};
-        if (cap_boundary) { // two vertices per old one, with 2 faces, or 3 beside a cap
-            result.edges += many;
-            result.faces += many;
-            result.boundary_edges = c.boundary_edges + several;
-            result.boundary_vertices_of_many_faces = 2 * many;
-            result.boundary_corners = one + 2 * (2 * (several - many) + 3 * many);
-        } else { // every corner at the boundary stays there; all but the outer two of a fan have 3 faces
-            const auto corners_of_several = c.boundary_corners - one;
-            result.boundary_edges = c.boundary_edges + corners_of_several - several;
-            result.boundary_vertices_of_many_faces = corners_of_several - 2 * several;
-            result.boundary_corners = one + 2 * 2 * several + 3 * (corners_of_several - 2 * several);
-        }
-        return result;
+                                       per_vertex.inside_or(capped, not_capped).of_degree(faces_around)))
+            .with_boundary([cap = cap_boundary](const counts& c) { return next_boundary(c, cap); });
     }
 
     template <class R>
@@ -81,6 +59,25 @@ struct dual_split {
             assoc(c, V).starts_at(assoc(f, F).corner(c.index() - f.first_corner().index()),
                                   assoc(c.next_edge(), f, E).left());
         });
+    }
+
+private:
+    static constexpr counts next_boundary(const counts& c, bool capped)
+    {
+        const auto one = c.boundary_vertices_of_one_face;
+        const auto many = c.boundary_vertices_of_many_faces;
+        const auto several = c.boundary_vertices() - one; // with two faces or more
+        if (capped)                                       // two vertices per old one, with 2 faces, or 3 beside a cap
+            return {.boundary_edges = c.boundary_edges + several,
+                    .boundary_vertices_of_one_face = one,
+                    .boundary_vertices_of_many_faces = 2 * many,
+                    .boundary_corners = one + 2 * (2 * (several - many) + 3 * many)};
+        // Every corner at the boundary stays there; all but the outer two of a fan have 3 faces.
+        const auto corners_of_several = c.boundary_corners - one;
+        return {.boundary_edges = c.boundary_edges + corners_of_several - several,
+                .boundary_vertices_of_one_face = one,
+                .boundary_vertices_of_many_faces = corners_of_several - 2 * several,
+                .boundary_corners = one + 2 * 2 * several + 3 * (corners_of_several - 2 * several)};
     }
 };
 

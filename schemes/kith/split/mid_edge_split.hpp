@@ -8,25 +8,19 @@ namespace kith {
 /// The mid-edge split: every edge gives birth to a vertex, every face and every vertex to a face. At the boundary the face
 /// of a vertex is closed by an edge of its own; vertices with a single face there get none.
 struct mid_edge_split {
+    /// Counts are exact for one step and for closed meshes; for further steps at a boundary an upper bound, since they take
+    /// no account of runs of boundary vertices with a single face, which get no face of their own.
     static constexpr auto columns()
     {
         const auto capped = [](const auto& v) { return v.face_count() >= 2; };
-        const auto corners = [](const auto& f) { return f.degree(); };
+        const auto caps = [](const counts& c) { return c.boundary_vertices() - c.boundary_vertices_of_one_face; };
         const auto valence = [](const auto& v) { return v.valence(); };
-        return kith::columns(new_vertices(per_edge),
-                             new_edges(per_corner, per_vertex.on_boundary(capped)),
-                             new_faces(per_face.of_degree(corners), per_vertex.inside_or(capped).of_degree(valence)));
-    }
-
-    /// Exact for one step and for closed meshes; for further steps at a boundary an upper bound, since it takes no account
-    /// of runs of boundary vertices with a single face, which get no face of their own.
-    static constexpr counts next(const counts& c)
-    {
-        const auto capped = c.boundary_vertices() - c.boundary_vertices_of_one_face;
-        return {.vertices = c.edges,
-                .edges = c.corners() + capped,
-                .faces = c.faces + (c.vertices - c.boundary_vertices()) + capped,
-                .boundary_edges = c.boundary_edges};
+        return kith::columns(
+                   new_vertices(per_edge),
+                   new_edges(per_corner, per_vertex.on_boundary(capped, caps)),
+                   new_faces(per_face.of_degree(same_degree{}),
+                             per_vertex.inside_or(capped, &counts::boundary_vertices_of_one_face).of_degree(valence)))
+            .with_boundary([](const counts& c) { return counts{.boundary_edges = c.boundary_edges}; });
     }
 
     template <class R>

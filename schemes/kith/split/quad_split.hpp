@@ -14,14 +14,6 @@ struct quad_split {
             new_vertices(per_vertex, per_edge, per_face), new_edges(per_end, per_side), new_faces(quads(per_corner)));
     }
 
-    static constexpr counts next(const counts& c)
-    {
-        return {.vertices = c.vertices + c.edges + c.faces,
-                .edges = 2 * c.edges + c.corners(),
-                .faces = c.corners(),
-                .boundary_edges = 2 * c.boundary_edges};
-    }
-
     template <class R>
     static void connect(const R& r)
     {

@@ -3,6 +3,9 @@
 
 #include <kith/step/refinement.hpp>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace kith {
 
 /// The sqrt(3) split of triangles: every vertex and face gives birth to a vertex, every half-edge x -> y to the triangle
@@ -29,6 +32,9 @@ struct sqrt3_split {
 
     static constexpr auto columns(int generation)
     {
+        const auto cuts = [odd = is_odd(generation)](const counts& c) { return odd ? c.boundary_edges : 0; };
+        const auto cut_faces = [cuts](const counts& c) { return std::min(cuts(c), c.faces); };
+        const auto ends = [cuts](const counts& c) { return 2 * cuts(c); };
         const auto uncut = [even = not is_odd(generation)](const auto& f) {
             return even or not has_one_boundary_edge(f);
         };
@@ -36,18 +42,10 @@ struct sqrt3_split {
         const auto cut = [uncut](const auto& e) { return not uncut(e.lface()); };
         // The edges per corner lead to the centre of the face. A boundary face has only two in an odd step, from its
         // apex to the two points on the boundary; the corner before the boundary edge is the one left out.
-        return kith::columns(new_vertices(per_vertex, per_face.inside_or(uncut), per_end.on_boundary(cut)),
-                             new_edges(per_edge, per_corner.inside_or(at_uncut), per_end.on_boundary(cut)),
-                             new_faces(triangles(per_side)));
-    }
-
-    static constexpr counts next(const counts& c, int generation)
-    {
-        const auto on_boundary = is_odd(generation) ? c.boundary_edges : 0;
-        return {.vertices = c.vertices + c.faces + on_boundary,
-                .edges = c.edges + 3 * c.faces + on_boundary,
-                .faces = 3 * c.faces,
-                .boundary_edges = c.boundary_edges + 2 * on_boundary};
+        return kith::columns(
+            new_vertices(per_vertex, per_face.inside_or(uncut, cut_faces), per_end.on_boundary(cut, ends)),
+            new_edges(per_edge, per_corner.inside_or(at_uncut, cuts), per_end.on_boundary(cut, ends)),
+            new_faces(triangles(per_side)));
     }
 
     template <class R>

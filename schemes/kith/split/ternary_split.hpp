@@ -10,18 +10,9 @@ namespace kith {
 struct ternary_split {
     static constexpr auto columns()
     {
-        const auto corners = [](const auto& f) { return f.degree(); };
         return kith::columns(new_vertices(per_vertex, per_end, per_corner),
                              new_edges(per_end, per_edge, per_corner_side, per_side),
-                             new_faces(per_face.of_degree(corners), quads(per_side), quads(per_corner)));
-    }
-
-    static constexpr counts next(const counts& c)
-    {
-        return {.vertices = c.vertices + 2 * c.edges + c.corners(),
-                .edges = 3 * c.edges + 3 * c.corners(),
-                .faces = c.faces + 2 * c.corners(),
-                .boundary_edges = 3 * c.boundary_edges};
+                             new_faces(per_face.of_degree(same_degree{}), quads(per_side), quads(per_corner)));
     }
 
     template <class R>

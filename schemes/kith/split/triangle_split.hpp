@@ -15,14 +15,6 @@ struct triangle_split {
                              new_faces(triangles(per_corner), triangles(per_face)));
     }
 
-    static constexpr counts next(const counts& c)
-    {
-        return {.vertices = c.vertices + c.edges,
-                .edges = 2 * c.edges + 3 * c.faces,
-                .faces = 4 * c.faces,
-                .boundary_edges = 2 * c.boundary_edges};
-    }
-
     template <class R>
     static void connect(const R& r)
     {
