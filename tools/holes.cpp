@@ -3,11 +3,13 @@
 
 #include <kith/base/error.hpp>
 #include <kith/level/lift.hpp>
+#include <kith/step/children.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
@@ -38,18 +40,23 @@ std::vector<bool> holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh)
 }
 
 std::vector<bool> holes_after(const any_scheme& scheme, int levels, const basic_mesh<>& control,
-                              std::vector<bool> holes)
+                              const std::vector<bool>& holes)
 {
-    const bool in_triangles = std::holds_alternative<loop>(scheme);
-    for (int level = 0; level < levels; ++level) { // in the order in which the columns of the split number the faces
-        std::vector<bool> finer;
-        for (std::size_t f = 0; f < holes.size(); ++f)
-            finer.insert(finer.end(), in_triangles ? 3 : level == 0 ? control.face(f).size() : 4, holes[f]);
-        if (in_triangles)
-            finer.insert(finer.end(), holes.begin(), holes.end());
-        holes = std::move(finer);
-    }
-    return holes;
+    face_lineage faces{{0}, std::vector<std::size_t>(control.face_count())};
+    for (std::size_t f = 0; f < control.face_count(); ++f)
+        faces.first_corner.push_back(faces.first_corner.back() + control.face(f).size());
+    std::iota(faces.ancestor.begin(), faces.ancestor.end(), std::size_t(0));
+    std::visit(
+        [&]<class Scheme>(const Scheme& s) {
+            if constexpr (has_creases<Scheme>)
+                for (int level = 0; level < levels; ++level)
+                    faces = faces.next(columns_of(s, control.generation() + level));
+        },
+        scheme);
+    std::vector<bool> result;
+    for (const std::size_t f : faces.ancestor)
+        result.push_back(holes[f]);
+    return result;
 }
 
 void require_no_holes(const control_mesh& control)

@@ -16,7 +16,7 @@ std::vector<bool> holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh);
 
 /// The same for the faces `levels` steps later: all that come from a hole. Precondition: a scheme with creases.
 std::vector<bool> holes_after(const any_scheme& scheme, int levels, const basic_mesh<>& control,
-                              std::vector<bool> holes);
+                              const std::vector<bool>& holes);
 
 /// For surfaces in tiles, of which holes are not left out. Errors: mesh_error.
 void require_no_holes(const control_mesh& control);

@@ -4,8 +4,8 @@
 #include <kith/association/columns.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/part/tile.hpp>
+#include <kith/step/children.hpp>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace kith::detail {
@@ -32,22 +32,7 @@ public:
     /// Of the faces at the tuple the one with the smallest number.
     [[nodiscard]] std::size_t face(tuple_kind kind, std::size_t tuple) const
     {
-        switch (kind) {
-        case tuple_kind::v: {
-            std::size_t result = coarse_.mesh.face_count();
-            for (const auto f : level_.vertices()[tuple].faces())
-                result = std::min(result, f.index());
-            return result;
-        }
-        case tuple_kind::ve: tuple /= 2; [[fallthrough]];
-        case tuple_kind::e: {
-            const auto e = level_.edges()[tuple];
-            return e.is_boundary() ? e.lface().index() : std::min(e.lface().index(), e.rface().index());
-        }
-        case tuple_kind::f: return tuple;
-        case tuple_kind::vfe: tuple /= 2; [[fallthrough]];
-        default: return level_.corners()[tuple].f().index();
-        }
+        return parent_face(level_, kind, tuple);
     }
     /// Whether a rim that a tuple gives birth to is the boundary of the whole mesh. Precondition: it is a rim here.
     [[nodiscard]] bool is_at_true_boundary(tuple_kind kind, std::size_t tuple) const

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "next_counts.hpp"
+
+#include <kith/association/column_ids.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// The kinds of elements. Every tuple is listed with one element, its parent: (v) with the vertex, (e) and (v,e) with the
+/// edge, (f), (v,f), (e,f) and (v,f,e) with the face. So every new element has one parent, and the children of an element
+/// are those of its tuples.
+enum class element_kind : unsigned char { vertex, edge, face };
+
+constexpr element_kind parent_kind(tuple_kind kind)
+{
+    switch (kind) {
+    case tuple_kind::v: return element_kind::vertex;
+    case tuple_kind::e:
+    case tuple_kind::ve: return element_kind::edge;
+    default: return element_kind::face;
+    }
+}
+
+/// The number of the parent of a tuple. Cost: O(1).
+template <class Level>
+std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
+{
+    switch (kind) {
+    case tuple_kind::ve: return tuple / 2;
+    case tuple_kind::vfe: return level.corners()[tuple / 2].f().index();
+    case tuple_kind::vf:
+    case tuple_kind::ef: return level.corners()[tuple].f().index();
+    default: return tuple;
+    }
+}
+
+/// The face that what a tuple gives birth to comes from: its parent or, where that is an edge or a vertex, the face with
+/// the smallest number there. Cost: O(faces at it).
+template <class Level>
+std::size_t parent_face(const Level& level, tuple_kind kind, std::size_t tuple)
+{
+    const std::size_t x = parent(level, kind, tuple);
+    switch (parent_kind(kind)) {
+    case element_kind::vertex: {
+        std::size_t result = level.face_count();
+        for (const auto f : level.vertices()[x].faces())
+            result = std::min(result, std::size_t(f.index()));
+        return result;
+    }
+    case element_kind::edge: {
+        const auto e = level.edges()[x];
+        return e.is_boundary() ? e.lface().index() : std::min(e.lface().index(), e.rface().index());
+    }
+    default: return x;
+    }
+}
+
+/// Elements of each kind whose numbers follow one another here and there: increasing ranges with gaps between.
+struct element_ranges {
+    std::vector<number_range> vertices, edges, faces;
+
+    friend bool operator==(const element_ranges&, const element_ranges&) = default;
+};
+
+namespace detail {
+
+/// The tuples of a kind that have these parents follow one another, as ends of edges and corners of faces do.
+template <class Level>
+number_range tuples_of(const Level& level, tuple_kind kind, const number_range& parents)
+{
+    const auto corner = [&](std::size_t face) {
+        return face == level.face_count() ? level.corner_count() : level.faces()[face].first_corner().index();
+    };
+    switch (kind) {
+    case tuple_kind::v:
+    case tuple_kind::e:
+    case tuple_kind::f: return parents;
+    case tuple_kind::ve: return {2 * parents.begin, 2 * parents.end};
+    case tuple_kind::vfe: return {2 * corner(parents.begin), 2 * corner(parents.end)};
+    default: return {corner(parents.begin), corner(parents.end)};
+    }
+}
+
+template <class Level, class Ids>
+std::vector<number_range> children_among(const Level& level, const Ids& ids, const element_ranges& parents)
+{
+    std::vector<number_range> result;
+    for (std::size_t i = 0; i < ids.size; ++i) {
+        const tuple_kind kind = ids.kinds[i];
+        const element_kind of = parent_kind(kind);
+        const auto& ranges = of == element_kind::vertex ? parents.vertices
+                             : of == element_kind::edge ? parents.edges
+                                                        : parents.faces;
+        for (const number_range& range : ranges)
+            if (const auto born = ids.ids(i, tuples_of(level, kind, range)); born.begin != born.end) {
+                if (not result.empty() and result.back().end == born.begin)
+                    result.back().end = born.end;
+                else
+                    result.push_back(born);
+            }
+    }
+    return result;
+}
+
+} // namespace detail
+
+/// The children of elements of a level, as ranges of numbers of the next level. The children of all elements are all
+/// elements, and those of two elements have none in common; so over several levels descendants are children of children.
+/// Preconditions: `ids` is the numbering of the step from `level`; ranges increase and do not overlap.
+/// Cost: O(ranges).
+template <class Level, class Numbering>
+element_ranges children(const Level& level, const Numbering& ids, const element_ranges& parents)
+{
+    return {detail::children_among(level, ids.vertices, parents),
+            detail::children_among(level, ids.edges, parents),
+            detail::children_among(level, ids.faces, parents)};
+}
+
+namespace detail {
+
+template <class List>
+struct born_in_faces;
+template <template <class...> class List, class... C>
+struct born_in_faces<List<C...>> {
+    static constexpr bool value = ((not has_condition<decltype(C::where)> and
+                                    parent_kind(C::kind) == element_kind::face) and
+                                   ...);
+    /// All tuples are picked.
+    using numbers = column_numbers<std::size_t, found_tuples<std::size_t>, C...>;
+};
+
+} // namespace detail
+
+/// Columns by which every new face is born in a face, on any mesh alike.
+template <class Columns>
+concept faces_born_in_faces = detail::born_in_faces<decltype(Columns::faces)>::value and
+                              detail::counted_columns<decltype(Columns::faces)>::corners;
+
+/// The faces of a level as its columns tell them, without a mesh: where the corners of each begin, and which face of
+/// another level it descends from.
+struct face_lineage {
+    std::vector<std::size_t> first_corner; ///< by face, and once more at the end
+    std::vector<std::size_t> ancestor;     ///< by face
+
+    /// The same for the next level. Cost: O(faces) of that one.
+    template <faces_born_in_faces Columns>
+    [[nodiscard]] face_lineage next(const Columns& columns) const
+    {
+        std::vector<std::size_t> face_of(first_corner.back());
+        for (std::size_t f = 0; f < ancestor.size(); ++f)
+            std::fill(face_of.begin() + std::ptrdiff_t(first_corner[f]),
+                      face_of.begin() + std::ptrdiff_t(first_corner[f + 1]),
+                      f);
+        const typename detail::born_in_faces<decltype(Columns::faces)>::numbers ids(
+            {.vertices = 0, .edges = 0, .faces = ancestor.size(), .corners = face_of.size()},
+            columns.faces.list,
+            detail::found_tuples<std::size_t>());
+        face_lineage result{{0}, std::vector<std::size_t>(ids.total())};
+        for (std::size_t id = 0; id < ids.total(); ++id) {
+            const auto [kind, tuple] = ids.origin(id);
+            const std::size_t parent = kind == tuple_kind::f     ? tuple
+                                       : kind == tuple_kind::vfe ? face_of[tuple / 2]
+                                                                 : face_of[tuple];
+            const std::size_t degree = ids.degree(id);
+            result.ancestor[id] = ancestor[parent];
+            result.first_corner.push_back(result.first_corner.back() +
+                                          (degree != 0 ? degree : first_corner[parent + 1] - first_corner[parent]));
+        }
+        return result;
+    }
+};
+
+} // namespace kith
