@@ -2,6 +2,8 @@
 #include "cgal_peer.hpp"
 #include "contests.hpp"
 
+#include <kith/presets.hpp>
+
 #include <CGAL/Polyhedron_3.h>
 
 namespace kith::comparison {
@@ -16,7 +18,7 @@ void add_cgal_contests(std::vector<contest>& list, const course_settings& settin
 {
     std::size_t next = list.size();
     add_contests<cgal_peer, Scheme>(list, settings);
-    const auto scheme = Scheme::like(library::cgal);
+    const auto scheme = like<Scheme>(library::cgal);
     for (const auto& course : courses(scheme, settings))
         list[next++].contestants.push_back(
             {"CGAL, Polyhedron_3",

@@ -2,6 +2,8 @@
 #include "contests.hpp"
 #include "opensubdiv_peer.hpp"
 
+#include <kith/presets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <type_traits>
@@ -55,7 +57,7 @@ contest make_contest(const course& course, const Scheme& scheme, bool full)
 template <class Scheme>
 void add_opensubdiv_contests(std::vector<contest>& list, const course_settings& settings)
 {
-    const auto scheme = Scheme::like(library::opensubdiv);
+    const auto scheme = like<Scheme>(library::opensubdiv);
     for (const auto& course : courses(scheme, settings)) {
         list.push_back(make_contest<double>(course, scheme, false));
         list.push_back(make_contest<float>(course, scheme, false));

@@ -6,6 +6,7 @@
 #include <kith/doo_sabin.hpp>
 #include <kith/loop.hpp>
 #include <kith/polygon_soup.hpp>
+#include <kith/presets.hpp>
 #include <kith/sqrt3.hpp>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -4,6 +4,7 @@
 #include <kith/catmull_clark.hpp>
 #include <kith/loop.hpp>
 #include <kith/mesh/make_mesh.hpp>
+#include <kith/presets.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/refine.hpp>
 #include <kith/tags_of_creases.hpp>
@@ -51,7 +52,7 @@ void compare_with(const baseline& base, verdicts& verdicts)
     const std::string name = base.result.filename().string();
     const auto soup = io::read_mesh_file(base.control.string());
     const control_mesh control{name, kith::make_mesh(soup.points, soup.faces)};
-    auto scheme = Scheme::like(kith::library::opensubdiv);
+    auto scheme = kith::like<Scheme>(kith::library::opensubdiv);
     scheme.corners = soup.tags.corners.value_or(scheme.corners);
     scheme.sharpness = io::creases_of(soup.tags, control.mesh);
     verdicts.compare(control,

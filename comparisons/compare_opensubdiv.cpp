@@ -2,6 +2,7 @@
 #include "compare_files.hpp"
 #include "opensubdiv_peer.hpp"
 
+#include <kith/presets.hpp>
 #include <kith/refine.hpp>
 
 #include <cstddef>
@@ -61,7 +62,7 @@ void compare_scheme(const control_mesh& control, const Scheme& scheme, const cha
 template <class Scheme>
 void compare_options(const control_mesh& control, int levels, verdicts& verdicts)
 {
-    auto scheme = Scheme::like(kith::library::opensubdiv);
+    auto scheme = kith::like<Scheme>(kith::library::opensubdiv);
     compare_scheme(control, scheme, "", levels, verdicts);
     scheme.corners = kith::boundary_corner::smoothed;
     compare_scheme(control, scheme, ", EDGE_ONLY", levels, verdicts);

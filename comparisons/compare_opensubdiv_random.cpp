@@ -3,6 +3,7 @@
 #include "random_meshes.hpp"
 
 #include <kith/hierarchy.hpp>
+#include <kith/presets.hpp>
 #include <kith/step/scheme.hpp>
 
 #include <boost/program_options.hpp>
@@ -211,7 +212,7 @@ void compare_options(const shapes::shape& shape, int levels, random_numbers& ran
     for (const auto corners : {kith::boundary_corner::kept, kith::boundary_corner::smoothed})
         for (const auto method : {crease_method::uniform, crease_method::chaikin})
             for (const auto kind : {float_sharpness::alike, float_sharpness::few, float_sharpness::rounded}) {
-                auto scheme = Scheme::like(kith::library::opensubdiv);
+                auto scheme = kith::like<Scheme>(kith::library::opensubdiv);
                 scheme.corners = corners;
                 scheme.sharpness = random_creases(control, kind, method, random);
                 try {

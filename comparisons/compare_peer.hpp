@@ -5,6 +5,7 @@
 
 #include <kith/compiled_schemes.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/presets.hpp>
 #include <kith/refine.hpp>
 
 #include <exception>
@@ -23,7 +24,7 @@ void compare_scheme(const control_mesh& control, int levels, verdicts& verdicts)
     const auto foreign = Peer::make(control.mesh);
     if (not foreign)
         return verdicts.different(control.name, name, Peer::version() + " refuses a mesh that kith takes");
-    const auto scheme = Scheme::like(Peer::conventions);
+    const auto scheme = like<Scheme>(Peer::conventions);
     try {
         hierarchy ours(*foreign, scheme);
         ours.refine(levels);

@@ -4,6 +4,7 @@
 #include "contest.hpp"
 #include "courses.hpp"
 
+#include <kith/presets.hpp>
 #include <kith/refine.hpp>
 
 #include <memory>
@@ -41,7 +42,7 @@ template <class Peer, class Scheme>
 void add_contests(std::vector<contest>& list, const course_settings& settings)
 {
     using mesh = typename Peer::mesh;
-    const auto scheme = Scheme::like(Peer::conventions);
+    const auto scheme = like<Scheme>(Peer::conventions);
     for (const auto& [name, control, levels, faces] : courses(scheme, settings)) {
         const auto make = [control = control] { return std::make_shared<mesh>(Peer::make(*control).value()); };
         const auto theirs = [=, levels = levels]() -> work {

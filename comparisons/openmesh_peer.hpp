@@ -8,6 +8,7 @@
 #include <kith/mid_edge.hpp>
 #include <kith/openmesh.hpp>
 #include <kith/polygon_soup.hpp>
+#include <kith/presets.hpp>
 #include <kith/sqrt3.hpp>
 
 #include <OpenMesh/Core/Mesh/Traits.hh>

@@ -4,6 +4,8 @@
 #include "all_shapes.hpp"
 #include "regular_masks.hpp"
 
+#include <kith/presets.hpp>
+
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -43,6 +45,6 @@ TEST(butterfly, weights_of_a_ring_sum_to_a_quarter)
 
 TEST(butterfly, is_in_openmesh_too)
 {
-    EXPECT_NO_THROW(kith::butterfly::like(kith::library::openmesh));
-    EXPECT_THROW(kith::butterfly::like(kith::library::cgal), kith::mesh_error);
+    EXPECT_NO_THROW(kith::like<kith::butterfly>(kith::library::openmesh));
+    EXPECT_THROW(kith::like<kith::butterfly>(kith::library::cgal), kith::mesh_error);
 }

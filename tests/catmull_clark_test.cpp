@@ -6,6 +6,8 @@
 
 #include <kith/refine.hpp>
 
+#include <kith/presets.hpp>
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -73,7 +75,7 @@ TEST(catmull_clark, follows_the_boundary_of_other_libraries)
 {
     using kith::boundary_corner;
     using kith::library;
-    EXPECT_EQ(kith::catmull_clark::like(library::opensubdiv).corners, boundary_corner::kept);
-    EXPECT_EQ(kith::catmull_clark::like(library::cgal).corners, boundary_corner::smoothed);
-    EXPECT_THROW(kith::catmull_clark::like(library::libigl), kith::mesh_error);
+    EXPECT_EQ(kith::like<kith::catmull_clark>(library::opensubdiv).corners, boundary_corner::kept);
+    EXPECT_EQ(kith::like<kith::catmull_clark>(library::cgal).corners, boundary_corner::smoothed);
+    EXPECT_THROW(kith::like<kith::catmull_clark>(library::libigl), kith::mesh_error);
 }

@@ -8,6 +8,8 @@
 #include <kith/hierarchy.hpp>
 #include <kith/linear.hpp>
 
+#include <kith/presets.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -147,9 +149,9 @@ TEST(doo_sabin, refuses_an_inner_vertex_between_two_faces)
 
 TEST(doo_sabin, follows_the_boundary_of_cgal)
 {
-    EXPECT_EQ(doo_sabin::like(kith::library::cgal).boundary, doo_sabin_boundary::drop);
-    EXPECT_EQ(doo_sabin::like(kith::library::kith).boundary, doo_sabin_boundary::thesis);
-    EXPECT_THROW(doo_sabin::like(kith::library::openmesh), kith::mesh_error);
+    EXPECT_EQ(kith::like<doo_sabin>(kith::library::cgal).boundary, doo_sabin_boundary::drop);
+    EXPECT_EQ(kith::like<doo_sabin>(kith::library::kith).boundary, doo_sabin_boundary::thesis);
+    EXPECT_THROW(kith::like<doo_sabin>(kith::library::openmesh), kith::mesh_error);
 }
 
 TEST(doo_sabin, refuses_such_a_vertex_that_another_scheme_left)

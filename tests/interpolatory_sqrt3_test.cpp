@@ -5,6 +5,8 @@
 #include "error_text.hpp"
 #include "regular_masks.hpp"
 
+#include <kith/presets.hpp>
+
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -118,8 +120,8 @@ TEST(interpolatory_sqrt3, refuses_a_boundary)
 
 TEST(interpolatory_sqrt3, is_in_openmesh_too)
 {
-    EXPECT_NO_THROW(interpolatory_sqrt3::like(kith::library::openmesh));
-    EXPECT_THROW(interpolatory_sqrt3::like(kith::library::cgal), kith::mesh_error);
+    EXPECT_NO_THROW(kith::like<interpolatory_sqrt3>(kith::library::openmesh));
+    EXPECT_THROW(kith::like<interpolatory_sqrt3>(kith::library::cgal), kith::mesh_error);
 }
 
 TEST(interpolatory_sqrt3, refuses_an_inner_vertex_between_two_faces)

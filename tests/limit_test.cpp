@@ -4,13 +4,35 @@
 #include "native_shape.hpp"
 
 #include <kith/compiled_schemes.hpp>
+#include <kith/hierarchy.hpp>
+#include <kith/limit/limit_surface.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
+
+namespace {
+
+/// Midpoints of faces and edges; it does not know where its surface is.
+struct own_split : kith::linear {};
+
+/// The same with a mask for it, as far from the truth as can be told.
+struct own_split_with_limits : kith::linear {};
+
+} // namespace
+
+template <>
+struct kith::limit_rules<own_split_with_limits> : kith::limit_defaults {
+    template <class Level>
+    static void position(const own_split_with_limits&, const kith::vertex<Level>& v, const auto& use)
+    {
+        use(2. * sum(v.neighbors()));
+    }
+};
 
 namespace {
 
@@ -162,4 +184,17 @@ TEST(limit, normals_of_a_plane_are_upright_at_the_boundary_too)
     const hierarchy triangles(native(shapes::triangulated(plane)), kith::loop());
     for (const auto& normal : limit_normals(triangles.elements(0), triangles.scheme(0)))
         expect_normal(normal, {0, 0, 1});
+}
+
+TEST(limit, a_scheme_of_ones_own_says_its_masks_beside_it)
+{
+    const hierarchy levels(native(shapes::cube()), own_split_with_limits());
+    using level = std::remove_cvref_t<decltype(levels.elements(0))>;
+    EXPECT_FALSE((kith::has_limit_positions<own_split, kith::vertex<level>, level>));
+    EXPECT_FALSE((kith::has_limit_tangents<own_split_with_limits, kith::vertex<level>, level>));
+    const auto limits = limit_positions(levels.elements(0), levels.scheme(0));
+    for (const double x : limits[6].value()) // twice the sum of (1, 1, -1), (1, -1, 1) and (-1, 1, 1)
+        EXPECT_EQ(x, 2);
+    EXPECT_EQ(limit_surface_of(levels, 0).positions[6], limits[6].value());
+    EXPECT_EQ(limit_surface_of(hierarchy(levels[0], own_split()), 0).positions[6], levels[0].point(6));
 }

@@ -147,12 +147,12 @@ local_matrix make_local_matrix(const kith::hierarchy<Mesh, Scheme>& levels, int 
                 (rows.push_back(detail::as_row(mask.evaluate(values), vertices[which], result.leak)), ...);
             };
         };
-        kith::detail::with_sharp_rules(level, levels.scheme(i), [&](const auto&... sharp) {
-            if constexpr (kith::has_limit_positions<Scheme, std::remove_cvref_t<decltype(x)>, level_type>)
-                levels.scheme(i).limit_position(sharp..., x, take(position));
-            if constexpr (kith::has_limit_tangents<Scheme, std::remove_cvref_t<decltype(x)>, level_type>)
-                levels.scheme(i).limit_tangents(sharp..., x, take(tangents));
-        });
+        const auto scheme = levels.scheme(i);
+        const auto& rules = kith::limit_rules<Scheme>::on(scheme, level);
+        if constexpr (kith::has_limit_positions<Scheme, std::remove_cvref_t<decltype(x)>, level_type>)
+            kith::limit_rules<Scheme>::position(rules, x, take(position));
+        if constexpr (kith::has_limit_tangents<Scheme, std::remove_cvref_t<decltype(x)>, level_type>)
+            kith::limit_rules<Scheme>::tangents(rules, x, take(tangents));
         result.position[which] = detail::stacked(position);
         result.tangents[which] = detail::stacked(tangents);
     }

@@ -5,6 +5,8 @@
 
 #include <kith/refine.hpp>
 
+#include <kith/presets.hpp>
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -68,7 +70,7 @@ TEST(loop, boundary_corners_are_kept_or_smoothed)
 TEST(loop, follows_the_conventions_of_other_libraries)
 {
     using kith::library;
-    EXPECT_EQ(kith::loop::like(library::opensubdiv).corners, kith::boundary_corner::kept);
-    EXPECT_EQ(kith::loop::like(library::openmesh).corners, kith::boundary_corner::smoothed);
-    EXPECT_EQ(kith::loop::like(library::libigl).weights, kith::loop_weights::warren);
+    EXPECT_EQ(kith::like<kith::loop>(library::opensubdiv).corners, kith::boundary_corner::kept);
+    EXPECT_EQ(kith::like<kith::loop>(library::openmesh).corners, kith::boundary_corner::smoothed);
+    EXPECT_EQ(kith::like<kith::loop>(library::libigl).weights, kith::loop_weights::warren);
 }

@@ -13,6 +13,7 @@
 #include <kith/catmull_clark.hpp>
 #include <kith/crease/make_creases.hpp>
 #include <kith/crease/vertex_type.hpp>
+#include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
 #include <kith/refine.hpp>
 #include <kith/sqrt3.hpp>

@@ -275,7 +275,7 @@ TEST(spectrum, four_eight)
     for (std::size_t n = 3; n <= 20; ++n) {
         SCOPED_TRACE(n);
         const auto local = matrix_around_vertex(kith::tri_quad(quads_around(n)), kith::four_eight(), 1, 3, 4);
-        const double rho = kith::four_eight::subdominant(std::int64_t(n));
+        const double rho = kith::limit_rules<kith::four_eight>::subdominant(std::int64_t(n));
         expect_spectrum(local, {1, rho * rho, rho * rho});
         expect_position(local);
         expect_tangents(local, rho * rho);

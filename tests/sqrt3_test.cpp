@@ -6,6 +6,8 @@
 
 #include <kith/hierarchy.hpp>
 
+#include <kith/presets.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -88,6 +90,6 @@ TEST(sqrt3, refuses_to_trisect_two_edges_of_one_face)
 
 TEST(sqrt3, is_in_cgal_and_openmesh_too)
 {
-    EXPECT_NO_THROW(kith::sqrt3::like(kith::library::cgal));
-    EXPECT_THROW(kith::sqrt3::like(kith::library::opensubdiv), kith::mesh_error);
+    EXPECT_NO_THROW(kith::like<kith::sqrt3>(kith::library::cgal));
+    EXPECT_THROW(kith::like<kith::sqrt3>(kith::library::opensubdiv), kith::mesh_error);
 }

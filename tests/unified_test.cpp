@@ -8,6 +8,8 @@
 #include <kith/doo_sabin.hpp>
 #include <kith/linear.hpp>
 
+#include <kith/presets.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -240,6 +242,6 @@ TEST(unified, refuses_to_make_a_face_of_two_corners)
 
 TEST(unified, is_in_no_other_library)
 {
-    EXPECT_EQ(unified::like(kith::library::kith).degree, 3);
-    EXPECT_THROW(unified::like(kith::library::openmesh), kith::mesh_error);
+    EXPECT_EQ(kith::like<unified>(kith::library::kith).degree, 3);
+    EXPECT_THROW(kith::like<unified>(kith::library::openmesh), kith::mesh_error);
 }

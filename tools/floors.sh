@@ -4,11 +4,11 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# root: its folders from the ground up; `.` is what lies in the root itself, which most people include. `<` names the root
-# below.
+# root: its folders from the ground up; `.` is what lies in the root itself, which most people include, but for a header of
+# its own name, an umbrella over floors above. `<` names the root below.
 floors='
 include     : base mesh mask level association step .
-schemes     < include : split crease limit nasri_hasbini .
+schemes     < include : split crease nasri_hasbini . limit_rules limit schemes.hpp
 distributed < include : part number tile output mpi ranks slices .
 '
 
@@ -30,10 +30,15 @@ while read -r root rest; do
         allowed+=("${below[0]}/kith/$folder")
     done
     for folder in $(folders_of "$root"); do
-        allowed+=("$root/kith/$folder")
-        headers=("$root/kith/$folder"/*.hpp)
+        if [[ $folder == *.hpp ]]; then
+            headers=("$root/kith/$folder")
+        else
+            allowed+=("$root/kith/$folder")
+            headers=("$root/kith/$folder"/*.hpp)
+        fi
         [ "$folder" = . ] || [ ${#headers[@]} -le 12 ] || complain "$root/kith/$folder has ${#headers[@]} headers, more than twelve"
         for header in "${headers[@]}"; do
+            [ "$folder" != . ] || [[ " $(folders_of "$root") " != *" ${header##*/} "* ]] || continue
             while read -r name; do
                 found=
                 for place in "${allowed[@]}"; do

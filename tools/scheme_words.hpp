@@ -7,8 +7,8 @@
 #include <kith/crease/boundary.hpp>
 #include <kith/crease/creases.hpp>
 #include <kith/doo_sabin.hpp>
-#include <kith/library.hpp>
 #include <kith/loop.hpp>
+#include <kith/presets.hpp>
 
 #include <array>
 #include <cstddef>

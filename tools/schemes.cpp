@@ -26,7 +26,7 @@ Scheme scheme_like(const std::string& preset)
     if (preset.empty())
         return {};
     try {
-        return Scheme::like(choice_from<library>("--preset", preset));
+        return like<Scheme>(choice_from<library>("--preset", preset));
     } catch (const mesh_error& error) {
         throw usage_error("--preset " + preset + ": " + error.what());
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
-
 #include <kith/base/cos_turn.hpp>
 #include <kith/mask/large_rings.hpp>
 #include <kith/mask/weight_rows.hpp>
@@ -32,13 +30,6 @@ struct butterfly {
     }
     static constexpr auto columns() { return triangle_split::columns(); }
 
-    static butterfly like(library other)
-    {
-        if (other != library::kith and other != library::openmesh)
-            refuse_preset<butterfly>("kith and OpenMesh");
-        return {};
-    }
-
     /// The weights of the neighbours of an irregular vertex of valence n, from the other end of the edge on; ZSS 1996.
     static std::vector<double> ring_weights(std::size_t n)
     {
@@ -56,42 +47,6 @@ struct butterfly {
 
     /// The same weights for n >= 5 by the angle from the other end of the edge.
     static constexpr wave_kernel ring_kernel{1. / 4, 1. / 2, 1. / 4};
-
-    /// It interpolates.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        use(sum(v));
-    }
-    /// Two tangents, counter-clockwise, inside, where the masks around v do not reach another irregular vertex: after one
-    /// step, everywhere. Around an irregular vertex the cosines of the ring, around a regular one those of two rings.
-    /// docs/schemes.md.
-    template <class Level, class Use>
-    void limit_tangents(const vertex<Level>& v, const Use& use) const
-    {
-        if (v.is_boundary())
-            return;
-        const auto n = std::int64_t(v.valence());
-        for (const auto u : v.neighbors())
-            if (u.is_boundary() ? n == 6 : not u.has_valence(6))
-                return;
-        const auto wave = [&v, n](auto f) {
-            return sum(v.neighbors(), [f, n](std::size_t j) { return f(std::int64_t(j), n); });
-        };
-        const auto cosine = [](std::int64_t k, std::int64_t turn) { return cos_turn(k, turn); };
-        const auto sine = [](std::int64_t k, std::int64_t turn) { return sin_turn(k, turn); };
-        if (n != 6)
-            return use(wave(cosine), wave(sine));
-        const auto across = v.corners().map([](auto c) { return c.next().across().prev().v(); });
-        const auto behind = v.corners().map([](auto c) { return c.next().across().next().across().prev().v(); });
-        const auto two_rings = [&](auto f) {
-            constexpr double sqrt3 = 1.7320508075688772935;
-            return 16. * wave(f) +
-                   -8 / sqrt3 * sum(across, [f](std::size_t j) { return f(2 * std::int64_t(j) + 1, 12); }) +
-                   sum(behind, [f](std::size_t j) { return f(std::int64_t(j), 6); });
-        };
-        use(two_rings(cosine), two_rings(sine));
-    }
 
     template <class R>
     void operator()(const R& r) const

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
-
 #include <kith/base/cos_turn.hpp>
 #include <kith/mask/large_rings.hpp>
 #include <kith/split/dual_split.hpp>
@@ -51,13 +49,6 @@ struct doo_sabin {
     [[nodiscard]] constexpr dual_split split() const { return {.cap_boundary = boundary != doo_sabin_boundary::drop}; }
     [[nodiscard]] constexpr auto columns() const { return split().columns(); }
 
-    static doo_sabin like(library other)
-    {
-        if (other != library::kith and other != library::cgal)
-            refuse_preset<doo_sabin>("kith and CGAL");
-        return {.boundary = other == library::cgal ? doo_sabin_boundary::drop : doo_sabin_boundary::thesis};
-    }
-
     /// The weight of the j-th corner of a face of degree n, counted from the corner that the point belongs to.
     [[nodiscard]] constexpr double weight(std::size_t j, std::size_t n) const
     {
@@ -65,48 +56,6 @@ struct doo_sabin {
         if (weights == doo_sabin_weights::averaging)
             return j == 0 ? 1. / 2 + 1 / (4 * l) : j == 1 or j == n - 1 ? 1. / 8 + 1 / (4 * l) : 1 / (4 * l);
         return j == 0 ? (l + 5) / (4 * l) : (3 + 2 * cos_turn(std::int64_t(j), std::int64_t(n))) / (4 * l);
-    }
-
-    /// The centre of every face is on the limit surface, unless a boundary rule moves its corners. Doo & Sabin 1978.
-    template <class Level, class Use>
-    void limit_position(const face<Level>& f, const Use& use) const
-    {
-        if (not has_boundary_rule(f))
-            use(average(f.vertices()));
-    }
-    template <class Level, class Use>
-    void limit_tangents(const face<Level>& f, const Use& use) const
-    {
-        if (not has_boundary_rule(f))
-            with_waves(std::int64_t(f.degree()), [&](const auto& cosine, const auto& sine) {
-                use(sum(f.vertices(), cosine), sum(f.vertices(), sine));
-            });
-    }
-    /// A vertex becomes a face, so its limit is the centre of that. On the boundary it becomes two points of the quadratic
-    /// B-spline, whose middle is on the curve; corners stay. Without a boundary rule it goes with the middle one of its faces,
-    /// or with what its middle edge becomes.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        if (not v.is_boundary())
-            with_points(v, [&](const auto& points) { use(average(points)); });
-        else if (boundary == doo_sabin_boundary::drop)
-            limit_without_rule(v, use);
-        else if (v.face_count() == 1)
-            use(sum(v));
-        else if (boundary == doo_sabin_boundary::thesis)
-            use((v.first_rim() + 6. * v + v.last_rim()) / 8);
-        else
-            limit_of_clamped_curve(v, use);
-    }
-    template <class Level, class Use>
-    void limit_tangents(const vertex<Level>& v, const Use& use) const
-    {
-        if (not v.is_boundary())
-            with_points(v, [&](const auto& points) {
-                with_waves(std::int64_t(v.face_count()),
-                           [&](const auto& cosine, const auto& sine) { use(sum(points, cosine), sum(points, sine)); });
-            });
     }
 
     template <class R>
@@ -144,58 +93,6 @@ struct doo_sabin {
     }
 
 private:
-    template <class Level>
-    [[nodiscard]] bool has_boundary_rule(const face<Level>& f) const
-    {
-        return boundary != doo_sabin_boundary::drop and f.is_boundary();
-    }
-    template <class Use>
-    static void with_waves(std::int64_t n, const Use& use)
-    {
-        use([n](std::size_t j) { return cos_turn(std::int64_t(j), n); },
-            [n](std::size_t j) { return sin_turn(std::int64_t(j), n); });
-    }
-    /// The point that a step makes of a corner, unless a boundary rule decides about it.
-    template <class Corner>
-    [[nodiscard]] auto point_of(const Corner& c) const
-    {
-        return sum(c.vertices_from_here(), [this, l = c.f().degree()](std::size_t j) { return weight(j, l); });
-    }
-    template <class Level, class Use>
-    void limit_without_rule(const vertex<Level>& v, const Use& use) const
-    {
-        auto c = v.first_corner(); // of the middle face, or before the middle edge
-        for (std::size_t i = 1; i < (v.face_count() + 1) / 2; ++i)
-            c = c.prev().across();
-        if (v.face_count() % 2 != 0)
-            use(average(c.f().vertices()));
-        else
-            use((point_of(c.prev()) + point_of(c) +
-                 (point_of(c.prev().across()) + point_of(c.prev().across().next()))) /
-                4);
-    }
-    template <class Level, class Use>
-    static void limit_of_clamped_curve(const vertex<Level>& v, const Use& use)
-    {
-        const auto a = v.first_corner(), z = v.last_corner();
-        const auto share = [](const auto& c, bool is_beside_end) { // of the neighbour along the boundary
-            return c.f().degree() == 4 and is_beside_end ? 1. / 2 : 1. / 4;
-        };
-        const double of_first = share(a, a.next().is_boundary()) / 2;
-        const double of_last = share(z, z.next().next().is_boundary()) / 2;
-        use((1 - of_first - of_last) * v + of_first * v.first_rim() + of_last * v.last_rim());
-    }
-    /// The points that the next step makes around an inner vertex, unless a boundary rule decides about one of them,
-    /// or they are long: all vertices of a large face would take the square of its degree.
-    template <class Level, class Use>
-    void with_points(const vertex<Level>& v, const Use& use) const
-    {
-        for (const auto f : v.faces())
-            if ((boundary == doo_sabin_boundary::clamped and has_boundary_rule(f)) or f.degree() > longest_row)
-                return;
-        use(v.corners().map([this](const auto& c) { return point_of(c); }));
-    }
-
     /// The same weights by what they have in common.
     template <class Association, class Corner, class Sums>
     void make_in_large_face(const Association& target, const Corner& c, const Sums& sums) const

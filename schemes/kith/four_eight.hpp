@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
 #include "tri_quad.hpp"
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/split/bisection_split.hpp>
 #include <kith/step/blocks.hpp>
-
-#include <cstddef>
-#include <cstdint>
 
 namespace kith {
 
@@ -28,75 +23,6 @@ struct four_eight {
                              .is_marked = [](const auto& e) { return bisection_split::is_marked(e); }};
     }
     static constexpr auto columns() { return bisection_split::columns(); }
-
-    static four_eight like(library other)
-    {
-        if (other != library::kith)
-            refuse_preset<four_eight>("kith alone");
-        return {};
-    }
-
-    /// With the blocks of two triangles seen as quads, which both kinds of steps do alike, a mask over two rings of them,
-    /// where v's first ring is regular and inside; docs/schemes.md. On the boundary that of the cubic B-spline curve.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        if (v.is_boundary()) {
-            if (bisection_split::is_marked(v.first_corner().next_edge()) ==
-                bisection_split::is_marked(v.last_corner().prev_edge()))
-                use((v.first_rim() + 4. * v + v.last_rim()) / 6);
-            else
-                use(sum(v)); // its edges never are bisected in the same step
-        } else {
-            with_two_rings(v, [&](const auto& e, const auto& d, const auto& h, const auto& p, const auto& q) {
-                use((70. * v + 118. * average(e) + 44. * average(d) + 6. * average(h) + (average(p) + average(q))) /
-                    240);
-            });
-        }
-    }
-    /// Two tangents, counter-clockwise, inside, over the same two rings; docs/schemes.md.
-    template <class Level, class Use>
-    void limit_tangents(const vertex<Level>& v, const Use& use) const
-    {
-        const auto n = std::int64_t(block_count(v));
-        if (v.is_boundary() or n < 3)
-            return;
-        with_two_rings(v, [&](const auto& e, const auto& d, const auto& h, const auto& p, const auto& q) {
-            const double c = cos_turn(1, 2 * n), rho = subdominant(n), k = 1 / (2 * (16 * rho * rho - 1));
-            const double of_d = 8 * rho - 4 * k * (4 * rho + c);
-            const double of_e = 4 * (of_d * (rho - c / 4) - 1. / 2 - k / 2 * (4 * rho * c + 1));
-            const auto wave = [n](double weight, double turned, std::int64_t start, std::int64_t quarters) {
-                return [=](std::size_t j) { // weight cos t - turned sin t, and the same a quarter turn on
-                    const auto at = 2 * (2 * std::int64_t(j) + start);
-                    return weight * cos_turn(at - quarters * n, 4 * n) - turned * sin_turn(at - quarters * n, 4 * n);
-                };
-            };
-            const auto tangent = [&](std::int64_t quarters) {
-                const double of_p = k * (4 * rho + c), turned = -k * sin_turn(1, 2 * n);
-                return sum(e, wave(of_e, 0, 0, quarters)) + sum(d, wave(of_d, 0, 1, quarters)) +
-                       sum(h, wave(1, 0, 0, quarters)) +
-                       (sum(p, wave(of_p, turned, 1, quarters)) + sum(q, wave(of_p, -turned, 1, quarters)));
-            };
-            use(tangent(0), tangent(1));
-        });
-    }
-
-    /// The triangles that these look at: two rings of blocks.
-    static constexpr int limit_rings() { return 3; }
-
-    /// The modulus of the subdominant eigenvalues of one step at a vertex with n quads: a quarter of the largest root of
-    /// x^5 - 3c x^4 + (2c^2 - 5) x^3 + 6c x^2 + 4x + c - 2c^3, c = cos(pi/n); docs/schemes.md.
-    static constexpr double subdominant(std::int64_t n)
-    {
-        const double c = cos_turn(1, 2 * n);
-        double x = 4; // above the root, so that Newton's steps come down to it
-        for (int i = 0; i < 50; ++i) {
-            const double value = ((((x - 3 * c) * x + 2 * c * c - 5) * x + 6 * c) * x + 4) * x + c - 2 * c * c * c;
-            const double slope = (((5 * x - 12 * c) * x + 3 * (2 * c * c - 5)) * x + 12 * c) * x + 4;
-            x -= value / slope;
-        }
-        return x / 4;
-    }
 
     template <class R>
     void operator()(const R& r) const
@@ -129,56 +55,10 @@ struct four_eight {
         });
     }
 
-private:
     template <class Vertex>
     static auto sides(const Vertex& v) // of the blocks at v, each side with the block to its left
     {
         return v.corners().only([](const auto& c) { return not bisection_split::is_first(c); });
-    }
-    template <class Vertex>
-    static std::size_t block_count(const Vertex& v)
-    {
-        std::size_t result = 0;
-        for ([[maybe_unused]] const auto& c : sides(v))
-            ++result;
-        return result;
-    }
-    template <class Vertex>
-    static bool is_inside(const Vertex& v) // with all triangles in blocks
-    {
-        for (const auto c : v.corners())
-            if (c.is_boundary() or (c.next().is_boundary() and bisection_split::is_marked(c.next().next_edge())))
-                return false;
-        return true;
-    }
-
-    /// Calls use(e, d, h, p, q) with the vertices around v: block j lies between the neighbours e_j and e_j+1, d_j is
-    /// opposite v in it, h_j lies behind e_j, and p_j and q_j beside d_j in the second ring, p_j nearer to e_j. Not unless
-    /// all e and d lie inside and have four blocks.
-    template <class Vertex, class Use>
-    static void with_two_rings(const Vertex& v, const Use& use)
-    {
-        const auto next = [](const auto& c) { return bisection_split::block_next(c); };
-        const auto end = [](const auto& c) { return c.next().v(); };
-        const auto is_regular = [](const Vertex& u) {
-            std::size_t corners = 0;
-            for ([[maybe_unused]] const auto& c : u.corners())
-                if (++corners > 8) // more than four blocks have; a large fan is not walked for each of its neighbours
-                    return false;
-            return is_inside(u) and block_count(u) == 4;
-        };
-        if (not is_inside(v))
-            return;
-        for (const auto c : sides(v))
-            if (not is_regular(end(c)) or not is_regular(end(next(c))))
-                return;
-        const auto behind = [=](const auto& c) { return next(next(c).across()); };       // from e_j to h_j
-        const auto beside = [=](const auto& c) { return next(next(next(c)).across()); }; // from d_j to q_j
-        use(sides(v).map(end),
-            sides(v).map([=](const auto& c) { return end(next(c)); }),
-            sides(v).map([=](const auto& c) { return end(behind(c)); }),
-            sides(v).map([=](const auto& c) { return end(next(behind(c))); }),
-            sides(v).map([=](const auto& c) { return end(beside(c)); }));
     }
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
-
 #include <kith/base/cos_turn.hpp>
 #include <kith/mask/large_rings.hpp>
 #include <kith/mask/weight_rows.hpp>
@@ -30,13 +28,6 @@ struct interpolatory_sqrt3 {
                              .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
-
-    static interpolatory_sqrt3 like(library other)
-    {
-        if (other != library::kith and other != library::openmesh)
-            refuse_preset<interpolatory_sqrt3>("kith and OpenMesh");
-        return {};
-    }
 
     /// The weights of the neighbours of a vertex of valence n, counter-clockwise from the face that the new point is in;
     /// the vertex itself has the rest. Labsik & Greiner 2000, section 3.
@@ -67,15 +58,6 @@ struct interpolatory_sqrt3 {
         const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
         return n == 3 ? 8. / 9 : n == 4 ? 7. / 9 : 1 - a * a;
     }
-
-    /// It interpolates.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        use(sum(v));
-    }
-    /// As that of sqrt3.
-    static constexpr int limit_reach(int rings) { return rings / 2 + 2; }
 
     template <class R>
     void operator()(const R& r) const

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
-
 #include <kith/mask/large_rings.hpp>
 #include <kith/mask/weight_rows.hpp>
 #include <kith/split/quad_split.hpp>
@@ -32,39 +30,6 @@ struct kobbelt {
                              .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns() { return quad_split::columns(); }
-
-    static kobbelt like(library other)
-    {
-        if (other != library::kith)
-            refuse_preset<kobbelt>("kith alone");
-        return {};
-    }
-
-    /// It interpolates.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        use(sum(v));
-    }
-    /// The tangents of the two four-point curves through v, counter-clockwise, where v and its neighbours are regular and
-    /// inside. docs/schemes.md.
-    template <class Level, class Use>
-    void limit_tangents(const vertex<Level>& v, const Use& use) const
-    {
-        const auto is_regular = [](const vertex<Level>& x) { return not x.is_boundary() and x.has_valence(4); };
-        if (not is_regular(v))
-            return;
-        for (const auto u : v.neighbors())
-            if (not is_regular(u))
-                return;
-        const auto back = [](auto c) { return c.prev().across().prev().across(); }; // the line of c, the other way
-        const auto end = [](auto c) { return c.next().v(); };
-        const auto curve = [&](auto c) {
-            const auto far = [&](auto d) { return end(back(d.across())); };
-            return end(c) - end(back(c)) - tension / 8 * (far(c) - far(back(c)));
-        };
-        use(curve(v.first_corner()), curve(v.first_corner().prev().across()));
-    }
 
     template <class R>
     void operator()(const R& r) const

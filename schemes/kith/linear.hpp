@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
-
 #include <kith/split/quad_split.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/triangle_split.hpp>
@@ -17,14 +15,6 @@ struct linear {
         return scheme_traits{.name = "linear", .trusted = true, .reach = [](int rings) { return rings / 2 + 1; }};
     }
     static constexpr auto columns() { return quad_split::columns(); }
-    static linear like(library) { return {}; }
-
-    /// Nothing moves.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        use(sum(v));
-    }
 
     template <class R>
     void operator()(const R& r) const
@@ -49,14 +39,6 @@ struct linear_triangles {
                              .reach = [](int rings) { return rings / 2 + 1; }};
     }
     static constexpr auto columns() { return triangle_split::columns(); }
-    static linear_triangles like(library) { return {}; }
-
-    /// Nothing moves.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        use(sum(v));
-    }
 
     template <class R>
     void operator()(const R& r) const

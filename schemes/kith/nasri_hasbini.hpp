@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
-
 #include <kith/mask/large_rings.hpp>
 #include <kith/mask/weight_rows.hpp>
 #include <kith/nasri_hasbini/polygons.hpp>
+#include <kith/split/require_faces.hpp>
 #include <kith/split/ternary_split.hpp>
 
 #include <cstddef>
@@ -26,42 +25,6 @@ struct nasri_hasbini {
             .name = "nasri-hasbini", .trusted = true, .reach = [](int rings) { return (rings + 1) / 3 + 1; }};
     }
     static constexpr auto columns() { return ternary_split::columns(); }
-
-    static nasri_hasbini like(library other)
-    {
-        if (other != library::kith)
-            refuse_preset<nasri_hasbini>("kith alone");
-        return {};
-    }
-
-    /// Inside, among quads, the left eigenvector of the masks; on the boundary that of the curve, whose corners stay.
-    /// docs/schemes.md. `use(mask)` is called unless no closed mask is known for v.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        if (v.is_boundary() and v.face_count() == 1)
-            use(sum(v));
-        else if (v.is_boundary())
-            use((v.first_rim() + 4. * v + v.last_rim()) / 6);
-        else if (has_quads_only(v))
-            use((4. * v + 4. * average(v.neighbors()) + average(v.opposites())) / 9);
-    }
-    /// Two tangents inside, among quads, counter-clockwise; docs/schemes.md.
-    template <class Level, class Use>
-    void limit_tangents(const vertex<Level>& v, const Use& use) const
-    {
-        const auto n = std::int64_t(v.valence());
-        if (v.is_boundary() or n < 3 or not has_quads_only(v))
-            return;
-        const double y = n == 3 ? 11. / 43 : n == 4 ? 1 / (2 * detail::sqrt2) : 1 / (3 * detail::sqrt2);
-        const auto cosine = [n](std::int64_t half_steps) { return cos_turn(half_steps, 2 * n); };
-        const auto sine = [n](std::int64_t half_steps) { return sin_turn(half_steps, 2 * n); };
-        const auto wave = [&v, y](auto f) {
-            return sum(v.neighbors(), [f](std::size_t j) { return f(2 * std::int64_t(j)); }) +
-                   sum(v.opposites(), [f, y](std::size_t j) { return y * f(2 * std::int64_t(j) + 1); });
-        };
-        use(wave(cosine), wave(sine));
-    }
 
     template <class R>
     void operator()(const R& r) const
@@ -91,15 +54,6 @@ struct nasri_hasbini {
     }
 
 private:
-    template <class Vertex>
-    static bool has_quads_only(const Vertex& v)
-    {
-        for (const auto& c : v.corners())
-            if (c.f().degree() != 4)
-                return false;
-        return true;
-    }
-
     /// docs/schemes.md, Nasri-Hasbini, inner vertices.
     template <class Vertex, class Assoc, class Rows>
     static void make_inner(const Vertex& v, const Assoc& assoc, const Rows& rows)

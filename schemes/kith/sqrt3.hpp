@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
-
 #include <kith/base/cos_turn.hpp>
 #include <kith/mask/weight_table.hpp>
 #include <kith/split/require_faces.hpp>
@@ -42,38 +40,8 @@ struct sqrt3 {
     }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
 
-    /// CGAL counts its even and odd steps anew in every call; refine there, as here, in one call.
-    static sqrt3 like(library other)
-    {
-        if (other == library::opensubdiv or other == library::libigl)
-            refuse_preset<sqrt3>("kith, CGAL and OpenMesh");
-        return {};
-    }
-
     /// The weight that all neighbours of a vertex of valence n have together; Kobbelt 2000, eq. 5.
     static constexpr double alpha(std::size_t n) { return (4 - 2 * cos_turn(1, std::int64_t(n))) / 9; }
-
-    /// Kobbelt 2000, section 4; on the boundary the ternary cubic B-spline. `use(mask)`, but for inner vertices of a face
-    /// at the boundary, whose rings the odd steps cut.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        if (v.is_boundary())
-            return use((v.first_rim() + 4. * v + v.last_rim()) / 6);
-        if (touches_boundary_face(v))
-            return;
-        const double b = 3 * alpha(v.valence()) / (1 + 3 * alpha(v.valence()));
-        use((1 - b) * v + b * average(v.neighbors()));
-    }
-    /// Two tangents, counter-clockwise, inside.
-    template <class Level, class Use>
-    void limit_tangents(const vertex<Level>& v, const Use& use) const
-    {
-        const auto n = std::int64_t(v.valence());
-        if (not v.is_boundary() and not touches_boundary_face(v))
-            use(sum(v.neighbors(), [n](std::size_t j) { return cos_turn(std::int64_t(j), n); }),
-                sum(v.neighbors(), [n](std::size_t j) { return sin_turn(std::int64_t(j), n); }));
-    }
 
     template <class R>
     void operator()(const R& r) const
@@ -115,16 +83,6 @@ struct sqrt3 {
 
             sqrt3_split::connect(block);
         });
-    }
-
-private:
-    template <class V>
-    static bool touches_boundary_face(const V& v)
-    {
-        for (const auto f : v.faces())
-            if (f.is_boundary())
-                return true;
-        return false;
     }
 };
 

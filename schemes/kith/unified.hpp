@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "library.hpp"
-
-#include <kith/limit/unified_limit.hpp>
 #include <kith/split/dual_split.hpp>
 #include <kith/split/quad_split.hpp>
 #include <kith/split/require_faces.hpp>
@@ -41,48 +38,6 @@ struct unified {
                       quads(per_edge.when(not primal)),
                       per_vertex.when(not primal).of_degree(faces_around)));
     }
-    static unified like(library other)
-    {
-        if (other != library::kith)
-            refuse_preset<unified>("kith");
-        return {};
-    }
-
-    /// At vertices and, of even degrees, faces with regular quads around; `use(mask)` is called unless there are others so near.
-    /// docs/schemes.md.
-    template <class Level, class Use>
-    void limit_position(const vertex<Level>& v, const Use& use) const
-    {
-        if (degree == 1)
-            use(sum(v));
-        else
-            detail::use_spline_position(v, v.face_count(), degree, use);
-    }
-    template <class Level, class Use>
-    void limit_position(const face<Level>& f, const Use& use) const
-    {
-        if (not is_primal())
-            detail::use_spline_position(f, f.degree(), degree, use);
-    }
-    /// The derivatives of the B-spline, at vertices and faces that are regular themselves.
-    template <class Level, class Use>
-    void limit_tangents(const vertex<Level>& v, const Use& use) const
-    {
-        if (degree > 1 and v.valence() == 4)
-            detail::use_spline_tangents(v, degree, use);
-    }
-    template <class Level, class Use>
-    void limit_tangents(const face<Level>& f, const Use& use) const
-    {
-        if (not is_primal() and f.degree() == 4)
-            detail::use_spline_tangents(f, degree, use);
-    }
-    /// The rings that these look at.
-    [[nodiscard]] constexpr int limit_rings() const { return degree / 2 + 1; }
-    /// As the reach of tiles, for a search of limits: averaging d - 1 times takes half a refined ring each time.
-    [[nodiscard]] constexpr int limit_reach(int rings) const { return (rings + degree / 2 + 3) / 2; }
-    static constexpr int tangent_steps = 0; ///< irregular ones stay so
-
     template <class R>
     void operator()(const R& r) const
     {

@@ -105,6 +105,7 @@ KITH_HAS_MEMBER(is_marked)
 KITH_HAS_MEMBER(after)
 KITH_HAS_MEMBER(of_part)
 KITH_HAS_MEMBER(ignores_numbers)
+KITH_HAS_MEMBER(limit_position)
 KITH_HAS_MEMBER(traits)
 #undef KITH_HAS_MEMBER
 

@@ -3,8 +3,21 @@
 
 #include "unit_normal.hpp"
 
-#include <kith/crease/sharp_rules.hpp>
-#include <kith/hierarchy.hpp>
+#include <kith/level/elements.hpp>
+#include <kith/level/values.hpp>
+// The rules of all schemes, so that nobody looks for limits without knowing them.
+#include <kith/limit_rules/butterfly.hpp>
+#include <kith/limit_rules/catmull_clark.hpp>
+#include <kith/limit_rules/doo_sabin.hpp>
+#include <kith/limit_rules/four_eight.hpp>
+#include <kith/limit_rules/interpolating.hpp>
+#include <kith/limit_rules/kobbelt.hpp>
+#include <kith/limit_rules/loop.hpp>
+#include <kith/limit_rules/mid_edge.hpp>
+#include <kith/limit_rules/nasri_hasbini.hpp>
+#include <kith/limit_rules/rules.hpp>
+#include <kith/limit_rules/sqrt3.hpp>
+#include <kith/limit_rules/unified.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,27 +29,6 @@
 
 namespace kith {
 
-/// The limit at corners, and along boundaries and creases: 1/6, 2/3, 1/6, where a cubic B-spline curve ends up.
-template <class Level, class Use>
-void limit_on_curve(const sharp_rules<Level>& sharp, const vertex<Level>& v, const Use& use)
-{
-    using kinds = typename sharp_rules<Level>::limit_kind;
-    const auto [kind, ends] = sharp.limit_of(v);
-    if (kind == kinds::corner)
-        use(sum(v));
-    else if (kind == kinds::curve)
-        use((ends[0] + 4. * v + ends[1]) / 6);
-}
-
-/// A corner with one face lies in the plane of its two edges; at other corners and along creases each side has a plane of
-/// its own, and none is given.
-template <class Level, class Use>
-void limit_at_corner(const sharp_rules<Level>& sharp, const vertex<Level>& v, const Use& use)
-{
-    if (v.is_boundary() and v.face_count() == 1 and sharp.limit_of(v).kind == sharp_rules<Level>::limit_kind::corner)
-        use(v.first_rim() - v, v.last_rim() - v);
-}
-
 namespace detail {
 
 struct any_masks {
@@ -44,39 +36,23 @@ struct any_masks {
     void operator()(const Masks&...) const;
 };
 
+template <class Scheme, class Level>
+using limit_rules_argument = decltype(limit_rules<Scheme>::on(std::declval<const Scheme&>(),
+                                                              std::declval<const Level&>()));
+
 } // namespace detail
 
-/// A scheme says where its surface ends up by members that call use(mask), or use(first, second), unless no closed mask
-/// is known for an element:
-///
-///   limit_position(x, use)    x a vertex, or what else goes to one point of the limit surface
-///   limit_tangents(x, use)    two tangents there, counter-clockwise
-///
-/// Schemes with creases take the sharp rules of the level as a further first argument.
+/// The limit_rules of a scheme have masks for such elements.
 template <class Scheme, class Element, class Level>
-concept has_limit_positions = requires(const Scheme& s, const Element& x) {
-    s.limit_position(x, detail::any_masks());
-} or requires(const Scheme& s, const Element& x, const sharp_rules<Level>& sharp) {
-    s.limit_position(sharp, x, detail::any_masks());
+concept has_limit_positions = requires(const detail::limit_rules_argument<Scheme, Level>& rules, const Element& x) {
+    limit_rules<Scheme>::position(rules, x, detail::any_masks());
 };
 template <class Scheme, class Element, class Level>
-concept has_limit_tangents = requires(const Scheme& s, const Element& x) {
-    s.limit_tangents(x, detail::any_masks());
-} or requires(const Scheme& s, const Element& x, const sharp_rules<Level>& sharp) {
-    s.limit_tangents(sharp, x, detail::any_masks());
+concept has_limit_tangents = requires(const detail::limit_rules_argument<Scheme, Level>& rules, const Element& x) {
+    limit_rules<Scheme>::tangents(rules, x, detail::any_masks());
 };
 
 namespace detail {
-
-/// Calls f(arguments...) with what the scheme's limit functions take before the element: the sharp rules, or nothing.
-template <class Level, class Scheme, class F>
-void with_sharp_rules(const Level& level, const Scheme& scheme, const F& f)
-{
-    if constexpr (requires { scheme.sharpness; })
-        f(sharp_rules(level, scheme.sharpness, scheme.corners));
-    else
-        f();
-}
 
 template <class T, class Level, class Element, class Scheme, class Values>
 auto limits(const all_elements<Level, Element>& elements, const Scheme& scheme, const Values& values)
@@ -84,11 +60,10 @@ auto limits(const all_elements<Level, Element>& elements, const Scheme& scheme, 
     static_assert(has_limit_positions<Scheme, Element, Level>,
                   "this scheme has no limit masks for these elements; docs/schemes.md, Limit, lists those that have");
     std::vector<std::optional<T>> result(elements.size());
-    with_sharp_rules(elements.level(), scheme, [&](const auto&... sharp) {
-        for (const auto x : elements)
-            scheme.limit_position(
-                sharp..., x, [&](const auto& mask) { result[x.index()] = affine<T>::store(mask.evaluate(values)); });
-    });
+    const auto& rules = limit_rules<Scheme>::on(scheme, elements.level());
+    for (const auto x : elements)
+        limit_rules<Scheme>::position(
+            rules, x, [&](const auto& mask) { result[x.index()] = affine<T>::store(mask.evaluate(values)); });
     return result;
 }
 
@@ -177,12 +152,11 @@ auto limit_normals(const all_elements<Level, Element>& elements, const Scheme& s
     static_assert(has_limit_tangents<Scheme, Element, Level>,
                   "this scheme has no tangent masks for these elements; docs/schemes.md, Limit, lists those that have");
     std::vector<std::optional<normal_vector>> result(elements.size());
-    detail::with_sharp_rules(elements.level(), scheme, [&](const auto&... sharp) {
-        for (const auto x : elements)
-            scheme.limit_tangents(sharp..., x, [&](const auto& first, const auto& second) {
-                result[x.index()] = detail::normal_of<Level>(first, second);
-            });
-    });
+    const auto& rules = limit_rules<Scheme>::on(scheme, elements.level());
+    for (const auto x : elements)
+        limit_rules<Scheme>::tangents(rules, x, [&](const auto& first, const auto& second) {
+            result[x.index()] = detail::normal_of<Level>(first, second);
+        });
     return result;
 }
 template <class Level, class Scheme>

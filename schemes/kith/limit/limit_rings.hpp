@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/limit_rules/rules.hpp>
 #include <kith/step/scheme.hpp>
 
 #include <algorithm>
@@ -10,42 +11,23 @@
 
 namespace kith {
 
-/// What a search for limits needs to know of a scheme beside its masks: the reach of tiles, in its traits(), or
-/// limit_reach(rings), the same of schemes that are not refined in tiles.
+/// What a search for limits needs to know of a scheme beside its masks: the reach of tiles, in its traits(), or that of its
+/// limit_rules.
 template <class S>
-concept searchable_scheme = scheme<S> and (detail::says_reach<S, traits_type<S>> or requires(const S& s) {
-                                { s.limit_reach(1) } -> std::convertible_to<int>;
-                            });
+concept searchable_scheme = scheme<S> and requires(const S& s) {
+    { limit_rules<S>::reach(s, 1) } -> std::convertible_to<int>;
+};
 
 namespace detail {
-
-/// How many rings of faces around a vertex's own its limit masks ask about: `limit_rings()` of the scheme, else two.
-template <class Scheme>
-int mask_rings(const Scheme& scheme)
-{
-    if constexpr (requires { scheme.limit_rings(); })
-        return scheme.limit_rings();
-    else
-        return 2;
-}
-
-template <class Scheme>
-int rings_before(const Scheme& scheme, int rings)
-{
-    if constexpr (requires { scheme.limit_reach(rings); })
-        return scheme.limit_reach(rings);
-    else
-        return ask(traits_of<Scheme>.reach, scheme, rings);
-}
 
 /// The rings that have to be kept around what is looked for, at each of the virtual steps.
 class limit_rings {
 public:
     template <class Scheme>
-    limit_rings(const Scheme& scheme, int steps) : rings_{mask_rings(scheme)}, steps_(steps)
+    limit_rings(const Scheme& scheme, int steps) : rings_{limit_rules<Scheme>::rings(scheme)}, steps_(steps)
     {
         while (int(rings_.size()) <= steps and not is_bounded_) {
-            const int before = rings_before(scheme, rings_.back());
+            const int before = limit_rules<Scheme>::reach(scheme, rings_.back());
             is_bounded_ = before <= rings_.back();
             if (not is_bounded_)
                 rings_.push_back(before);

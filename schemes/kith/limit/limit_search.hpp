@@ -38,12 +38,7 @@ public:
     /// Tangents are looked for a little longer than positions: beside irregular vertices they are known a step or two later.
     static constexpr int patience()
     {
-        if constexpr (not has_limit_tangents<Scheme, vertex<level_type>, level_type>)
-            return 0;
-        else if constexpr (requires { Scheme::tangent_steps; })
-            return Scheme::tangent_steps;
-        else
-            return 2;
+        return has_limit_tangents<Scheme, vertex<level_type>, level_type> ? limit_rules<Scheme>::tangent_steps : 0;
     }
 
     /// The mesh must outlive the search.
@@ -208,19 +203,18 @@ private:
               std::span<found> limits) const
     {
         const level_type level(fine);
-        with_sharp_rules(level, scheme, [&](const auto&... sharp) {
-            for (auto& s : seekers) {
-                auto& limit = limits[s.place];
-                if (s.is_face)
-                    take(level.faces()[s.element], scheme, limit, step, sharp...);
-                else
-                    take(level.vertices()[s.element], scheme, limit, step, sharp...);
-                if (not limit.position and is_one_point(level, s))
-                    limit.position = s.is_face ? center(level.faces()[s.element]) : level.vertices()[s.element].point();
-                if (limit.position and s.known_at == none)
-                    s.known_at = step;
-            }
-        });
+        const auto& rules = limit_rules<Scheme>::on(scheme, level);
+        for (auto& s : seekers) {
+            auto& limit = limits[s.place];
+            if (s.is_face)
+                take(level.faces()[s.element], rules, limit, step);
+            else
+                take(level.vertices()[s.element], rules, limit, step);
+            if (not limit.position and is_one_point(level, s))
+                limit.position = s.is_face ? center(level.faces()[s.element]) : level.vertices()[s.element].point();
+            if (limit.position and s.known_at == none)
+                s.known_at = step;
+        }
     }
     template <class Element>
     static Point center(const Element& f)
@@ -246,17 +240,17 @@ private:
 
 public:
     /// What the closed masks of a scheme say of an element, where nothing is known of it yet.
-    template <class Element, class... Sharp>
-    static void take(const Element& x, const Scheme& scheme, found& limit, int step, const Sharp&... sharp)
+    template <class Element>
+    static void take(const Element& x, const limit_rules_argument<Scheme, level_type>& rules, found& limit, int step)
     {
         if constexpr (has_limit_positions<Scheme, Element, level_type>)
             if (not limit.position)
-                scheme.limit_position(sharp..., x, [&](const auto& mask) {
+                limit_rules<Scheme>::position(rules, x, [&](const auto& mask) {
                     limit.position = number::store(mask.evaluate(point_values<level_type>()));
                 });
         if constexpr (has_limit_tangents<Scheme, Element, level_type>)
             if (not limit.normal and step <= last_normal)
-                scheme.limit_tangents(sharp..., x, [&](const auto& first, const auto& second) {
+                limit_rules<Scheme>::tangents(rules, x, [&](const auto& first, const auto& second) {
                     limit.normal = normal_of<level_type>(first, second);
                 });
     }

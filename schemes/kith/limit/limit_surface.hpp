@@ -3,6 +3,8 @@
 
 #include "limit_search.hpp"
 
+#include <kith/hierarchy.hpp>
+
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
@@ -52,23 +54,22 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
     std::vector<typename search_type::found> open_limits;
     std::vector<std::pair<Index, normal_vector>> normals;
     normals.reserve(marks.empty() ? mesh.vertex_count() : marks.size() - std::size_t(std::ranges::count(marks, 0)));
-    detail::with_sharp_rules(level, scheme, [&](const auto&... sharp) {
-        for (const auto v : level.vertices()) {
-            if (is_needed[v.index()] == 0)
-                continue;
-            typename search_type::found limit;
-            search_type::take(v, scheme, limit, 0, sharp...);
-            if (limit.position)
-                result.positions[v.index()] = *limit.position;
-            const bool is_wanted = marks.empty() or marks[v.index()] != 0;
-            if (limit.normal and is_wanted)
-                normals.emplace_back(Index(v.index()), *limit.normal);
-            if (not limit.position or (search_type::patience() > 0 and is_wanted and not limit.normal)) {
-                open.push_back(Index(v.index()));
-                open_limits.push_back(std::move(limit));
-            }
+    const auto& rules = limit_rules<Scheme>::on(scheme, level);
+    for (const auto v : level.vertices()) {
+        if (is_needed[v.index()] == 0)
+            continue;
+        typename search_type::found limit;
+        search_type::take(v, rules, limit, 0);
+        if (limit.position)
+            result.positions[v.index()] = *limit.position;
+        const bool is_wanted = marks.empty() or marks[v.index()] != 0;
+        if (limit.normal and is_wanted)
+            normals.emplace_back(Index(v.index()), *limit.normal);
+        if (not limit.position or (search_type::patience() > 0 and is_wanted and not limit.normal)) {
+            open.push_back(Index(v.index()));
+            open_limits.push_back(std::move(limit));
         }
-    });
+    }
     if (not open.empty()) {
         search_type(mesh, scheme).complete(open, open_limits, not marks.empty());
         for (std::size_t i = 0; i < open.size(); ++i) {

@@ -31,4 +31,14 @@ void require_three_faces(const Level& coarse)
     });
 }
 
+/// All faces at a vertex are quads.
+template <class Vertex>
+bool has_quads_only(const Vertex& v)
+{
+    for (const auto& c : v.corners())
+        if (c.f().degree() != 4)
+            return false;
+    return true;
+}
+
 } // namespace kith

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "rules.hpp"
+
 #include <kith/level/elements.hpp>
 #include <kith/mask/mask.hpp>
+#include <kith/unified.hpp>
 
 #include <array>
 #include <cstddef>
@@ -147,3 +150,43 @@ void use_spline_tangents(const Element& x, int degree, const Use& use)
 }
 
 } // namespace kith::detail
+
+namespace kith {
+
+/// At vertices and, of even degrees, faces with regular quads around; not where there are others so near. docs/schemes.md.
+template <>
+struct limit_rules<unified> : limit_defaults {
+    template <class Level, class Use>
+    static void position(const unified& s, const vertex<Level>& v, const Use& use)
+    {
+        if (s.degree == 1)
+            use(sum(v));
+        else
+            detail::use_spline_position(v, v.face_count(), s.degree, use);
+    }
+    template <class Level, class Use>
+    static void position(const unified& s, const face<Level>& f, const Use& use)
+    {
+        if (not s.is_primal())
+            detail::use_spline_position(f, f.degree(), s.degree, use);
+    }
+    /// The derivatives of the B-spline, at vertices and faces that are regular themselves.
+    template <class Level, class Use>
+    static void tangents(const unified& s, const vertex<Level>& v, const Use& use)
+    {
+        if (s.degree > 1 and v.valence() == 4)
+            detail::use_spline_tangents(v, s.degree, use);
+    }
+    template <class Level, class Use>
+    static void tangents(const unified& s, const face<Level>& f, const Use& use)
+    {
+        if (not s.is_primal() and f.degree() == 4)
+            detail::use_spline_tangents(f, s.degree, use);
+    }
+    static constexpr int rings(const unified& s) { return s.degree / 2 + 1; }
+    /// Averaging d - 1 times takes half a refined ring each time.
+    static constexpr int reach(const unified& s, int rings) { return (rings + s.degree / 2 + 3) / 2; }
+    static constexpr int tangent_steps = 0; ///< irregular ones stay so
+};
+
+} // namespace kith

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "rules.hpp"
+
+#include <kith/base/cos_turn.hpp>
+#include <kith/catmull_clark.hpp>
+#include <kith/split/require_faces.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace kith {
+
+/// Halstead, Kass & DeRose 1993, where all faces at a vertex are quads.
+template <>
+struct limit_rules<catmull_clark> : crease_limits {
+    template <class Level, class Use>
+    static void position(const creased_scheme<catmull_clark, Level>& s, const vertex<Level>& v, const Use& use)
+    {
+        if (not s.sharp.is_smooth(v))
+            return position_on_curve(s.sharp, v, use);
+        if (not has_quads_only(v))
+            return;
+        const double n = double(v.valence());
+        use((n * n * v + 4. * sum(v.neighbors()) + sum(v.opposites())) / (n * (n + 5)));
+    }
+    /// Inside Halstead et al.; along a boundary the left eigenvectors of the plain rule, docs/schemes.md.
+    template <class Level, class Use>
+    static void tangents(const creased_scheme<catmull_clark, Level>& s, const vertex<Level>& v, const Use& use)
+    {
+        if (not has_quads_only(v))
+            return;
+        const std::size_t k = v.face_count();
+        const bool inside = s.sharp.is_smooth(v);
+        if (not inside and not s.sharp.is_on_boundary_curve(v))
+            return tangents_at_corner(s.sharp, v, use);
+        const auto turns = std::int64_t(inside ? k : 2 * k); // the ring spans a full turn, or half of one
+        const double c = cos_turn(1, turns), half = cos_turn(1, 2 * turns);
+        const double lambda = 5. / 16 + (c + half * std::sqrt(2 * (9 + c))) / 16;
+        const double mu = 1 / (4 * lambda - 1);
+        const auto sine = [turns](std::size_t j) { return sin_turn(std::int64_t(j), turns); };
+        const auto cosine = [turns](std::size_t j) { return cos_turn(std::int64_t(j), turns); };
+        const auto along_edges = [](auto f) { return [f](std::size_t j) { return 4 * f(j); }; };
+        const auto along_faces = [mu](auto f) { return [f, mu](std::size_t j) { return mu * (f(j) + f(j + 1)); }; };
+        if (inside) {
+            use(sum(v.neighbors(), along_edges(cosine)) + sum(v.opposites(), along_faces(cosine)),
+                sum(v.neighbors(), along_edges(sine)) + sum(v.opposites(), along_faces(sine)));
+        } else {
+            const double cotangent = half / sin_turn(1, 2 * turns);
+            const double x = mu * ((1 + mu) * sine(1) - (2 + mu) * cotangent);
+            use(v.first_rim() - v.last_rim(), // the sines of the two boundary edges are zero
+                -(2 * x + (4 + 2 * mu) * cotangent) * v + x * (v.first_rim() + v.last_rim()) +
+                    sum(v.neighbors(), along_edges(sine)) + sum(v.opposites(), along_faces(sine)));
+        }
+    }
+};
+
+} // namespace kith

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "rules.hpp"
+
+#include <kith/base/cos_turn.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/mask/ring_waves.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace kith {
+
+/// The centre of every face is on the limit surface, unless a boundary rule moves its corners. Doo & Sabin 1978.
+/// A vertex becomes a face, so its limit is the centre of that. On the boundary it becomes two points of the quadratic
+/// B-spline, whose middle is on the curve; corners stay. Without a boundary rule it goes with the middle one of its faces,
+/// or with what its middle edge becomes.
+template <>
+struct limit_rules<doo_sabin> : limit_defaults {
+    template <class Level, class Use>
+    static void position(const doo_sabin& s, const face<Level>& f, const Use& use)
+    {
+        if (not has_boundary_rule(s, f))
+            use(average(f.vertices()));
+    }
+    template <class Level, class Use>
+    static void tangents(const doo_sabin& s, const face<Level>& f, const Use& use)
+    {
+        if (not has_boundary_rule(s, f))
+            with_waves(std::int64_t(f.degree()), [&](const auto& cosine, const auto& sine) {
+                use(sum(f.vertices(), cosine), sum(f.vertices(), sine));
+            });
+    }
+    template <class Level, class Use>
+    static void position(const doo_sabin& s, const vertex<Level>& v, const Use& use)
+    {
+        if (not v.is_boundary())
+            with_points(s, v, [&](const auto& points) { use(average(points)); });
+        else if (s.boundary == doo_sabin_boundary::drop)
+            position_without_rule(s, v, use);
+        else if (v.face_count() == 1)
+            use(sum(v));
+        else if (s.boundary == doo_sabin_boundary::thesis)
+            use((v.first_rim() + 6. * v + v.last_rim()) / 8);
+        else
+            position_on_clamped_curve(v, use);
+    }
+    template <class Level, class Use>
+    static void tangents(const doo_sabin& s, const vertex<Level>& v, const Use& use)
+    {
+        if (not v.is_boundary())
+            with_points(s, v, [&](const auto& points) {
+                with_waves(std::int64_t(v.face_count()),
+                           [&](const auto& cosine, const auto& sine) { use(sum(points, cosine), sum(points, sine)); });
+            });
+    }
+
+private:
+    template <class Level>
+    static bool has_boundary_rule(const doo_sabin& s, const face<Level>& f)
+    {
+        return s.boundary != doo_sabin_boundary::drop and f.is_boundary();
+    }
+    template <class Use>
+    static void with_waves(std::int64_t n, const Use& use)
+    {
+        use([n](std::size_t j) { return cos_turn(std::int64_t(j), n); },
+            [n](std::size_t j) { return sin_turn(std::int64_t(j), n); });
+    }
+    /// The point that a step makes of a corner, unless a boundary rule decides about it.
+    template <class Corner>
+    static auto point_of(const doo_sabin& s, const Corner& c)
+    {
+        return sum(c.vertices_from_here(), [&s, l = c.f().degree()](std::size_t j) { return s.weight(j, l); });
+    }
+    template <class Level, class Use>
+    static void position_without_rule(const doo_sabin& s, const vertex<Level>& v, const Use& use)
+    {
+        auto c = v.first_corner(); // of the middle face, or before the middle edge
+        for (std::size_t i = 1; i < (v.face_count() + 1) / 2; ++i)
+            c = c.prev().across();
+        if (v.face_count() % 2 != 0)
+            use(average(c.f().vertices()));
+        else
+            use((point_of(s, c.prev()) + point_of(s, c) +
+                 (point_of(s, c.prev().across()) + point_of(s, c.prev().across().next()))) /
+                4);
+    }
+    template <class Level, class Use>
+    static void position_on_clamped_curve(const vertex<Level>& v, const Use& use)
+    {
+        const auto a = v.first_corner(), z = v.last_corner();
+        const auto share = [](const auto& c, bool is_beside_end) { // of the neighbour along the boundary
+            return c.f().degree() == 4 and is_beside_end ? 1. / 2 : 1. / 4;
+        };
+        const double of_first = share(a, a.next().is_boundary()) / 2;
+        const double of_last = share(z, z.next().next().is_boundary()) / 2;
+        use((1 - of_first - of_last) * v + of_first * v.first_rim() + of_last * v.last_rim());
+    }
+    /// The points that the next step makes around an inner vertex, unless a boundary rule decides about one of them,
+    /// or they are long: all vertices of a large face would take the square of its degree.
+    template <class Level, class Use>
+    static void with_points(const doo_sabin& s, const vertex<Level>& v, const Use& use)
+    {
+        for (const auto f : v.faces())
+            if ((s.boundary == doo_sabin_boundary::clamped and has_boundary_rule(s, f)) or f.degree() > longest_row)
+                return;
+        use(v.corners().map([&s](const auto& c) { return point_of(s, c); }));
+    }
+};
+
+} // namespace kith
