@@ -7,6 +7,7 @@
 #include "native_shape.hpp"
 #include "own_state.hpp"
 #include "same_mesh.hpp"
+#include "some_fields.hpp"
 #include "thread_count.hpp"
 #include "user_mesh.hpp"
 
@@ -15,7 +16,7 @@
 #include <kith/crease/vertex_type.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
-#include <kith/refine.hpp>
+#include <kith/refine_with_fields.hpp>
 #include <kith/sqrt3.hpp>
 
 #include <gtest/gtest.h>
@@ -36,6 +37,21 @@ void expect_handed_on(const M& mesh, const kith::catmull_clark& alone)
         EXPECT_EQ(fine.point(handle), expected.point(handle));
         EXPECT_EQ(levels.finest().point(handle), expected.point(handle));
     }
+}
+
+/// Fields of a mesh are those of the same mesh in native form, by `refine_with_fields` and in a hierarchy.
+template <class M, class Scheme>
+void expect_same_fields(const M& mesh, const mesh3d& native, const Scheme& scheme)
+{
+    auto expected = some_fields::with_some_fields(scheme, native), ours = expected;
+    kith::refine_with_fields(native, expected, 2);
+    kith::hierarchy levels(mesh, ours);
+    levels.refine(2);
+    EXPECT_EQ(some_fields::difference(levels.scheme(2), expected), "");
+    const M fine = kith::refine_with_fields(mesh, ours, 2);
+    EXPECT_EQ(some_fields::difference(ours, expected), "");
+    for (const auto v : kith::level_of<M>(fine).vertices())
+        EXPECT_EQ(coordinates(v.point()), ours.template field<5>()[v.index()]);
 }
 
 /// What holds for every mesh library, instantiated for its mesh types in cgal_test.cpp and openmesh_test.cpp.

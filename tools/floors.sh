@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 # root: its folders from the ground up; `.` is what lies in the root itself, which most people include, but for a header of
 # its own name, an umbrella over floors above. `<` names the root below.
 floors='
-include     : base mesh mask level association step .
+include     : base mesh mask level association step field .
 schemes     < include : split crease nasri_hasbini . limit_rules limit schemes.hpp
 distributed < include : part number tile output mpi ranks slices .
 '

@@ -105,6 +105,8 @@ public:
     [[nodiscard]] const numbering_type& numbering() const { return numbering_; }
     /// Local. The tiles of this rank on this level, with their edges and one ring of shadows (on level 0 more).
     [[nodiscard]] std::span<const numbered_tile<tile_type>> tiles() const { return tiles_; }
+    /// Local. Of each of these tiles the scheme, with its state (fields, creases) of this level.
+    [[nodiscard]] std::span<const Scheme> schemes() const { return schemes_; }
 
     /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which is
     /// so when `rings_per_step` is too small; then the levels are of no use any more. Not every mistake of that kind shows.

@@ -3,6 +3,7 @@
 
 #include "refine.hpp"
 
+#include <kith/field/field.hpp>
 #include <kith/mask/stencil.hpp>
 
 #include <concepts>
@@ -64,12 +65,9 @@ public:
                                                                  {connect::everything, options_.memory_limit});
         for (int i = 0; i < n; ++i) {
             entry& last = *levels_.back();
-            levels_.push_back(std::make_unique<entry>([&] { return refine_last(last); },
-                                                      [&] {
-                                                          Scheme next = last.scheme;
-                                                          advance(next, elements(depth()), last.ids);
-                                                          return next;
-                                                      }));
+            auto next = std::make_unique<entry>([&] { return refine_last(last); }, [&] { return last.scheme; });
+            advance(next->scheme, elements(depth()), generation_ + depth(), last.ids, next->mesh);
+            levels_.push_back(std::move(next));
         }
     }
 
@@ -148,6 +146,21 @@ public:
             result = run.take();
         }
         return result;
+    }
+
+    /// A field on the elements of level `from` carried to level `to` by its rule: one pass over the levels between, which stay
+    /// as they are. Errors: mesh_error unless from <= to and the field has a value for each element. Cost: that of the rule.
+    template <field_on Where, class T, class Rule>
+    [[nodiscard]] field<Where, T, Rule> carry(int from, int to, field<Where, T, Rule> values) const
+    {
+        require_order(from, to);
+        for (int level = from; level < to; ++level) {
+            const entry& here = at(level);
+            const made_step<Scheme, level_type, numbering_type, M> step{
+                here.scheme, elements(level), generation_ + level, here.ids, at(level + 1).mesh};
+            values = values.after(step);
+        }
+        return values;
     }
 
     /// The subdivision matrix from the vertices of one level to those of a finer one. Errors: mesh_error unless from <= to.

@@ -69,7 +69,7 @@ basic_mesh<Point, Index> refine_on(basic_mesh<Point, Index> mesh, Scheme& scheme
     numbering_of<Scheme, Index> ids;
     for (int level = 1; level <= levels; ++level) {
         auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
-        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), ids);
+        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation(), ids, fine);
         mesh = std::move(fine);
     }
     return mesh;

@@ -72,7 +72,7 @@ basic_mesh<Point, Index> refine_in_surface_order(const basic_mesh<Point, Index>&
         auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
         const level_of<basic_mesh<Point, Index>> coarse(mesh);
         numbers = after(numbers, coarse, ids, columns_of(scheme, mesh.generation()));
-        advance(scheme, coarse, ids);
+        advance(scheme, coarse, mesh.generation(), ids, fine);
         mesh = std::move(fine);
     }
     constexpr int degree = int(numbering_of<Scheme, Index>::common_degree);

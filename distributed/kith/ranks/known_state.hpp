@@ -5,6 +5,8 @@
 #include <kith/tile/tile_job.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,12 +16,24 @@ namespace kith::detail {
 /// Some elements of a level by their numbers in the whole mesh, increasing.
 struct whole_elements {
     std::vector<global_id> vertices, edges, faces;
+    std::vector<std::uint64_t> degrees; ///< of the faces
 };
+/// Where the corners of a face of a tile are.
+template <class Tile, class Face>
+auto corners_of(const Tile& part, Face f)
+{
+    using index = typename Tile::index_type;
+    return typename part_numbers<index>::face_corners{index(part.mesh.topology().first_corner(f)),
+                                                      index(part.mesh.face(f).size())};
+}
 template <class Tile>
 whole_elements elements_of(const Tile& part)
 {
     const auto list = [](const auto& ids) { return std::vector<global_id>(ids.begin(), ids.end()); };
-    return {list(part.vertex_ids), list(part.edge_ids), list(part.face_ids)};
+    whole_elements result{list(part.vertex_ids), list(part.edge_ids), list(part.face_ids), {}};
+    for (std::size_t f = 0; f < result.faces.size(); ++f)
+        result.degrees.push_back(corners_of(part, f).count);
+    return result;
 }
 
 /// A scheme with what its state says of some elements, whose numbers in it are their places in these lists.
@@ -50,14 +64,21 @@ known_state<Scheme> state_at_faces(const Tile& part, const Scheme& scheme, std::
             result.push_back(all[x]);
         return result;
     };
-    return {scheme_of_part(scheme, part_numbers<Index>{vertices, edges, faces}),
-            {ids(vertices, part.vertex_ids), ids(edges, part.edge_ids), ids(faces, part.face_ids)}};
+    std::vector<typename part_numbers<Index>::face_corners> corners;
+    std::vector<std::uint64_t> degrees;
+    for (const Index f : faces) {
+        corners.push_back(corners_of(part, f));
+        degrees.push_back(corners.back().count);
+    }
+    return {scheme_of_part(scheme, part_numbers<Index>{vertices, edges, faces, 0, corners}),
+            {ids(vertices, part.vertex_ids), ids(edges, part.edge_ids), ids(faces, part.face_ids), std::move(degrees)}};
 }
 
 template <class Scheme>
 void pack_known_state(packer& out, const known_state<Scheme>& known)
 {
     out.add_array(known.elements.vertices).add_array(known.elements.edges).add_array(known.elements.faces);
+    out.add_array(known.elements.degrees);
     pack_state(out, known.scheme);
 }
 /// The inverse; `scheme` has the options of the one that was packed, and any state.
@@ -69,6 +90,7 @@ known_state<Scheme> unpack_known_state(unpacker& in, Scheme scheme)
     elements.vertices = in.get_array<ids>();
     elements.edges = in.get_array<ids>();
     elements.faces = in.get_array<ids>();
+    elements.degrees = in.get_array<std::vector<std::uint64_t>>();
     unpack_state(in, scheme);
     return {std::move(scheme), std::move(elements)};
 }
@@ -94,8 +116,19 @@ void take_over(Scheme& scheme, const Tile& part, const Scheme& other, const whol
     };
     const numbers vertices = common(known.vertices, part.vertex_ids), edges = common(known.edges, part.edge_ids),
                   faces = common(known.faces, part.face_ids);
-    const Scheme shared = scheme_of_part(other, part_numbers<index>{vertices.there, edges.there, faces.there});
-    const part_numbers<index> here{vertices.here, edges.here, faces.here};
+    using face_corners = typename part_numbers<index>::face_corners;
+    std::vector<face_corners> all_there, there, here_corners;
+    for (index first = 0; const auto degree : known.degrees) {
+        all_there.push_back({first, index(degree)});
+        first += index(degree);
+    }
+    for (std::size_t i = 0; i < faces.here.size(); ++i) {
+        there.push_back(all_there[faces.there[i]]);
+        here_corners.push_back(corners_of(part, faces.here[i]));
+    }
+    const Scheme shared = scheme_of_part(other,
+                                         part_numbers<index>{vertices.there, edges.there, faces.there, 0, there});
+    const part_numbers<index> here{vertices.here, edges.here, faces.here, 0, here_corners};
     for_each_state(scheme, shared, [&]<class State>(State& state, const State& more) {
         constexpr bool joins = requires { state.add_part(more, here); };
         static_assert(

@@ -6,8 +6,10 @@
 #include <kith/step/step.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace kith {
 
@@ -24,9 +26,17 @@ namespace detail {
 template <class Scheme, class Tile>
 Scheme scheme_of_tile(const Scheme& scheme, const Tile& part)
 {
+    using part_type = part_numbers<global_id>;
     const auto numbers = [](const auto& ids) { return std::span<const global_id>(ids.data(), ids.size()); };
-    return scheme_of_part(
-        scheme, part_numbers<global_id>{numbers(part.vertex_ids), numbers(part.edge_ids), numbers(part.face_ids)});
+    std::vector<part_type::face_corners> corners;
+    for (std::size_t f = 0; f < part.first_corner_ids.size(); ++f)
+        corners.push_back({part.first_corner_ids[f], part.mesh.face(f).size()});
+    return scheme_of_part(scheme,
+                          part_type{numbers(part.vertex_ids),
+                                    numbers(part.edge_ids),
+                                    numbers(part.face_ids),
+                                    corners.empty() ? std::size_t(part.mesh.topology().degree) : 0,
+                                    corners});
 }
 
 /// Makes a scheme that refines no element here the scheme of the next level: its state may count levels.
@@ -36,9 +46,8 @@ void advance_without_elements(Scheme& scheme, int generation)
     if constexpr (has_state<Scheme>) {
         const Mesh nothing;
         const level_of<Mesh> level(nothing);
-        advance(scheme,
-                level,
-                numbering_of<Scheme, typename level_of<Mesh>::index_type>(level, columns_of(scheme, generation)));
+        const numbering_of<Scheme, typename level_of<Mesh>::index_type> ids(level, columns_of(scheme, generation));
+        advance(scheme, level, generation, ids, nothing);
     }
 }
 

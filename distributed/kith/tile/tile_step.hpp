@@ -28,7 +28,7 @@ public:
         , elements_(coarse, ids_, whole)
         , scheme_(scheme)
     {
-        advance(scheme_, elements_.facts().level(), ids_);
+        advance(scheme_, elements_.facts().level(), coarse.mesh.generation(), ids_, fine_);
         const auto& t = fine_.topology();
         is_cut_.assign(fine_.edge_count(), 0);
         for (std::size_t e = 0; e < fine_.edge_count(); ++e)

@@ -3,6 +3,9 @@
 
 #include "scheme_traits.hpp"
 
+#include <kith/level/lift.hpp>
+#include <kith/mesh/mesh_traits.hpp>
+
 #include <concepts>
 #include <cstddef>
 #include <functional>
@@ -17,13 +20,69 @@ namespace kith {
 /// part. They increase; a vertex whose faces in the part form several fans is there once per fan.
 template <class Index>
 struct part_numbers {
+    /// The corners of a face in the level: its first one, and how many.
+    struct face_corners {
+        Index first, count;
+    };
+
     std::span<const Index> vertices, edges, faces;
+    std::size_t degree = 0;                  ///< of all faces, where they have one
+    std::span<const face_corners> corners{}; ///< else: those of each face
+
+    [[nodiscard]] std::size_t vertex_count() const { return vertices.size(); }
+    [[nodiscard]] std::size_t edge_count() const { return edges.size(); }
+    [[nodiscard]] std::size_t face_count() const { return faces.size(); }
+    [[nodiscard]] std::size_t corner_count() const
+    {
+        std::size_t result = degree * faces.size();
+        for (const auto& [first, count] : corners)
+            result += count;
+        return result;
+    }
+    /// Calls f(number in the part, number in the level) for each corner of the faces.
+    template <class F>
+    void for_each_corner(const F& f) const
+    {
+        std::size_t here = 0;
+        const auto in_face = [&](std::size_t first, std::size_t count) {
+            for (std::size_t k = 0; k < count; ++k)
+                f(here++, first + k);
+        };
+        for (const auto& [first, count] : corners)
+            in_face(first, count);
+        for (std::size_t i = 0; degree != 0 and i < faces.size(); ++i)
+            in_face(degree * std::size_t(faces[i]), degree);
+    }
+};
+
+/// A step that has been made, as state of a level sees it.
+template <class Scheme, class Level, class Numbering, class Fine>
+struct made_step {
+    using numbering_type = Numbering;
+
+    const Scheme& scheme; ///< with its state of the coarse level
+    const Level& coarse;
+    int generation;       ///< of the coarse level
+    const Numbering& ids; ///< of the next level
+    const Fine& fine_mesh;
+
+    /// The elements of the next level; for a mesh of another library a pass over it.
+    [[nodiscard]] level_of<Fine> fine() const { return level_of<Fine>(fine_mesh); }
+    /// How many vertices it has, with those of the dictionary.
+    [[nodiscard]] std::size_t fine_vertices() const
+    {
+        if constexpr (requires { fine_mesh.topology(); })
+            return fine_mesh.vertex_count();
+        else
+            return std::size_t(mesh_traits<Fine>::vertex_bound(fine_mesh));
+    }
 };
 
 /// State of a level is what a scheme keeps by the numbers of a level's elements, such as creases. The scheme names it in its
 /// traits(), `.state`: one object, a std::tie of several, or a scheme of which this one is made. Its class has
 ///
-///   T after(level, numbering) const      the state of the next level, made by a step with this numbering
+///   T after(level, numbering) const      the state of the next level, made by a step with this numbering, or
+///   T after(const auto& step) const      the same for one that asks for more: made_step
 ///
 /// and, to be refined in tiles and on ranks,
 ///
@@ -32,7 +91,7 @@ struct part_numbers {
 ///   void pack(out) const                 out.add(value), out.add_array(values): plain values, as a message
 ///   void unpack(in)                      in.get<T>(), in.get_array<std::vector<T>>(): the same values in the same order
 ///
-/// `refine`, `hierarchy` and the tiles of all kinds do the rest.
+/// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
 template <class Scheme>
 inline constexpr bool has_state = detail::is_said<decltype(traits_of<Scheme>.state)>;
 
@@ -103,21 +162,46 @@ void for_each_state(Scheme& scheme, const Scheme& other, const F& f)
 
 } // namespace detail
 
-/// Makes a scheme the scheme of the next level, whose numbering is that of the step: its state becomes that of the level.
-template <class Scheme, class Level, class Numbering>
-void advance(Scheme& scheme, const Level& coarse, const Numbering& ids)
+namespace detail {
+
+template <class State, class Step>
+State next_state(const State& state, const Step& step)
 {
-    detail::for_each_state(scheme, [&]<class State>(State& state) {
-        constexpr bool goes_on = requires {
-            { std::as_const(state).after(coarse, ids) } -> std::convertible_to<State>;
-        };
-        static_assert(
-            goes_on,
-            "the state that a scheme names in its traits() needs after(level, numbering) const, which returns that "
-            "of the next level");
-        if constexpr (goes_on)
-            state = std::as_const(state).after(coarse, ids);
-    });
+    constexpr bool by_numbering = requires {
+        { state.after(step.coarse, step.ids) } -> std::convertible_to<State>;
+    };
+    constexpr bool by_step = requires {
+        { state.after(step) } -> std::convertible_to<State>;
+    };
+    static_assert(
+        by_numbering or by_step,
+        "the state that a scheme names in its traits() needs after(level, numbering) const, which returns that "
+        "of the next level");
+    if constexpr (by_numbering)
+        return state.after(step.coarse, step.ids);
+    else if constexpr (by_step)
+        return state.after(step);
+    else
+        return state;
+}
+
+} // namespace detail
+
+/// Makes a scheme the scheme of the next level, which a step has made of a level of this generation with this numbering: its
+/// state becomes that of the level.
+template <class Scheme, class Level, class Numbering, class Fine>
+void advance(Scheme& scheme, const Level& coarse, int generation, const Numbering& ids, const Fine& fine)
+{
+    if constexpr (has_state<Scheme>) {
+        const made_step<Scheme, Level, Numbering, Fine> step{scheme, coarse, generation, ids, fine};
+        std::apply(
+            [&]<class... State>(
+                State&... states) { // a state may look at the others, so all are made before any changes
+                std::tuple<State...> next{detail::next_state(std::as_const(states), step)...};
+                std::tie(states...) = std::move(next);
+            },
+            detail::states_of(scheme));
+    }
 }
 
 namespace detail {

@@ -21,8 +21,12 @@ struct submesh {
         face_from;                              ///< increasing; a vertex with several fans comes several times
     std::vector<unsigned char> edge_is_turned;  ///< its side 0 is the other mesh's side 1
     std::vector<unsigned char> edge_is_new_rim; ///< it has lost a face
+    std::vector<typename part_numbers<Index>::face_corners> corners_from; ///< where faces have several degrees
 
-    [[nodiscard]] part_numbers<Index> numbers() const { return {vertex_from, edge_from, face_from}; }
+    [[nodiscard]] part_numbers<Index> numbers() const
+    {
+        return {vertex_from, edge_from, face_from, std::size_t(mesh.topology().degree), corners_from};
+    }
     /// Of the vertices that come from one, all but the first are copies.
     [[nodiscard]] bool is_copy(std::size_t vertex) const
     {
@@ -155,8 +159,10 @@ public:
         for (std::size_t i = 0; i < faces.size(); ++i) {
             const Index first = t.first_corner(faces[i]);
             const Index end = t.first_corner(std::size_t(faces[i]) + 1);
-            if (fine.degree == 0)
+            if (fine.degree == 0) {
                 fine.face_corner[i] = corner;
+                result.corners_from.push_back({first, Index(end - first)});
+            }
             for (Index c = first; c < end; ++c, ++corner) {
                 const Index e = edge_[t.corner_halfedge[c] >> 1];
                 const Index half = Index(2 * e + ((t.corner_halfedge[c] & 1) ^ result.edge_is_turned[e]));

@@ -126,7 +126,7 @@ private:
                 part.mesh = close_rims(part.mesh);
             numbering_of<Scheme, Index> ids;
             fine = refine_mesh<connect::everything>(part.mesh, scheme, ids);
-            advance(scheme, level_type(part.mesh), ids);
+            advance(scheme, level_type(part.mesh), part.mesh.generation(), ids, fine);
             std::erase_if(left, [&](seeker& s) {
                 const bool is_lost = not to_child(s, ids);
                 if (is_lost and s.known_at == none)

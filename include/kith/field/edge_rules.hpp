@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "inherit.hpp"
+
+#include <kith/base/storage.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+namespace kith {
+
+namespace detail {
+
+/// Whether a vertex of the next level was born on an edge: by it, by one of its ends, or by both.
+template <class Step, class Edge>
+bool is_born_on(const Step& step, std::size_t vertex, const Edge& e)
+{
+    if (vertex >= step.ids.vertices.total())
+        return false; // of the dictionary
+    const auto [kind, tuple] = step.ids.vertices.origin(vertex);
+    switch (kind) {
+    case tuple_kind::v: return tuple == e.org().index() or tuple == e.dst().index();
+    case tuple_kind::e: return tuple == e.index();
+    case tuple_kind::ve: return tuple / 2 == e.index();
+    default: return false;
+    }
+}
+
+} // namespace detail
+
+/// The rule of values on edges (sharpness, features, tags): a new edge that lies along an old one, so that both of its ends
+/// do, inherits from it, by `inherit(value)`; all others have `born`: a value, or a function of (const auto& element, values),
+/// where the element is the vertex, edge, face or corner that gave birth. The functions may be called on several threads.
+template <class Inherit = std::identity, class Born = no_value>
+struct along_edges {
+    [[no_unique_address]] Inherit inherit{};
+    [[no_unique_address]] Born born{};
+
+    template <class T, class Step>
+    [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
+    {
+        static_assert(
+            Step::numbering_type::has_edges,
+            "values on edges need a scheme that says which edges it makes: let its columns declare new_edges");
+        const auto fine = step.fine();
+        storage<T> result(step.ids.edges.total());
+        detail::for_new_elements(step.coarse,
+                                 step.ids.edges,
+                                 detail::columns_of_step(step).edges.list,
+                                 [&]<tuple_kind K>(std::size_t id, std::size_t tuple) {
+                                     const auto element = tuple_element<K>(step.coarse, tuple);
+                                     if constexpr (K == tuple_kind::e or K == tuple_kind::ve) {
+                                         const auto edge = fine.edges()[id];
+                                         if (detail::is_born_on(step, edge.org().index(), element) and
+                                             detail::is_born_on(step, edge.dst().index(), element)) {
+                                             result[id] = T(std::invoke(inherit, values[element.index()]));
+                                             return;
+                                         }
+                                     }
+                                     result[id] = detail::born_value<T>(born, element, values);
+                                 });
+        return result;
+    }
+};
+
+} // namespace kith

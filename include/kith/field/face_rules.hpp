@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "inherit.hpp"
+
+#include <kith/base/storage.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+namespace kith {
+
+/// The rule of values on faces (material, label, group, hole): a face that is born in a face inherits from that face, by
+/// `inherit(value)`; one that is born by an edge or a vertex, as in Doo-Sabin's scheme, has `born`: a value, or a function of
+/// (const auto& edge_or_vertex, values). The functions may be called on several threads.
+template <class Inherit = std::identity, class Born = no_value>
+struct from_parent {
+    [[no_unique_address]] Inherit inherit{};
+    [[no_unique_address]] Born born{};
+
+    template <class T, class Step>
+    [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
+    {
+        storage<T> result(step.ids.faces.total());
+        detail::for_new_elements(step.coarse,
+                                 step.ids.faces,
+                                 detail::columns_of_step(step).faces.list,
+                                 [&]<tuple_kind K>(std::size_t id, std::size_t tuple) {
+                                     const auto element = tuple_element<K>(step.coarse, tuple);
+                                     if constexpr (K == tuple_kind::f)
+                                         result[id] = T(std::invoke(inherit, values[element.index()]));
+                                     else if constexpr (K == tuple_kind::v or K == tuple_kind::e or K == tuple_kind::ve)
+                                         result[id] = detail::born_value<T>(born, element, values);
+                                     else
+                                         result[id] = T(std::invoke(inherit, values[element.f().index()]));
+                                 });
+        return result;
+    }
+};
+
+} // namespace kith

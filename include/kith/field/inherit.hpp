@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/association/columns.hpp>
+#include <kith/base/affine.hpp>
+#include <kith/base/for_parts.hpp>
+#include <kith/step/level_state.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace kith {
+
+/// Of elements that inherit nothing: the value T().
+struct no_value {};
+
+namespace detail {
+
+/// What an element without an heir's right is born with: a value, or that of a function of the element that gave birth to it
+/// and of the values of the level.
+template <class T, class Born, class Element>
+T born_value(const Born& born, const Element& element, std::span<const T> values)
+{
+    if constexpr (std::same_as<Born, no_value>)
+        return T();
+    else if constexpr (std::invocable<const Born&, const Element&, std::span<const T>>)
+        return T(std::invoke(born, element, values));
+    else {
+        static_assert(std::convertible_to<const Born&, T>,
+                      "`born` of a rule of a field is a value, or a function of (const auto& element, values) that "
+                      "returns one for a vertex, an edge, a face or a corner");
+        return T(born);
+    }
+}
+
+/// A rule that a field keeps: one whose functions capture something can be assigned, too.
+template <class Rule>
+class assignable {
+public:
+    explicit assignable(Rule rule) : rule_(std::move(rule)) {}
+    assignable(const assignable&) = default;
+    assignable(assignable&&) = default;
+    assignable& operator=(const assignable& other)
+    {
+        if constexpr (std::is_copy_assignable_v<Rule>)
+            rule_ = other.rule_;
+        else if (this != &other) {
+            std::destroy_at(&rule_);
+            std::construct_at(&rule_, other.rule_);
+        }
+        return *this;
+    }
+    ~assignable() = default;
+    [[nodiscard]] const Rule& operator*() const { return rule_; }
+
+private:
+    Rule rule_;
+};
+
+/// Calls f.operator()<kind>(id, tuple) for each new element that has a column in `list`, on threads.
+template <class Level, class Ids, class... Columns, class F>
+void for_new_elements(const Level& coarse, const Ids& ids, const std::tuple<Columns...>& list, const F& f)
+{
+    const auto in_column = [&]<tuple_kind K, class W, class D>(const column<K, W, D>&) {
+        for_parts(tuple_count(coarse, K), Level::parallel, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tuple = begin; tuple < end; ++tuple)
+                if (const auto id = ids.template id<K>(tuple); id != ids.none)
+                    f.template operator()<K>(std::size_t(id), tuple);
+        });
+    };
+    std::apply([&](const auto&... c) { (in_column(c), ...); }, list);
+}
+template <class Step>
+auto columns_of_step(const Step& step)
+{
+    return columns_of(step.scheme, step.generation);
+}
+
+/// A weighted sum of values, formed in the order in which they come.
+template <class T>
+class blend {
+    using number = affine<T>;
+
+public:
+    explicit blend(const T& first) : sum_(number::load(first)) {}
+    blend& add(const T& more)
+    {
+        number::add(sum_, number::load(more));
+        return *this;
+    }
+    [[nodiscard]] T over(std::size_t count) const
+    {
+        auto result = sum_;
+        number::scale(result, scalar_of<T>(1) / scalar_of<T>(double(count)));
+        return number::store(result);
+    }
+
+private:
+    typename number::sum sum_;
+};
+
+/// What a linear rule says of the tuples of one face or edge; `at(corner)` is the value that a corner has there. The value
+/// of a tuple is the mean of what its elements have, and a vertex has its own, an edge that of its middle, a face the mean of
+/// its corners. But a scheme that makes two vertices of an edge cuts it in thirds, and its faces, too.
+template <class T, bool InThirds>
+struct linear_masks {
+    [[nodiscard]] static T middle(const T& a, const T& b) { return blend<T>(a).add(b).over(2); }
+    [[nodiscard]] static T third(const T& near, const T& far) { return blend<T>(near).add(near).add(far).over(3); }
+    [[nodiscard]] static T in_face(const T& corner, const T& mean)
+    {
+        return InThirds ? third(mean, corner) : middle(corner, mean);
+    }
+    [[nodiscard]] static T of_three(const T& vertex, const T& edge, const T& face)
+    {
+        return blend<T>(vertex).add(edge).add(face).over(3);
+    }
+    template <class Face, class At>
+    [[nodiscard]] static T mean(const Face& f, const At& at)
+    {
+        const auto first = f.first_corner();
+        blend<T> sum(at(first));
+        std::size_t count = 1;
+        for (auto c = first.next(); not(c == first); c = c.next(), ++count)
+            sum.add(at(c));
+        return sum.over(count);
+    }
+};
+template <class T, class VertexIds>
+using linear_masks_of =
+    linear_masks<T, VertexIds::template has<tuple_kind::ve> and VertexIds::template has<tuple_kind::vf>>;
+
+} // namespace detail
+
+} // namespace kith
