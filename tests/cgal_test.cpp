@@ -4,6 +4,7 @@
 #include "mesh_statements.hpp"
 
 #include <kith/crease/make_creases.hpp>
+#include <kith/doo_sabin.hpp>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 
@@ -168,6 +169,13 @@ TEST(cgal, properties_hold_sharpness)
     EXPECT_EQ(levels.scheme(0).sharpness.edges().size(), 1U);
     EXPECT_EQ(levels.scheme(1).sharpness.edges().size(), 0U);
     expect_handed_on(m, levels.scheme(0));
+}
+
+TEST(cgal, fields_are_those_of_the_native_mesh)
+{
+    expect_same_fields(make(shapes::open_house()), kith::catmull_clark());
+    expect_same_fields(make(shapes::open_house()), kith::doo_sabin());
+    expect_same_fields(cube_after_removed_tetrahedron(), kith::catmull_clark());
 }
 
 TEST(cgal, exact_numbers_are_refined_exactly)

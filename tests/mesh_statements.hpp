@@ -39,10 +39,11 @@ void expect_handed_on(const M& mesh, const kith::catmull_clark& alone)
     }
 }
 
-/// Fields of a mesh are those of the same mesh in native form, by `refine_with_fields` and in a hierarchy.
+/// Fields of a mesh are those of the same mesh in the native form, by `refine_with_fields` and in a hierarchy.
 template <class M, class Scheme>
-void expect_same_fields(const M& mesh, const mesh3d& native, const Scheme& scheme)
+void expect_same_fields(const M& mesh, const Scheme& scheme)
 {
+    const auto native = kith::lift(mesh);
     auto expected = some_fields::with_some_fields(scheme, native), ours = expected;
     kith::refine_with_fields(native, expected, 2);
     kith::hierarchy levels(mesh, ours);
@@ -51,7 +52,7 @@ void expect_same_fields(const M& mesh, const mesh3d& native, const Scheme& schem
     const M fine = kith::refine_with_fields(mesh, ours, 2);
     EXPECT_EQ(some_fields::difference(ours, expected), "");
     for (const auto v : kith::level_of<M>(fine).vertices())
-        EXPECT_EQ(coordinates(v.point()), ours.template field<5>()[v.index()]);
+        EXPECT_EQ(v.point(), ours.template field<5>()[v.index()]);
 }
 
 /// What holds for every mesh library, instantiated for its mesh types in cgal_test.cpp and openmesh_test.cpp.

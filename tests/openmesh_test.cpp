@@ -4,6 +4,7 @@
 #include "mesh_statements.hpp"
 
 #include <kith/crease/make_creases.hpp>
+#include <kith/doo_sabin.hpp>
 #include <kith/tri_quad.hpp>
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
@@ -255,6 +256,12 @@ TEST(openmesh, properties_hold_sharpness)
     const auto sharp = kith::make_creases(mesh, of_edge);
     EXPECT_EQ(sharp.edges().size(), 1U);
     EXPECT_EQ(sharp.of_edge(4), 2.5);
+}
+
+TEST(openmesh, fields_are_those_of_the_native_mesh)
+{
+    expect_same_fields(make(shapes::open_house()), kith::catmull_clark());
+    expect_same_fields(make(shapes::open_house()), kith::doo_sabin());
 }
 
 TEST(openmesh, a_class_derived_from_its_meshes_is_a_mesh)
