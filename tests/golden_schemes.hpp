@@ -85,5 +85,8 @@ struct unified_on {
 
 template <class M>
 using triangle_schemes_on = testing::Types<loop_on<M>, sqrt3_on<M>>;
+/// One of polygons and one of triangles: for meshes that differ from others in the type of their numbers only.
+template <class M>
+using two_schemes_on = testing::Types<catmull_clark_on<M>, loop_on<M>>;
 template <class M>
 using all_schemes_on = testing::Types<catmull_clark_on<M>, doo_sabin_on<M>, loop_on<M>, sqrt3_on<M>, unified_on<M>>;
