@@ -38,6 +38,12 @@ struct centroids {
             new_vertices(per_vertex, per_face), new_edges(per_edge, per_corner), new_faces(triangles(per_side)));
     }
 };
+struct forgets_edges {
+    static constexpr auto columns()
+    {
+        return kith::columns(new_vertices(per_vertex, per_face), new_edges(per_edge), new_faces(triangles(per_side)));
+    }
+};
 struct by_generation {
     static constexpr auto columns(int generation)
     {
@@ -75,6 +81,7 @@ TEST(scheme, counts_of_the_next_level_follow_from_the_columns)
     const counts house{.vertices = 7, .edges = 11, .faces = 5, .boundary_edges = 2};
     EXPECT_EQ(next_counts(centroids(), house, 0),
               (counts{.vertices = 12, .edges = 31, .faces = 20, .boundary_edges = 2}));
+    EXPECT_EQ(next_counts(forgets_edges(), house, 0), (counts{.vertices = 12, .edges = 11, .faces = 20}));
     const counts cube{.vertices = 8, .edges = 12, .faces = 6};
     EXPECT_EQ(next_counts(each_corner_cut_of_closed(), cube, 0), (counts{.vertices = 24, .edges = 36, .faces = 14}));
 }

@@ -4,6 +4,7 @@
 #include <kith/association/column_numbers.hpp>
 #include <kith/base/counts.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -50,7 +51,7 @@ counted_tuples count_picked(const Where& where, std::uint64_t tuples, const coun
         std::uint64_t exceptions = 0;
         if constexpr (counts_tuples<Where>)
             exceptions = std::invoke(where.how_many, c);
-        return counted_tuples(Where::inner ? tuples - exceptions : exceptions);
+        return counted_tuples(Where::inner ? tuples - std::min(tuples, exceptions) : exceptions);
     } else {
         return counted_tuples(std::invoke(where.how_many, c));
     }
@@ -114,7 +115,8 @@ counts next_counts(const Columns& columns, const counts& c, int generation)
     next.edges = detail::counted_columns<decltype(Columns::edges)>::count(columns.edges, c, generation).total();
     next.faces = faces.total();
     if constexpr (not Closed and not std::invocable<decltype(Columns::boundary), const counts&>)
-        next.boundary_edges = c.boundary_edges == 0 ? 0 : 2 * next.edges - faces.total_corners();
+        if (c.boundary_edges != 0) // corners without a side are a fault of the scheme, which the step itself will name
+            next.boundary_edges = std::max(2 * next.edges, faces.total_corners()) - faces.total_corners();
     return next;
 }
 

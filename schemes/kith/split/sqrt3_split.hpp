@@ -3,7 +3,6 @@
 
 #include <kith/step/refinement.hpp>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace kith {
@@ -33,7 +32,6 @@ struct sqrt3_split {
     static constexpr auto columns(int generation)
     {
         const auto cuts = [odd = is_odd(generation)](const counts& c) { return odd ? c.boundary_edges : 0; };
-        const auto cut_faces = [cuts](const counts& c) { return std::min(cuts(c), c.faces); };
         const auto ends = [cuts](const counts& c) { return 2 * cuts(c); };
         const auto uncut = [even = not is_odd(generation)](const auto& f) {
             return even or not has_one_boundary_edge(f);
@@ -42,10 +40,9 @@ struct sqrt3_split {
         const auto cut = [uncut](const auto& e) { return not uncut(e.lface()); };
         // The edges per corner lead to the centre of the face. A boundary face has only two in an odd step, from its
         // apex to the two points on the boundary; the corner before the boundary edge is the one left out.
-        return kith::columns(
-            new_vertices(per_vertex, per_face.inside_or(uncut, cut_faces), per_end.on_boundary(cut, ends)),
-            new_edges(per_edge, per_corner.inside_or(at_uncut, cuts), per_end.on_boundary(cut, ends)),
-            new_faces(triangles(per_side)));
+        return kith::columns(new_vertices(per_vertex, per_face.inside_or(uncut, cuts), per_end.on_boundary(cut, ends)),
+                             new_edges(per_edge, per_corner.inside_or(at_uncut, cuts), per_end.on_boundary(cut, ends)),
+                             new_faces(triangles(per_side)));
     }
 
     template <class R>
