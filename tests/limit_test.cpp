@@ -4,11 +4,13 @@
 #include "native_shape.hpp"
 
 #include <kith/compiled_schemes.hpp>
+#include <kith/field/with_fields.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/limit/limit_surface.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -118,6 +120,24 @@ TEST(limit, values_are_carried_by_the_masks_of_the_points)
         ASSERT_TRUE(carried[v] and limits[v]);
         EXPECT_EQ(*carried[v], (*limits[v])[2]);
     }
+}
+
+TEST(limit, fields_beside_a_scheme_change_nothing)
+{
+    kith::catmull_clark scheme;
+    scheme.sharpness.sharpen_edge(0, 1.5);
+    const mesh3d control = native(shapes::shaken(shapes::house()));
+    const kith::with_fields beside(scheme, kith::on_faces(std::vector<int>(control.face_count(), 7)));
+    hierarchy with(control, beside);
+    hierarchy without(control, scheme);
+    with.refine(1);
+    without.refine(1);
+    EXPECT_EQ(limit_positions(with.elements(1), with.scheme(1)),
+              limit_positions(without.elements(1), without.scheme(1)));
+    EXPECT_EQ(limit_normals(with.elements(1), with.scheme(1)), limit_normals(without.elements(1), without.scheme(1)));
+    const auto one = limit_surface_of(with, 1), other = limit_surface_of(without, 1);
+    EXPECT_TRUE(std::ranges::equal(one.positions, other.positions));
+    EXPECT_EQ(one.normals, other.normals);
 }
 
 TEST(limit, has_no_mask_at_darts_and_while_creases_decay)

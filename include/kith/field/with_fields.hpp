@@ -41,7 +41,6 @@ public:
                              .faces = own.faces,
                              .closed_only = own.closed_only,
                              .trusted = own.trusted,
-                             .next = own.next,
                              .require = own.require,
                              .reach = own.reach,
                              .is_marked = own.is_marked,

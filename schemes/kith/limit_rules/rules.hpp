@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/crease/sharp_rules.hpp>
+#include <kith/field/with_fields.hpp>
 #include <kith/mask/mask.hpp>
 #include <kith/step/scheme.hpp>
 
@@ -49,6 +50,16 @@ template <class Scheme>
 struct limit_rules : limit_defaults {
     static_assert(not detail::has_limit_position<Scheme>(),
                   "a scheme has a member limit_position, which nobody looks at; specialise kith::limit_rules for it");
+};
+
+/// With fields beside it a scheme has the limits that it has without.
+template <class Scheme, class... Fields>
+struct limit_rules<with_fields<Scheme, Fields...>> : limit_rules<Scheme> {
+    template <class Level>
+    static decltype(auto) on(const with_fields<Scheme, Fields...>& scheme, const Level& level)
+    {
+        return limit_rules<Scheme>::on(scheme.plain(), level);
+    }
 };
 
 /// A scheme with creases, and what they are on a level.
