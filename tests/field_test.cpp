@@ -213,6 +213,29 @@ TEST(field, changes_no_bit_of_the_points_and_is_the_same_by_refine_and_by_hierar
     });
 }
 
+TEST(field, goes_beside_a_scheme_too)
+{
+    const auto mesh = some_mesh(true);
+    for (const auto last_level : {kith::connect::everything, kith::connect::faces}) {
+        auto with = some_fields::with_some_fields(kith::catmull_clark{}, mesh);
+        auto material = with.field<0>();
+        auto weight = with.field<4>();
+        auto texture = with.field<6>();
+        kith::refine_with_fields(mesh, with, 2);
+        const auto fine = kith::refine_with_fields(
+            mesh, kith::catmull_clark{}, 2, std::tie(material, weight, texture), {last_level});
+        EXPECT_EQ(fine.topology().faces_only(), last_level == kith::connect::faces);
+        EXPECT_TRUE(same_bits(fine, kith::refine(mesh, kith::catmull_clark{}, 2, {last_level})));
+        EXPECT_TRUE(std::ranges::equal(material.values(), with.field<0>().values()));
+        EXPECT_TRUE(std::ranges::equal(weight.values(), with.field<4>().values()));
+        EXPECT_TRUE(std::ranges::equal(texture.values(), with.field<6>().values()));
+    }
+    auto sharpness = some_fields::with_some_fields(kith::catmull_clark{}, mesh).field<2>();
+    EXPECT_THROW(kith::refine_with_fields(mesh, kith::catmull_clark{}, 1, std::tie(sharpness), {kith::connect::faces}),
+                 kith::mesh_error);
+    EXPECT_EQ(sharpness.size(), mesh.edge_count());
+}
+
 TEST(field, is_added_to_a_hierarchy_afterwards)
 {
     const auto mesh = some_mesh(true);

@@ -4,6 +4,7 @@
 #include "job_memory.hpp"
 #include "schemes.hpp"
 
+#include <kith/field/field.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh_tags.hpp>
 
@@ -14,13 +15,16 @@
 
 namespace kith::tool {
 
+/// Whether a face is a hole; so are those that come from it. Empty: there are none.
+using hole_field = field<field_on::faces, bool, from_parent<>>;
+
 struct refine_request {
     any_scheme scheme;
     int levels = 0;
     memory_limit memory;
     bool with_tags = false; ///< the sharpness that is left is wanted
     bool limit = false;     ///< the last level at its place on the limit surface, with the normals there
-    bool holes = false;     ///< some faces are left out in the end
+    hole_field holes{};     ///< the faces that are left out in the end, if there are any
 };
 
 struct refined_mesh {
@@ -28,6 +32,7 @@ struct refined_mesh {
     std::uint64_t edges = 0;
     std::vector<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
     io::mesh_tags tags{};                         ///< the sharpness that is left, if it was asked for
+    hole_field holes{};                           ///< if there are any
 };
 
 /// Refine on one kind of mesh each, level by level, and give the last level back as the native one.

@@ -2,8 +2,10 @@
 #include "foreign_back_end.hpp"
 
 #include <kith/plan.hpp>
-#include <kith/refine.hpp>
+#include <kith/refine_with_fields.hpp>
 
+#include <tuple>
+#include <utility>
 #include <variant>
 
 namespace kith::tool {
@@ -14,11 +16,19 @@ refined_mesh refine_native(basic_mesh<> control, const refine_request& request)
     if (request.limit or keeps_tags(request))
         return refine_on<basic_mesh<>>(control, request);
     return std::visit(
-        [&](const auto& scheme) {
+        [&]<class Scheme>(const Scheme& scheme) {
             // Nothing that is printed or written needs the last level's edges, and their number is known beforehand.
             const auto levels = plan(count(control.topology()), scheme, request.levels, control.generation());
-            auto mesh = refine(control, scheme, request.levels, {connect::faces, request.memory.bytes});
-            return refined_mesh{std::move(mesh), levels.back().counts.edges};
+            const refine_options options{connect::faces, request.memory.bytes};
+            refined_mesh result{{}, levels.back().counts.edges};
+            if constexpr (has_creases<Scheme>)
+                if (not request.holes.empty()) {
+                    result.holes = request.holes;
+                    result.mesh = refine_with_fields(control, scheme, request.levels, std::tie(result.holes), options);
+                    return result;
+                }
+            result.mesh = refine(control, scheme, request.levels, options);
+            return result;
         },
         request.scheme);
 }

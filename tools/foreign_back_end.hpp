@@ -27,7 +27,7 @@ inline void require_possible(const refine_request& request, const basic_mesh<>& 
     require_memory(request.scheme,
                    control,
                    request.levels,
-                   {mesh, request.limit, request.holes, keeps_tags(request)},
+                   {mesh, request.limit, not request.holes.empty(), keeps_tags(request)},
                    request.memory);
 }
 
@@ -57,10 +57,12 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
             const int generation = control.generation() + request.levels; // which other libraries forget
             refined_mesh refined{with_points<std::array<double, 3>>(lift(levels.finest()), generation)};
             refined.edges = refined.mesh.edge_count();
-            if constexpr (has_creases<Scheme>)
+            if constexpr (has_creases<Scheme>) {
                 if (request.with_tags)
                     refined.tags = io::tags_of(levels.scheme(request.levels).sharpness,
                                                levels.elements(request.levels));
+                refined.holes = levels.carry(0, request.levels, request.holes);
+            }
             if (request.limit)
                 refined.normals = move_to_limit(refined.mesh, levels.scheme(request.levels));
             return refined;

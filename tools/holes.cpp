@@ -3,22 +3,19 @@
 
 #include <kith/base/error.hpp>
 #include <kith/level/lift.hpp>
-#include <kith/step/children.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <utility>
-#include <variant>
 
 namespace kith::tool {
 
-std::vector<bool> holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh)
+hole_field holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh)
 {
-    std::vector<bool> result(mesh.face_count());
+    storage<bool> result(mesh.face_count(), false);
     for (const std::size_t face : tags.holes) {
         if (face >= result.size())
             throw mesh_error("hole " + std::to_string(face) + ": there is no such face; correct the tag");
@@ -36,27 +33,7 @@ std::vector<bool> holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh)
         throw mesh_error(
             (count == 1 ? "the only face is a hole" : "all " + std::to_string(count) + " faces are holes") +
             std::string(", nothing would be left; correct the tags"));
-    return count == 0 ? std::vector<bool>() : result;
-}
-
-std::vector<bool> holes_after(const any_scheme& scheme, int levels, const basic_mesh<>& control,
-                              const std::vector<bool>& holes)
-{
-    face_lineage faces{{0}, std::vector<std::size_t>(control.face_count())};
-    for (std::size_t f = 0; f < control.face_count(); ++f)
-        faces.first_corner.push_back(faces.first_corner.back() + control.face(f).size());
-    std::iota(faces.ancestor.begin(), faces.ancestor.end(), std::size_t(0));
-    std::visit(
-        [&]<class Scheme>(const Scheme& s) {
-            if constexpr (has_creases<Scheme>)
-                for (int level = 0; level < levels; ++level)
-                    faces = faces.next(columns_of(s, control.generation() + level));
-        },
-        scheme);
-    std::vector<bool> result;
-    for (const std::size_t f : faces.ancestor)
-        result.push_back(holes[f]);
-    return result;
+    return count == 0 ? hole_field() : hole_field(result);
 }
 
 void require_no_holes(const control_mesh& control)
@@ -66,7 +43,7 @@ void require_no_holes(const control_mesh& control)
                          "--tiles, or leave them aside with --ignore-tags");
 }
 
-void leave_out(refined_mesh& result, const std::vector<bool>& holes)
+void leave_out_holes(refined_mesh& result)
 {
     const basic_mesh<>& mesh = result.mesh;
     using index = basic_mesh<>::index_type;
@@ -76,7 +53,7 @@ void leave_out(refined_mesh& result, const std::vector<bool>& holes)
     kept.degree = mesh.topology().degree;
     std::vector<index> corners, first{0};
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        if (holes[f])
+        if (result.holes[f])
             continue;
         const auto face = mesh.face(f);
         for (std::size_t i = 0; i < face.size(); ++i) {

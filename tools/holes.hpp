@@ -6,23 +6,17 @@
 
 #include <kith/mesh/basic_mesh.hpp>
 
-#include <vector>
-
 namespace kith::tool {
 
 /// The faces of a control mesh that its tags make holes: those they name, and where the boundary is not to be interpolated
 /// all that touch it. Empty: there are none. Errors: mesh_error for a face that is not there, and when nothing is left.
-std::vector<bool> holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh);
-
-/// The same for the faces `levels` steps later: all that come from a hole. Precondition: a scheme with creases.
-std::vector<bool> holes_after(const any_scheme& scheme, int levels, const basic_mesh<>& control,
-                              const std::vector<bool>& holes);
+hole_field holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh);
 
 /// For surfaces in tiles, of which holes are not left out. Errors: mesh_error.
 void require_no_holes(const control_mesh& control);
 
 /// As OpenSubdiv has it: holes shape the surface around them like other faces, and are left out in the end, with the
 /// vertices that no other face has.
-void leave_out(refined_mesh& result, const std::vector<bool>& holes);
+void leave_out_holes(refined_mesh& result);
 
 } // namespace kith::tool

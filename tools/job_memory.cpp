@@ -232,8 +232,8 @@ std::uint64_t job_bytes(const std::vector<planned_level>& levels, const job_kind
     }
     if (kind.limit)
         written += bytes_of(24, 0, 0, last);
-    if (kind.holes) { // edges, corners and points of what is left, and the control mesh once more
-        most += double(control.bytes);
+    if (kind.holes) { // the holes of two levels; edges, corners and points of what is left
+        most += bytes_of(0, 0, 2, last);
         written += bytes_of(52, 0, 4, last) + 16 * double(last.counts.corners());
     }
     return whole_number(std::max(most, written + bytes_of(24, 0, 0, last)) * 1.05);

@@ -122,12 +122,10 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     control_mesh control = timed(seconds[phase::read], [&] { return read_mesh(input); });
     refined_mesh result = timed(seconds[phase::refine], [&] {
         give_creases(request.scheme, control, words);
-        const auto holes = holes_of(control.tags, control.mesh);
-        request.holes = not holes.empty();
-        const basic_mesh<> with_holes = holes.empty() ? basic_mesh<>() : control.mesh;
+        request.holes = holes_of(control.tags, control.mesh);
         refined_mesh refined = refine_on(mesh, prepared(request.scheme, std::move(control.mesh)), request);
-        if (not holes.empty())
-            leave_out(refined, holes_after(request.scheme, request.levels, with_holes, holes));
+        if (not refined.holes.empty())
+            leave_out_holes(refined);
         return refined;
     });
     if (request.with_tags)

@@ -5,41 +5,91 @@
 
 #include <kith/field/with_fields.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 namespace kith {
 
-/// `refine`, to the same bits, which makes `scheme` the scheme of the last level: its fields are those of the mesh that is
-/// returned, by its dense numbers, and so is all other state (creases). The last level has its edges, whatever the options say.
-/// Errors: as `refine`, and mesh_error for a field of another number of values; the scheme is as before then. Cost: that of
-/// `refine` and of the rules of the fields.
-template <class Point, class Index, scheme Scheme>
-basic_mesh<Point, Index> refine_with_fields(const basic_mesh<Point, Index>& mesh, Scheme& scheme, int levels,
-                                            const refine_options& options = {})
+namespace detail {
+
+/// Makes fields those of the next level, and the scheme, too.
+template <class Fields, class Scheme, class Level, class Numbering, class Fine>
+void advance_with_fields(Fields& fields, Scheme& scheme, const Level& coarse, int generation, const Numbering& ids,
+                         const Fine& fine)
+{
+    const made_step<Scheme, Level, Numbering, Fine> step{scheme, coarse, generation, ids, fine};
+    std::apply([&](auto&... each) { ((each = each.after(step)), ...); }, fields);
+    advance(scheme, coarse, generation, ids, fine);
+}
+
+/// Refines a native mesh and makes scheme and fields those of the last level.
+template <class Point, class Index, class Scheme, class Fields>
+basic_mesh<Point, Index> refine_with(basic_mesh<Point, Index> mesh, Scheme& scheme, Fields& fields, int levels,
+                                     connect last_level)
+{
+    numbering_of<Scheme, Index> ids;
+    for (int level = 1; level <= levels; ++level) {
+        auto fine = level == levels and last_level == connect::faces
+                        ? refine_mesh<connect::faces>(mesh, scheme, ids)
+                        : refine_mesh<connect::everything>(mesh, scheme, ids);
+        advance_with_fields(fields, scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation(), ids, fine);
+        mesh = std::move(fine);
+    }
+    return mesh;
+}
+
+/// `refine` that makes scheme and fields those of the last level, as far as it got.
+template <class Point, class Index, class Scheme, class Fields>
+basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Scheme& scheme, Fields& fields, int levels,
+                                     const refine_options& options)
 {
     validate(mesh).require_ok();
-    auto control = detail::with_edges(mesh);
-    detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
-    Scheme last = scheme;
-    auto fine = detail::refine_on(std::move(control), last, levels);
-    scheme = std::move(last);
+    auto control = with_edges(mesh);
+    require_refinable(control, scheme, levels, options);
+    return refine_with(std::move(control), scheme, fields, levels, options.last_level);
+}
+template <class M, class Scheme, class Fields>
+M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const refine_options& options)
+{
+    auto control = lift_valid(mesh);
+    require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
+    if (levels == 0)
+        return build_like(mesh, std::move(control));
+    const auto coarse = refine_with(std::move(control), scheme, fields, levels - 1, connect::everything);
+    numbering_of<Scheme, std::uint32_t> ids;
+    M fine = with_native_level<Scheme>(
+        coarse, [&](const auto& level) { return refine_level_like(mesh, level, scheme, coarse.generation(), ids); });
+    advance_with_fields(
+        fields, scheme, level_of<std::remove_const_t<decltype(coarse)>>(coarse), coarse.generation(), ids, fine);
     return fine;
 }
 
+} // namespace detail
+
+/// `refine`, to the same bits, with fields of the mesh, which become those of the mesh that is returned, by its dense numbers:
+/// refine_with_fields(mesh, loop{}, 3, std::tie(material, uv)).
+/// Errors: as `refine`, and mesh_error for a field of another number of values, and for one on edges where the last level has
+/// none; the fields are as before then. Cost: that of `refine` and of the rules of the fields.
+template <refinable_mesh M, scheme Scheme, class... Fields>
+M refine_with_fields(const M& mesh, const Scheme& scheme, int levels, std::tuple<Fields&...> fields,
+                     const refine_options& options = {})
+{
+    Scheme last = scheme;
+    std::tuple<Fields...> next = fields;
+    M fine = detail::refine_with(mesh, last, next, levels, options);
+    fields = std::move(next);
+    return fine;
+}
+
+/// The same with the fields, and all other state (creases), that the scheme has; it becomes the scheme of the last level.
 template <refinable_mesh M, scheme Scheme>
 M refine_with_fields(const M& mesh, Scheme& scheme, int levels, const refine_options& options = {})
 {
-    auto control = lift_valid(mesh);
-    detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
-    if (levels == 0)
-        return build_like(mesh, std::move(control));
     Scheme last = scheme;
-    const auto coarse = detail::refine_on(std::move(control), last, levels - 1);
-    numbering_of<Scheme, std::uint32_t> ids;
-    M fine = with_native_level<Scheme>(
-        coarse, [&](const auto& level) { return refine_level_like(mesh, level, last, coarse.generation(), ids); });
-    advance(last, level_of<std::remove_const_t<decltype(coarse)>>(coarse), coarse.generation(), ids, fine);
+    std::tuple<> none;
+    M fine = detail::refine_with(mesh, last, none, levels, options);
     scheme = std::move(last);
     return fine;
 }

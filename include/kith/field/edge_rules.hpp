@@ -3,6 +3,7 @@
 
 #include "inherit.hpp"
 
+#include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
 
 #include <cstddef>
@@ -45,6 +46,9 @@ struct along_edges {
             Step::numbering_type::has_edges,
             "values on edges need a scheme that says which edges it makes: let its columns declare new_edges");
         const auto fine = step.fine();
+        if (fine.edge_count() != step.ids.edges.total())
+            throw mesh_error("a field has values on edges, and the next level is made without its edges; ask for "
+                             "connect::everything");
         storage<T> result(step.ids.edges.total());
         detail::for_new_elements(step.coarse,
                                  step.ids.edges,
