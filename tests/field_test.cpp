@@ -6,6 +6,7 @@
 #include "some_fields.hpp"
 #include "tiles.hpp"
 
+#include <kith/field/sparse_values.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/refine_in_tiles.hpp>
 #include <kith/refine_with_fields.hpp>
@@ -347,4 +348,30 @@ TEST(field, is_a_member_of_a_scheme_that_reads_it)
     EXPECT_TRUE(same_bits(fine, expected));
     EXPECT_EQ(scheme.pull.size(), fine.face_count());
     EXPECT_EQ(scheme.pull[fine.face_count() - 1], 0.25);
+}
+
+TEST(sparse_values, are_set_removed_cut_and_joined)
+{
+    kith::sparse_values<int> sparse;
+    for (const std::size_t element : {7U, 2U, 9U, 4U})
+        sparse.set(element, int(10 * element));
+    sparse.set(9, 0);
+    sparse.set(4, 5);
+    using list = std::vector<std::pair<std::size_t, int>>;
+    EXPECT_EQ(sparse.list(), (list{{2, 20}, {4, 5}, {7, 70}}));
+    EXPECT_EQ(sparse[4], 5);
+    EXPECT_EQ(sparse[3], 0);
+    const std::vector<std::uint32_t> some{1, 2, 2, 3, 7}, others{2, 4};
+    const auto part = sparse.of_part(std::span(some)); // a vertex with two fans is there twice
+    EXPECT_EQ(part.list(), (list{{1, 20}, {2, 20}, {4, 70}}));
+    auto joined = decltype(sparse)();
+    joined.add_part(part, std::span(some));
+    joined.add_part(sparse.of_part(std::span(others)), std::span(others));
+    EXPECT_EQ(joined.list(), sparse.list());
+    kith::packer out;
+    sparse.pack(out);
+    const auto bytes = out.take();
+    kith::unpacker in(bytes);
+    joined.unpack(in);
+    EXPECT_EQ(joined.list(), sparse.list());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/field/sparse_values.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/mask/ring_waves.hpp>
 #include <kith/step/level_state.hpp>
@@ -8,10 +9,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace kith {
@@ -32,15 +31,15 @@ public:
     explicit creases(crease_method method) : method(method) {}
 
     /// Precondition: sharpness >= 0. Setting anew replaces.
-    void sharpen_edge(std::size_t edge, double sharpness) { set(edges_, edge, sharpness); }
-    void sharpen_vertex(std::size_t vertex, double sharpness) { set(vertices_, vertex, sharpness); }
+    void sharpen_edge(std::size_t edge, double sharpness) { edges_.set(edge, sharpness > 0 ? sharpness : 0); }
+    void sharpen_vertex(std::size_t vertex, double sharpness) { vertices_.set(vertex, sharpness > 0 ? sharpness : 0); }
 
     [[nodiscard]] bool empty() const { return edges_.empty() and vertices_.empty(); }
-    [[nodiscard]] double of_edge(std::size_t edge) const { return get(edges_, edge); }
-    [[nodiscard]] double of_vertex(std::size_t vertex) const { return get(vertices_, vertex); }
+    [[nodiscard]] double of_edge(std::size_t edge) const { return edges_[edge]; }
+    [[nodiscard]] double of_vertex(std::size_t vertex) const { return vertices_[vertex]; }
     /// Pairs of number and sharpness, by number.
-    [[nodiscard]] const auto& edges() const { return edges_; }
-    [[nodiscard]] const auto& vertices() const { return vertices_; }
+    [[nodiscard]] const auto& edges() const { return edges_.list(); }
+    [[nodiscard]] const auto& vertices() const { return vertices_.list(); }
 
     /// The reach of a scheme with creases whose smooth masks reach one ring: Chaikin's sharpness of an edge, and with it its
     /// point, depends on the edges around both of its ends.
@@ -66,7 +65,7 @@ public:
         if (method != crease_method::chaikin)
             return result;
         std::vector<std::size_t> ends;
-        for (const auto& [edge, s] : edges_)
+        for (const auto& [edge, s] : edges())
             for (const auto& v : {level.edges()[edge].org(), level.edges()[edge].dst()})
                 ends.push_back(v.index());
         std::sort(ends.begin(), ends.end());
@@ -111,16 +110,16 @@ public:
     {
         creases result(method);
         const auto large = large_fans(coarse);
-        for (const auto& [edge, s] : edges_) {
+        for (const auto& [edge, s] : edges()) {
             const auto e = coarse.edges()[edge];
             for (const auto& v : {e.org(), e.dst()})
                 if (const double child = child_sharpness(v, e, large); child > 0)
-                    result.edges_.emplace_back(ids.edges.template id<tuple_kind::ve>(index_tuple(v, e).value), child);
+                    result.edges_.append(ids.edges.template id<tuple_kind::ve>(index_tuple(v, e).value), child);
         }
-        for (const auto& [vertex, s] : vertices_)
+        for (const auto& [vertex, s] : vertices())
             if (s > 1)
-                result.vertices_.emplace_back(ids.vertices.template id<tuple_kind::v>(vertex), s - 1);
-        std::sort(result.edges_.begin(), result.edges_.end());
+                result.vertices_.append(ids.vertices.template id<tuple_kind::v>(vertex), s - 1);
+        result.edges_.sort();
         return result;
     }
 
@@ -129,88 +128,41 @@ public:
     [[nodiscard]] creases of_part(const part_numbers<Index>& part) const
     {
         creases result(method);
-        const auto take = [](const list& all, std::span<const Index> numbers, list& taken) {
-            auto sharp = all.begin();
-            for (std::size_t i = 0; i < numbers.size() and sharp != all.end(); ++i) {
-                while (sharp != all.end() and sharp->first < numbers[i])
-                    ++sharp;
-                if (sharp != all.end() and sharp->first == numbers[i])
-                    taken.emplace_back(i, sharp->second);
-            }
-        };
-        take(vertices_, part.vertices, result.vertices_);
-        take(edges_, part.edges, result.edges_);
+        result.vertices_ = vertices_.of_part(part.vertices);
+        result.edges_ = edges_.of_part(part.edges);
         return result;
     }
     /// Takes over the creases of a part. Cost: O(sharp elements log of them).
     template <class Index>
     void add_part(const creases& sharp, const part_numbers<Index>& part)
     {
-        const auto add = [](const list& more, std::span<const Index> numbers, list& all) {
-            for (const auto& [element, sharpness] : more)
-                all.emplace_back(numbers[element], sharpness);
-            std::ranges::sort(all);
-            const auto twice = std::ranges::unique(all, {}, &list::value_type::first);
-            all.erase(twice.begin(), twice.end());
-        };
-        add(sharp.vertices_, part.vertices, vertices_);
-        add(sharp.edges_, part.edges, edges_);
+        vertices_.add_part(sharp.vertices_, part.vertices);
+        edges_.add_part(sharp.edges_, part.edges);
     }
     /// As a message, and from one.
     template <class Out>
     void pack(Out& out) const
     {
         out.add(method);
-        for (const list* sharp : {&edges_, &vertices_}) {
-            out.add(std::uint64_t(sharp->size()));
-            for (const auto& [element, sharpness] : *sharp)
-                out.add(std::uint64_t(element)).add(sharpness);
-        }
+        edges_.pack(out);
+        vertices_.pack(out);
     }
     template <class In>
     void unpack(In& in)
     {
         method = in.template get<crease_method>();
-        for (list* sharp : {&edges_, &vertices_}) {
-            sharp->clear();
-            for (auto left = in.template get<std::uint64_t>(); left > 0; --left) {
-                const auto element = in.template get<std::uint64_t>();
-                set(*sharp, element, in.template get<double>());
-            }
-        }
+        edges_.unpack(in);
+        vertices_.unpack(in);
     }
 
 private:
-    using list = std::vector<std::pair<std::size_t, double>>;
-
     static auto find(std::span<const large_fan> fans, std::size_t vertex)
     {
         return std::lower_bound(
             fans.begin(), fans.end(), vertex, [](const large_fan& fan, std::size_t x) { return fan.vertex < x; });
     }
-    static auto find(auto& sharp, std::size_t element)
-    {
-        return std::lower_bound(
-            sharp.begin(), sharp.end(), element, [](const auto& entry, std::size_t x) { return entry.first < x; });
-    }
-    static void set(list& sharp, std::size_t element, double sharpness)
-    {
-        auto place = find(sharp, element);
-        const bool is_there = place != sharp.end() and place->first == element;
-        if (sharpness > 0 and is_there)
-            place->second = sharpness;
-        else if (sharpness > 0)
-            sharp.emplace(place, element, sharpness);
-        else if (is_there)
-            sharp.erase(place);
-    }
-    static double get(const list& sharp, std::size_t element)
-    {
-        const auto place = find(sharp, element);
-        return place != sharp.end() and place->first == element ? place->second : 0;
-    }
 
-    list edges_, vertices_;
+    sparse_values<double> edges_, vertices_;
 };
 
 } // namespace kith
