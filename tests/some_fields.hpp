@@ -9,8 +9,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <limits>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Fields of all kinds for tests, and what they are compared by.

@@ -148,18 +148,14 @@ public:
         return result;
     }
 
-    /// A field on the elements of level `from` carried to level `to` by its rule: one pass over the levels between, which stay
-    /// as they are. Errors: mesh_error unless from <= to and the field has a value for each element. Cost: that of the rule.
+    /// A field of level `from` carried to level `to` by its rule: one pass over the levels between. Errors: as above.
     template <field_on Where, class T, class Rule>
     [[nodiscard]] field<Where, T, Rule> carry(int from, int to, field<Where, T, Rule> values) const
     {
         require_order(from, to);
-        for (int level = from; level < to; ++level) {
-            const entry& here = at(level);
-            const made_step<Scheme, level_type, numbering_type, M> step{
-                here.scheme, elements(level), generation_ + level, here.ids, at(level + 1).mesh};
-            values = values.after(step);
-        }
+        for (int level = from; level < to; ++level)
+            values = values.after(
+                made_step{at(level).scheme, elements(level), generation_ + level, at(level).ids, at(level + 1).mesh});
         return values;
     }
 

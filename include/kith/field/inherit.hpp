@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/association/columns.hpp>
+#include <kith/association/numbering.hpp>
 #include <kith/base/affine.hpp>
 #include <kith/base/for_parts.hpp>
 #include <kith/step/level_state.hpp>
