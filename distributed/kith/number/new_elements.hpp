@@ -89,8 +89,8 @@ private:
     [[nodiscard]] bool owns(const std::pair<tuple_kind, std::size_t>& origin, const F& owns_first_face) const
     {
         const auto [kind, tuple] = origin;
-        const bool is_of_face = kind != tuple_kind::v and kind != tuple_kind::e and kind != tuple_kind::ve;
-        return is_of_face ? facts_.is_owned(kind, tuple) : facts_.is_complete(kind, tuple) and owns_first_face();
+        return parent_kind(kind) == element_kind::face ? facts_.is_owned(kind, tuple)
+                                                       : facts_.is_complete(kind, tuple) and owns_first_face();
     }
 
     const Tile& coarse_;

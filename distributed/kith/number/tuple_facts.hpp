@@ -22,11 +22,11 @@ public:
 
     [[nodiscard]] bool is_owned(tuple_kind kind, std::size_t tuple) const
     {
-        switch (kind) {
-        case tuple_kind::v: return coarse_.owns_vertex(tuple);
-        case tuple_kind::e: return coarse_.owns_edge(tuple);
-        case tuple_kind::ve: return coarse_.owns_edge(tuple / 2);
-        default: return coarse_.owns_face(face(kind, tuple));
+        const std::size_t x = parent(level_, kind, tuple);
+        switch (parent_kind(kind)) {
+        case element_kind::vertex: return coarse_.owns_vertex(x);
+        case element_kind::edge: return coarse_.owns_edge(x);
+        default: return coarse_.owns_face(x);
         }
     }
     /// Of the faces at the tuple the one with the smallest number.
@@ -49,8 +49,8 @@ public:
     /// All faces that a vertex or an edge has in the whole mesh are here.
     [[nodiscard]] bool is_complete(tuple_kind kind, std::size_t tuple) const
     {
-        return kind == tuple_kind::v ? is_complete(level_.vertices()[tuple])
-                                     : not coarse_.is_cut(kind == tuple_kind::ve ? tuple / 2 : tuple);
+        const std::size_t x = parent(level_, kind, tuple);
+        return kind == tuple_kind::v ? is_complete(level_.vertices()[x]) : not coarse_.is_cut(x);
     }
     [[nodiscard]] bool is_complete(const vertex<level_type>& v) const
     {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/part/tile.hpp>
+#include <kith/step/children.hpp>
 #include <kith/step/submesh.hpp>
 
 #include <algorithm>
@@ -18,9 +19,6 @@ struct numbered_tile {
     std::uint64_t number = 0;
     Tile part;
 };
-
-/// The elements of a tile that may carry values.
-enum class element_kind : unsigned char { vertex, edge, face };
 
 /// The numbers in the whole mesh of all elements of one kind, and their marks.
 template <class Tile>
