@@ -4,6 +4,7 @@
 #include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/loop.hpp>
+#include <kith/refine.hpp>
 #include <kith/sqrt3.hpp>
 
 #include "error_text.hpp"

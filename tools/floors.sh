@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 # its own name, an umbrella over floors above. `<` names the root below.
 floors='
 include     : base mesh mask level association step field .
-schemes     < include : split crease nasri_hasbini . limit_rules limit schemes.hpp
+schemes     < include : split crease kernel nasri_hasbini . limit_rules limit schemes.hpp
 distributed < include : part number tile output mpi ranks slices .
 '
 

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
-#include <kith/mask/large_rings.hpp>
-#include <kith/mask/weight_rows.hpp>
+#include <kith/level/irregular_rings.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/triangle_split.hpp>
-#include <kith/step/blocks.hpp>
+#include <kith/step/rules.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 namespace kith {
@@ -46,65 +44,37 @@ struct butterfly {
     }
 
     /// The same weights for n >= 5 by the angle from the other end of the edge.
-    static constexpr wave_kernel ring_kernel{1. / 4, 1. / 2, 1. / 4};
+    static constexpr wave_kernel ring_kernel(std::size_t) { return {1. / 4, 1. / 2, 1. / 4}; }
 
     template <class R>
     void operator()(const R& r) const
     {
         using namespace targets;
-        using real = scalar_type<R>;
-        const auto& [coarse, assoc, generation] = r;
-        const weight_rows<real> rows(ring_weights);
+        const auto& assoc = r.assoc;
+        const irregular_rings rings(r, 6, ring_weights, ring_kernel);
 
-        std::vector<fan_kind> kinds(coarse.vertex_count());
-        for_each(coarse.vertices(), [&](auto v) {
-            const std::size_t n = v.is_boundary() ? 6 : v.valence();
-            kinds[v.index()] = n == 6 ? fan_kind::regular : irregular_fan(n);
-            assoc(v, V) = v;
+        const auto vertices = on_vertices([](auto v) { return v; });
+        const auto edges = on_edges([&](auto e) {
+            const auto x = e.org();
+            const auto y = e.dst();
+            if (e.is_boundary()) {
+                assoc(e, V) = 9. / 16 * (x + y) + -1. / 16 * (x.last_rim() + y.first_rim());
+                return;
+            }
+            const auto l = e.lcorner(); // of x
+            const auto r = e.rcorner(); // of y
+            const auto around = [&](auto c) { return 3. / 4 * c.v() + rings.sum_from_edge(c); };
+            if (rings.is_regular(x) and rings.is_regular(y))
+                assoc(e, V) = 1. / 2 * (x + y) + 1. / 8 * (l.prev().v() + r.prev().v()) +
+                              -1. / 16 * (wing(l.next()) + wing(l.prev()) + (wing(r.next()) + wing(r.prev())));
+            else if (rings.is_regular(y))
+                assoc(e, V) = around(l);
+            else if (rings.is_regular(x))
+                assoc(e, V) = around(r);
+            else
+                assoc(e, V) = (around(l) + around(r)) / 2;
         });
-        const large_fans large(coarse, kinds, [&assoc = assoc](const auto& v, std::size_t n) {
-            return ring_waves<std::remove_cvref_t<decltype(assoc)>, 2>(assoc, v.neighbors(), n);
-        });
-
-        in_blocks(r, [&](const auto& block) {
-            for_each(block.coarse.edges(), [&](auto e) {
-                const auto x = e.org();
-                const auto y = e.dst();
-                if (e.is_boundary()) {
-                    assoc(e, V) = 9. / 16 * (x + y) + -1. / 16 * (x.last_rim() + y.first_rim());
-                    return;
-                }
-                const auto l = e.lcorner(); // of x
-                const auto r = e.rcorner(); // of y
-                std::vector<real> spare_x, spare_y;
-                const auto ring = [&](auto c,
-                                      auto& spare) { // of c's vertex, the other end of e being its first neighbour
-                    const bool is_large = kinds[c.v().index()] == fan_kind::large;
-                    const real* row = is_large ? nullptr : rows(c.v().valence(), spare);
-                    return choose(
-                        is_large,
-                        [c, &large] {
-                            const auto [sums, step] = large.at(c);
-                            return sums.mask(ring_kernel, 2 * step);
-                        },
-                        [c, row] { return sum(c.neighbors_from_here(), row); });
-                };
-                const auto around = [&](auto c, auto& spare) { return 3. / 4 * c.v() + ring(c, spare); };
-                const bool x_is_irregular = kinds[x.index()] != fan_kind::regular;
-                const bool y_is_irregular = kinds[y.index()] != fan_kind::regular;
-                if (x_is_irregular and y_is_irregular)
-                    assoc(e, V) = (around(l, spare_x) + around(r, spare_y)) / 2;
-                else if (x_is_irregular)
-                    assoc(e, V) = around(l, spare_x);
-                else if (y_is_irregular)
-                    assoc(e, V) = around(r, spare_y);
-                else
-                    assoc(e, V) = 1. / 2 * (x + y) + 1. / 8 * (l.prev().v() + r.prev().v()) +
-                                  -1. / 16 * (wing(l.next()) + wing(l.prev()) + (wing(r.next()) + wing(r.prev())));
-            });
-
-            triangle_split::connect(block);
-        });
+        subdivide(triangle_split(), r, vertices, edges);
     }
 
 private:

@@ -3,9 +3,7 @@
 
 #include <kith/crease/sharp_rules.hpp>
 #include <kith/split/quad_split.hpp>
-#include <kith/step/blocks.hpp>
-
-#include <cstddef>
+#include <kith/step/rules.hpp>
 
 namespace kith {
 
@@ -31,26 +29,19 @@ struct catmull_clark {
     void operator()(const R& r) const
     {
         using namespace targets;
-        using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
         const sharp_rules sharp(coarse, sharpness, corners);
 
         for_each(coarse.faces(), [&](auto f) { assoc(f, V) = average(f.vertices()); });
 
-        in_blocks(r, [&](const auto& block) {
-            sharp.make_edges(
-                block, [&](auto e) { return average(e.org(), e.dst(), assoc(e.lface(), V), assoc(e.rface(), V)); });
-
-            sharp.make_vertices(block, [&](auto v) {
-                const auto ring = v.corners().map([&](auto c) { return c.next().v() + assoc(c.f(), V); });
-                return around(v, ring, [](std::size_t valence) {
-                    const auto n = real(double(valence));
-                    return ring_weights<real>{(n - 2) / n, 1 / (n * n)};
-                });
-            });
-
-            quad_split::connect(block);
-        });
+        const auto edge_point = [&](auto e) {
+            return average(e.org(), e.dst(), assoc(e.lface(), V), assoc(e.rface(), V));
+        };
+        const auto vertex_point = [&](auto v) {
+            const auto ring = v.corners().map([&](auto c) { return c.next().v() + assoc(c.f(), V); });
+            return around(v, ring, [](auto n, auto v, auto sum) { return (n - 2) / n * v + 1 / (n * n) * sum; });
+        };
+        subdivide(quad_split(), r, sharp.on_edges(edge_point), sharp.on_vertices(vertex_point));
     }
 };
 

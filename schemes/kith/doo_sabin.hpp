@@ -2,15 +2,12 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
-#include <kith/mask/large_rings.hpp>
+#include <kith/kernel/face_masks.hpp>
 #include <kith/split/dual_split.hpp>
 #include <kith/split/require_faces.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
-#include <vector>
 
 namespace kith {
 
@@ -64,11 +61,7 @@ struct doo_sabin {
         using namespace targets;
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
-        const auto masks = masks_by_degree<real>(coarse);
-        const large_faces large(coarse, [&assoc = assoc](const auto& f, std::size_t n) {
-            return ring_waves<std::remove_cvref_t<decltype(assoc)>, 1>(assoc, f.vertices(), n);
-        });
-
+        const face_masks masks(r, [this](std::size_t j, std::size_t n) { return weight(j, n); });
         const bool open = not coarse.is_closed();
         for_each(coarse.corners(), [&](auto c) {
             const auto v = c.v();
@@ -82,61 +75,25 @@ struct doo_sabin {
             else if (after and before)
                 assoc(c, V) = v;
             else if (open and is_clamped and c.f().is_boundary())
-                assoc(c, V) = sum(c.vertices_from_here(), clamped_mask<real>(c).data());
+                assoc(c, V) = sum(c.vertices_from_here(), clamped_quad_weights<real>(c).data());
             else if (n <= longest_row)
-                assoc(c, V) = sum(c.vertices_from_here(), masks[n].data());
+                assoc(c, V) = masks.sum_from(c, n);
             else
-                make_in_large_face(assoc(c, V), c, large.of(c.f()));
+                in_large_face(masks, c, [&](const auto& mask) { assoc(c, V) = mask; });
         });
 
         split().connect(r);
     }
 
 private:
-    /// The same weights by what they have in common.
-    template <class Association, class Corner, class Sums>
-    void make_in_large_face(const Association& target, const Corner& c, const Sums& sums) const
+    /// Calls use(mask) with the same weights by what they have in common.
+    template <class Masks, class Corner, class Use>
+    void in_large_face(const Masks& masks, const Corner& c, const Use& use) const
     {
-        const auto face = [&](const wave_kernel& kernel) { return sums.mask(kernel, 2 * step_in_face(c)); };
         if (weights == doo_sabin_weights::cosine)
-            target = 1. / 4 * c.v() + face({3. / 4, 1. / 4, 0});
+            use(1. / 4 * c.v() + masks.sum_in_large(c, {3. / 4, 1. / 4, 0}));
         else
-            target = 1. / 2 * c.v() + 1. / 8 * (c.prev().v() + c.next().v()) + face({1. / 4, 0, 0});
-    }
-
-    /// For each degree that occurs, but for large ones, the weights of a face's corners, counted from the one that the point
-    /// belongs to.
-    template <class Real, class Level>
-    auto masks_by_degree(const Level& coarse) const
-    {
-        std::vector<std::vector<Real>> masks;
-        for (const auto f : coarse.faces()) {
-            const std::size_t n = f.degree();
-            if (n > longest_row or (n < masks.size() and not masks[n].empty()))
-                continue;
-            if (n >= masks.size())
-                masks.resize(n + 1);
-            Real others(0);
-            masks[n].push_back(others);
-            for (std::size_t j = 1; j < n; ++j) {
-                masks[n].push_back(Real(weight(j, n)));
-                others = others + masks[n].back();
-            }
-            masks[n][0] = 1 - others; // so that they sum to one exactly
-        }
-        return masks;
-    }
-
-    /// docs/schemes.md, Doo-Sabin, clamped: in each direction all of the weight for a point on the boundary, half of it
-    /// beside a boundary, else 3/4.
-    template <class Real, class Corner>
-    static std::array<Real, 4> clamped_mask(const Corner& c)
-    {
-        const auto d = c.next().next();
-        const auto towards = [](bool on, bool beside) { return on ? Real(1) : beside ? Real(1) / 2 : Real(3) / 4; };
-        const Real a = towards(c.prev().is_boundary(), c.next().is_boundary());
-        const Real b = towards(c.is_boundary(), d.is_boundary());
-        return {a * b, (1 - a) * b, (1 - a) * (1 - b), a * (1 - b)};
+            use(1. / 2 * c.v() + 1. / 8 * (c.prev().v() + c.next().v()) + masks.sum_in_large(c, {1. / 4, 0, 0}));
     }
 };
 

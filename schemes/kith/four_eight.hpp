@@ -4,7 +4,7 @@
 #include "tri_quad.hpp"
 
 #include <kith/split/bisection_split.hpp>
-#include <kith/step/blocks.hpp>
+#include <kith/step/rules.hpp>
 
 namespace kith {
 
@@ -29,30 +29,26 @@ struct four_eight {
     {
         using namespace targets;
         const auto& assoc = r.assoc;
-        in_blocks(r, [&](const auto& block) {
-            for_each(block.coarse.edges(), [&](auto e) {
-                if (not bisection_split::is_marked(e))
-                    return;
-                if (e.is_boundary())
-                    assoc(e, V) = average(e.org(), e.dst());
-                else
-                    assoc(e, V) = average(e.org(), e.dst(), e.lcorner().prev().v(), e.rcorner().prev().v());
-            });
-
-            for_each(block.coarse.vertices(), [&](auto v) {
-                if (not v.is_boundary()) {
-                    const auto ends = sides(v).map([](const auto& c) { return c.next().v(); });
-                    assoc(v, V) = 1. / 2 * v + 1. / 2 * average(ends);
-                } else if (bisection_split::is_marked(v.first_corner().next_edge()) and
-                           bisection_split::is_marked(v.last_corner().prev_edge())) {
-                    assoc(v, V) = 3. / 4 * v + 1. / 8 * (v.first_rim() + v.last_rim());
-                } else {
-                    assoc(v, V) = v;
-                }
-            });
-
-            bisection_split::connect(block);
+        const auto midpoints = on_edges([&](auto e) {
+            if (not bisection_split::is_marked(e))
+                return;
+            if (e.is_boundary())
+                assoc(e, V) = average(e.org(), e.dst());
+            else
+                assoc(e, V) = average(e.org(), e.dst(), e.lcorner().prev().v(), e.rcorner().prev().v());
         });
+        const auto vertices = on_vertices([&](auto v) {
+            if (not v.is_boundary()) {
+                const auto ends = sides(v).map([](const auto& c) { return c.next().v(); });
+                assoc(v, V) = 1. / 2 * v + 1. / 2 * average(ends);
+            } else if (bisection_split::is_marked(v.first_corner().next_edge()) and
+                       bisection_split::is_marked(v.last_corner().prev_edge())) {
+                assoc(v, V) = 3. / 4 * v + 1. / 8 * (v.first_rim() + v.last_rim());
+            } else {
+                assoc(v, V) = v;
+            }
+        });
+        subdivide(bisection_split(), r, midpoints, vertices);
     }
 
     template <class Vertex>

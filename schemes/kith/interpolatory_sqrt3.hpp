@@ -2,14 +2,13 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
-#include <kith/mask/large_rings.hpp>
-#include <kith/mask/weight_rows.hpp>
+#include <kith/level/irregular_rings.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/sqrt3_split.hpp>
+#include <kith/step/rules.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 namespace kith {
@@ -63,52 +62,27 @@ struct interpolatory_sqrt3 {
     void operator()(const R& r) const
     {
         using namespace targets;
-        using real = scalar_type<R>;
-        const auto& [coarse, assoc, generation] = r;
-        const weight_rows<real> rows(ring_weights);
+        const auto& assoc = r.assoc;
+        const irregular_rings rings(r, 6, ring_weights, ring_kernel);
 
-        std::vector<fan_kind> kinds(coarse.vertex_count());
-        for_each(coarse.vertices(), [&](auto v) {
-            const std::size_t n = v.valence();
-            kinds[v.index()] = n == 6 ? fan_kind::regular : irregular_fan(n);
-            assoc(v, V) = v;
-        });
-        const large_fans large(coarse, kinds, [&assoc = assoc](const auto& v, std::size_t n) {
-            return ring_waves<std::remove_cvref_t<decltype(assoc)>, 2>(assoc, v.neighbors(), n);
-        });
-
-        for_each(coarse.faces(), [&](auto f) {
-            const auto corners_to_mend = f.corners().only(
-                [&](auto c) { return kinds[c.v().index()] != fan_kind::regular; });
-            if (not(corners_to_mend.begin() == corners_to_mend.end())) {
-                std::vector<real> spare;
-                assoc(f, V) = average(corners_to_mend.map([&](auto c) {
-                    const auto v = c.v();
-                    const bool is_large = kinds[v.index()] == fan_kind::large;
-                    const std::size_t n = is_large ? large.at(c).sums.operands() : v.valence();
-                    const real* row = is_large ? nullptr : rows(n, spare);
-                    const auto ring = choose(
-                        is_large,
-                        [c, n, &large] {
-                            const auto [sums, step] = large.at(c);
-                            return sums.mask(ring_kernel(n), 2 * step + 1);
-                        },
-                        [c, row] { return sum(c.prev().across().neighbors_from_here(), row); });
-                    return real(center_weight(n)) * v + ring;
-                }));
-            } else {
+        const auto vertices = on_vertices([](auto v) { return v; });
+        const auto centers = on_faces([&](auto f) {
+            const auto corners = f.corners();
+            const auto irregular = corners.only([&](auto c) { return not rings.is_regular(c.v()); });
+            if (irregular.begin() == irregular.end()) {
                 const auto tip = [](auto c) { return c.across().prev().v(); };
                 const auto clockwise = [](auto c) { return c.across().next(); };
                 const auto behind = [&](auto c) { // the two neighbours of its vertex that lie away from the face
                     const auto opposite = clockwise(clockwise(clockwise(c)));
                     return opposite.next().v() + opposite.prev().v();
                 };
-                const auto corners = f.corners();
                 assoc(f, V) = (32. * sum(f.vertices()) - sum(corners.map(tip)) - 2. * sum(corners.map(behind))) / 81;
+            } else {
+                assoc(f, V) = average(irregular.map(
+                    [&](auto c) { return center_weight(rings.valence(c)) * c.v() + rings.sum_from_face(c); }));
             }
         });
-
-        sqrt3_split::connect(r);
+        subdivide(sqrt3_split(), r, vertices, centers);
     }
 };
 

@@ -3,20 +3,18 @@
 
 #include <kith/base/cos_turn.hpp>
 #include <kith/crease/sharp_rules.hpp>
-#include <kith/mask/weight_table.hpp>
+#include <kith/mask/by_valence.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/triangle_split.hpp>
-#include <kith/step/blocks.hpp>
+#include <kith/step/rules.hpp>
 
 #include <cstddef>
 #include <cstdint>
 
 namespace kith {
 
-enum class loop_weights : unsigned char {
-    loop,  ///< Loop 1987, with cosines
-    warren ///< Warren 1995: 3/16 at valence 3, else 3/(8n)
-};
+/// Loop 1987, with cosines, or Warren 1995: 3/16 at valence 3, else 3/(8n).
+enum class loop_weights : unsigned char { loop, warren };
 
 /// Loop: quartic box splines for triangle meshes. Loop 1987; boundary Hoppe et al. 1994 with the cubic B-spline curve.
 /// C2, at vertices of valence other than 6 C1. Cost: O(corners).
@@ -40,36 +38,23 @@ struct loop {
     /// The weight of each neighbour of a vertex of valence n.
     [[nodiscard]] constexpr double beta(std::size_t n) const
     {
-        if (weights == loop_weights::warren)
-            return n == 3 ? 3. / 16 : 3. / (8. * double(n));
         const double c = 3. / 8 + cos_turn(1, std::int64_t(n)) / 4;
-        return (5. / 8 - c * c) / double(n);
+        return weights == loop_weights::loop ? (5. / 8 - c * c) / double(n) : n == 3 ? 3. / 16 : 3. / (8. * double(n));
     }
 
     template <class R>
     void operator()(const R& r) const
     {
-        using namespace targets;
-        using real = scalar_type<R>;
-        const auto& [coarse, assoc, generation] = r;
-        const sharp_rules sharp(coarse, sharpness, corners);
-        const weight_table<real> betas([this](std::size_t n) { return beta(n); });
-
-        in_blocks(r, [&](const auto& block) {
-            sharp.make_edges(block, [](auto e) {
-                return 3. / 8 * (e.org() + e.dst()) + 1. / 8 * (e.lcorner().prev().v() + e.rcorner().prev().v());
-            });
-
-            sharp.make_vertices(block, [&](auto v) {
-                const auto ring = v.corners().map([](auto c) { return c.next().v(); });
-                return around(v, ring, [&betas](std::size_t n) {
-                    const real beta = betas[n];
-                    return ring_weights<real>{1 - real(double(n)) * beta, beta};
-                });
-            });
-
-            triangle_split::connect(block);
-        });
+        const sharp_rules sharp(r.coarse, sharpness, corners);
+        const auto betas = by_valence(r, [this](std::size_t n) { return beta(n); });
+        const auto edge_point = [](auto e) {
+            return 3. / 8 * (e.org() + e.dst()) + 1. / 8 * (e.lcorner().prev().v() + e.rcorner().prev().v());
+        };
+        const auto vertex_point = [&](auto v) {
+            const auto ring = v.corners().map([](auto c) { return c.next().v(); });
+            return around(v, ring, betas, [](auto n, auto b, auto v, auto sum) { return (1 - n * b) * v + b * sum; });
+        };
+        subdivide(triangle_split(), r, sharp.on_edges(edge_point), sharp.on_vertices(vertex_point));
     }
 };
 

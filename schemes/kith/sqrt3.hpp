@@ -2,10 +2,10 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
-#include <kith/mask/weight_table.hpp>
+#include <kith/mask/by_valence.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/sqrt3_split.hpp>
-#include <kith/step/blocks.hpp>
+#include <kith/step/rules.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -47,42 +47,34 @@ struct sqrt3 {
     void operator()(const R& r) const
     {
         using namespace targets;
-        using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
-        const weight_table<real> alphas(alpha);
+        const auto alphas = by_valence(r, alpha);
         const bool odd = sqrt3_split::is_odd(generation) and not coarse.is_closed();
 
-        in_blocks(r, [&](const auto& block) {
-            for_each(block.coarse.faces(), [&](auto f) {
-                if (not odd or not sqrt3_split::has_one_boundary_edge(f))
-                    assoc(f, V) = average(f.vertices());
-            });
-
-            for_each(block.coarse.vertices(), [&](auto v) {
-                if (not v.is_boundary()) {
-                    const auto ring = v.corners().map([](auto c) { return c.next().v(); });
-                    assoc(v, V) = around(v, ring, [&](std::size_t n) {
-                        return ring_weights<real>{1 - alphas[n], alphas[n] / real(double(n))};
-                    });
-                } else if (odd) {
-                    assoc(v, V) = (4. * v.first_rim() + 19. * v + 4. * v.last_rim()) / 27;
-                } else {
-                    assoc(v, V) = v;
-                }
-            });
-
-            if (odd)
-                for_each(block.coarse.edges(), [&](auto e) {
-                    if (not e.is_boundary() or not sqrt3_split::has_one_boundary_edge(e.lface()))
-                        return;
-                    const auto x = e.org();
-                    const auto y = e.dst();
-                    assoc(x, e, V) = (x.last_rim() + 16. * x + 10. * y) / 27;
-                    assoc(y, e, V) = (10. * x + 16. * y + y.first_rim()) / 27;
-                });
-
-            sqrt3_split::connect(block);
+        const auto centers = on_faces([&](auto f) {
+            if (not odd or not sqrt3_split::has_one_boundary_edge(f))
+                assoc(f, V) = average(f.vertices());
         });
+        const auto vertices = on_vertices([&](auto v) {
+            if (not v.is_boundary()) {
+                const auto ring = v.corners().map([](auto c) { return c.next().v(); });
+                assoc(v, V) = around(
+                    v, ring, alphas, [](auto n, auto a, auto v, auto sum) { return (1 - a) * v + a / n * sum; });
+            } else if (odd) {
+                assoc(v, V) = (4. * v.first_rim() + 19. * v + 4. * v.last_rim()) / 27;
+            } else {
+                assoc(v, V) = v;
+            }
+        });
+        const auto thirds = on_edges([&](auto e) {
+            if (not e.is_boundary() or not sqrt3_split::has_one_boundary_edge(e.lface()))
+                return;
+            const auto x = e.org();
+            const auto y = e.dst();
+            assoc(x, e, V) = (x.last_rim() + 16. * x + 10. * y) / 27;
+            assoc(y, e, V) = (10. * x + 16. * y + y.first_rim()) / 27;
+        });
+        subdivide(sqrt3_split(), r, centers, vertices, thirds.when(odd));
     }
 };
 

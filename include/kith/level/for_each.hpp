@@ -71,6 +71,20 @@ template <class Level, class Element, class F>
 
 } // namespace detail
 
+/// Calls f(element) out of the loop that meets the element: what is rare would cost the loop registers.
+template <class F, class Element>
+[[gnu::noinline]] void rarely(const F& f, Element element)
+{
+    f(element);
+}
+
+/// The same with all that f calls inlined.
+template <class F, class Element>
+[[gnu::noinline, gnu::flatten]] void rarely_inlined(const F& f, Element element)
+{
+    f(element);
+}
+
 /// The same as for_each, in the order of the numbers on each thread: for bodies that look at their own element only and
 /// write what lies in that order, too.
 template <class Level, class Element, class F>

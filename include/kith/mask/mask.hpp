@@ -183,22 +183,33 @@ struct mask_list_sum : mask_base {
     }
 };
 
-/// The weight of a vertex and that of each of the operands around it.
-template <class Scalar>
-struct ring_weights {
-    Scalar center;
-    Scalar around;
+/// A sum that is there already, as an operand.
+template <class Sum>
+struct mask_of_sum : mask_base {
+    const Sum* total;
+
+    explicit mask_of_sum(const Sum& total) : total(&total) {}
+
+    template <class Values>
+    [[nodiscard]] Sum evaluate(const Values&) const
+    {
+        return *total;
+    }
 };
 
-/// A vertex and the sum around it, weighted by how many operands there are: the ring is walked once.
-template <class Center, class Range, class WeightsOf>
+/// In place of weights that a formula does not ask for.
+struct no_weights {};
+
+/// A formula of a vertex and the sum around it, weighted by how many operands there are: the ring is walked once.
+template <class Center, class Range, class Weights, class Formula>
 struct mask_ring : mask_base {
     Center center;
     mask_range_sum<Range> ring;
-    WeightsOf weights_of;
+    const Weights* weights;
+    Formula formula;
 
-    mask_ring(Center center, Range ring, WeightsOf weights_of)
-        : center(std::move(center)), ring(std::move(ring)), weights_of(std::move(weights_of))
+    mask_ring(Center center, Range ring, const Weights* weights, Formula formula)
+        : center(std::move(center)), ring(std::move(ring)), weights(weights), formula(std::move(formula))
     {
     }
 
@@ -206,13 +217,13 @@ struct mask_ring : mask_base {
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         std::size_t count = 0;
-        typename Values::sum around = ring.evaluate(values, count);
-        const auto weights = weights_of(count);
-        Values::scale(around, static_cast<typename Values::scalar>(weights.around));
-        typename Values::sum total = center.evaluate(values);
-        Values::scale(total, static_cast<typename Values::scalar>(weights.center));
-        Values::add(total, around);
-        return total;
+        const typename Values::sum total = ring.evaluate(values, count);
+        const typename Values::scalar n(static_cast<double>(count));
+        const mask_of_sum<typename Values::sum> sum(total);
+        if constexpr (std::same_as<Weights, no_weights>)
+            return formula(n, center, sum).evaluate(values);
+        else
+            return formula(n, (*weights)(count), center, sum).evaluate(values);
     }
 };
 
@@ -285,11 +296,22 @@ template <class List>
     return mask_list_sum<List>(list);
 }
 
-/// w.center times the center plus w.around times the sum of a range of n operands, w = weights_of(n).
-template <mask Center, mask_range Range, std::invocable<std::size_t> WeightsOf>
-[[nodiscard]] auto around(const Center& center, const Range& ring, const WeightsOf& weights_of)
+/// formula(n, center, sum) where `sum` is that of a range of n operands: the formula of a paper for the new place of a vertex,
+///
+///   around(v, ring, [](auto n, auto v, auto sum) { return (n - 2) / n * v + 1 / (n * n) * sum; })
+///
+/// n is in the scalar type of the evaluation, so that the weights are, too.
+template <mask Center, mask_range Range, class Formula>
+[[nodiscard]] auto around(const Center& center, const Range& ring, const Formula& formula)
 {
-    return mask_ring<Center, Range, WeightsOf>(center, ring, weights_of);
+    return mask_ring<Center, Range, no_weights, Formula>(center, ring, nullptr, formula);
+}
+/// The same for formulas with a weight that depends on n: formula(n, w, center, sum) where w is weights(n), such as those of
+/// by_valence. They must outlive the mask.
+template <mask Center, mask_range Range, std::invocable<std::size_t> Weights, class Formula>
+[[nodiscard]] auto around(const Center& center, const Range& ring, const Weights& weights, const Formula& formula)
+{
+    return mask_ring<Center, Range, Weights, Formula>(center, ring, &weights, formula);
 }
 
 /// The mean of the operands, with weight 1/n each.

@@ -39,17 +39,17 @@ public:
         large_fans_ = sharp.large_fans(coarse);
     }
 
-    /// Makes the points of the edges of r.coarse: by smooth(e) where the scheme's own mask is all there is to it.
-    template <class R, class Smooth>
-    void make_edges(const R& r, const Smooth& smooth) const
+    /// The rule of all edges: smooth(e) where the scheme's own mask is all there is to it. It must not outlive this.
+    template <class Smooth>
+    [[nodiscard]] auto on_edges(const Smooth& smooth) const
     {
-        make_all(r.coarse.edges(), r.assoc, smooth);
+        return [this, smooth](const auto& r) { make_all(r.coarse.edges(), r.assoc, smooth); };
     }
-    /// The same for the vertices of r.coarse.
-    template <class R, class Smooth>
-    void make_vertices(const R& r, const Smooth& smooth) const
+    /// The same of all vertices.
+    template <class Smooth>
+    [[nodiscard]] auto on_vertices(const Smooth& smooth) const
     {
-        make_all(r.coarse.vertices(), r.assoc, smooth);
+        return [this, smooth](const auto& r) { make_all(r.coarse.vertices(), r.assoc, smooth); };
     }
 
     /// Neither boundary nor crease.
@@ -104,8 +104,9 @@ private:
 
     /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every time.
     template <class Range, class Space, class Smooth>
-    void make_all(const Range& range, const Space& assoc, const Smooth& smooth) const
+    void make_all(const Range& range, const Space& assoc, const Smooth& smooth_mask) const
     {
+        const Smooth smooth = smooth_mask; // a copy is known to be nobody else's
         constexpr bool native = detail::ordered_by_faces<Level>;
         if constexpr (native)
             if (all_smooth_)
@@ -114,13 +115,13 @@ private:
             if ((not native and all_smooth_) or is_smooth(x))
                 assoc(x, targets::V) = smooth(x);
             else
-                make(x, assoc(x, targets::V), smooth);
+                rarely([this, &assoc, &smooth](auto y) { make(y, assoc(y, targets::V), smooth); }, x);
         });
     }
 
     /// Assigns the point of an edge that is not smooth: its midpoint, or between that and the smooth mask.
     template <class Association, class Smooth>
-    [[gnu::noinline]] void make(edge<Level> e, const Association& target, const Smooth& smooth) const
+    void make(edge<Level> e, const Association& target, const Smooth& smooth) const
     {
         const double s = sharp_->sharpness(e);
         const bool stays_sharp = sharp_->method == crease_method::chaikin and
@@ -134,7 +135,7 @@ private:
 
     /// Assigns the point of a vertex that is not smooth.
     template <class Association, class Smooth>
-    [[gnu::noinline]] void make(vertex<Level> v, const Association& target, const Smooth& smooth) const
+    void make(vertex<Level> v, const Association& target, const Smooth& smooth) const
     {
         if (near_sharp_.empty() or not near_sharp_[v.index()]) { // on the boundary, far from all creases
             if (is_kept_corner(v))
