@@ -6,6 +6,7 @@
 #include <kith/split/require_faces.hpp>
 #include <kith/split/sqrt3_split.hpp>
 #include <kith/step/rules.hpp>
+#include <kith/step/scheme_traits.hpp>
 
 #include <cstddef>
 #include <cstdint>

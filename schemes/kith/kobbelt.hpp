@@ -4,6 +4,7 @@
 #include <kith/kernel/virtual_points.hpp>
 #include <kith/split/quad_split.hpp>
 #include <kith/step/rules.hpp>
+#include <kith/step/scheme_traits.hpp>
 
 namespace kith {
 

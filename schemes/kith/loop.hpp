@@ -3,7 +3,6 @@
 
 #include <kith/base/cos_turn.hpp>
 #include <kith/crease/sharp_rules.hpp>
-#include <kith/mask/by_valence.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/triangle_split.hpp>
 #include <kith/step/rules.hpp>

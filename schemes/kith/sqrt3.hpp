@@ -2,7 +2,6 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
-#include <kith/mask/by_valence.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/sqrt3_split.hpp>
 #include <kith/step/rules.hpp>

@@ -3,6 +3,8 @@
 
 #include "blocks.hpp"
 
+#include <kith/mask/by_valence.hpp> // a word of rules, too
+
 #include <concepts>
 #include <type_traits>
 #include <utility>
