@@ -106,33 +106,3 @@ TEST(children, of_a_face_are_the_faces_whose_points_lie_in_it)
     }
     EXPECT_EQ(inside, 16U);
 }
-
-TEST(children, the_lineage_of_faces_follows_from_columns_alone)
-{
-    for_each_of_all_schemes_and_shape([]<class Scheme>(Scheme scheme, mesh3d mesh) {
-        if constexpr (kith::faces_born_in_faces<decltype(kith::columns_of(scheme, 0))>) {
-            kith::face_lineage faces{{0}, {}};
-            for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-                faces.first_corner.push_back(faces.first_corner.back() + mesh.face(f).size());
-                faces.ancestor.push_back(f);
-            }
-            std::vector<std::size_t> expected = faces.ancestor;
-            for (int step = 0; step < 2; ++step) {
-                faces = faces.next(kith::columns_of(scheme, mesh.generation()));
-                kith::numbering_of<Scheme, std::uint32_t> ids;
-                const level_type level(mesh);
-                auto fine = kith::refine_mesh<kith::connect::everything>(mesh, scheme, ids);
-                std::vector<std::size_t> next;
-                for (std::size_t f = 0; f < fine.face_count(); ++f) {
-                    const auto [kind, tuple] = ids.faces.origin(f);
-                    next.push_back(expected[kith::parent_face(level, kind, tuple)]);
-                    EXPECT_EQ(faces.first_corner[f + 1] - faces.first_corner[f], fine.face(f).size());
-                }
-                kith::advance(scheme, level, ids);
-                expected = std::move(next);
-                EXPECT_EQ(faces.ancestor, expected);
-                mesh = std::move(fine);
-            }
-        }
-    });
-}
