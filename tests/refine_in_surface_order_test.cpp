@@ -28,7 +28,7 @@ mesh3d refined_as_given(mesh3d mesh, Scheme scheme, int levels)
     kith::numbering_of<Scheme, std::uint32_t> ids;
     for (int level = 1; level < levels; ++level) {
         auto fine = kith::refine_mesh<connect::everything>(mesh, scheme, ids);
-        advance(scheme, kith::level_of<mesh3d>(mesh), ids);
+        advance(scheme, kith::level_of<mesh3d>(mesh), mesh.generation(), ids, fine);
         mesh = std::move(fine);
     }
     return kith::refine_mesh<connect::faces>(mesh, scheme, ids);

@@ -51,15 +51,15 @@ struct by_rules {
         const auto& [coarse, assoc, generation] = r;
         const auto weights = by_valence(r, [](std::size_t n) { return 1 / (3 + double(n)); });
         for_each(coarse.faces(), [&](auto f) { assoc(f, V) = average(f.vertices()); });
-        const auto inner = kith::on_edges([&](auto e) {
+        const auto inner = kith::at_edges([&](auto e) {
             if (not e.is_boundary())
                 assoc(e, V) = 1. / 4 * (e.org() + e.dst() + assoc(e.lface(), V) + assoc(e.rface(), V));
         });
-        const auto outer = kith::on_edges([&](auto e) {
+        const auto outer = kith::at_edges([&](auto e) {
             if (e.is_boundary())
                 assoc(e, V) = average(e.org(), e.dst());
         });
-        const auto vertices = kith::on_vertices([&](auto v) {
+        const auto vertices = kith::at_vertices([&](auto v) {
             const auto formula = [](auto n, auto c, auto v, auto sum) { return (1 - n * c) * v + c * sum; };
             return around(v, v.neighbors(), weights, formula);
         });
@@ -73,8 +73,8 @@ struct without_edges {
     template <class R>
     void operator()(const R& r) const
     {
-        const auto midpoints = kith::on_edges([](auto e) { return average(e.org(), e.dst()); });
-        kith::subdivide(kith::triangle_split(), r, kith::on_vertices([](auto v) { return v; }), midpoints.when(false));
+        const auto midpoints = kith::at_edges([](auto e) { return average(e.org(), e.dst()); });
+        kith::subdivide(kith::triangle_split(), r, kith::at_vertices([](auto v) { return v; }), midpoints.when(false));
     }
 };
 

@@ -53,8 +53,8 @@ struct butterfly {
         const auto& assoc = r.assoc;
         const irregular_rings rings(r, 6, ring_weights, ring_kernel);
 
-        const auto vertices = on_vertices([](auto v) { return v; });
-        const auto edges = on_edges([&](auto e) {
+        const auto vertices = at_vertices([](auto v) { return v; });
+        const auto edges = at_edges([&](auto e) {
             const auto x = e.org();
             const auto y = e.dst();
             if (e.is_boundary()) {

@@ -42,7 +42,7 @@ struct catmull_clark {
             const auto ring = v.corners().map([&](auto c) { return c.next().v() + assoc(c.f(), V); });
             return around(v, ring, [](auto n, auto v, auto sum) { return (n - 2) / n * v + 1 / (n * n) * sum; });
         };
-        subdivide(quad_split(), r, sharp.on_edges(edge_point), sharp.on_vertices(vertex_point));
+        subdivide(quad_split(), r, sharp.at_edges(edge_point), sharp.at_vertices(vertex_point));
     }
 };
 

@@ -29,7 +29,7 @@ struct four_eight {
     {
         using namespace targets;
         const auto& assoc = r.assoc;
-        const auto midpoints = on_edges([&](auto e) {
+        const auto midpoints = at_edges([&](auto e) {
             if (not bisection_split::is_marked(e))
                 return;
             if (e.is_boundary())
@@ -37,7 +37,7 @@ struct four_eight {
             else
                 assoc(e, V) = average(e.org(), e.dst(), e.lcorner().prev().v(), e.rcorner().prev().v());
         });
-        const auto vertices = on_vertices([&](auto v) {
+        const auto vertices = at_vertices([&](auto v) {
             if (not v.is_boundary()) {
                 const auto ends = sides(v).map([](const auto& c) { return c.next().v(); });
                 assoc(v, V) = 1. / 2 * v + 1. / 2 * average(ends);

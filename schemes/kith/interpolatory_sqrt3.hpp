@@ -66,8 +66,8 @@ struct interpolatory_sqrt3 {
         const auto& assoc = r.assoc;
         const irregular_rings rings(r, 6, ring_weights, ring_kernel);
 
-        const auto vertices = on_vertices([](auto v) { return v; });
-        const auto centers = on_faces([&](auto f) {
+        const auto vertices = at_vertices([](auto v) { return v; });
+        const auto centers = at_faces([&](auto f) {
             const auto corners = f.corners();
             const auto irregular = corners.only([&](auto c) { return not rings.is_regular(c.v()); });
             if (irregular.begin() == irregular.end()) {

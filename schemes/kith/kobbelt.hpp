@@ -43,8 +43,8 @@ struct kobbelt {
             });
         });
 
-        const auto vertices = on_vertices([](auto v) { return v; });
-        const auto centers = on_faces([&](auto f) {
+        const auto vertices = at_vertices([](auto v) { return v; });
+        const auto centers = at_faces([&](auto f) {
             const auto far = [&](auto c) { // the next edge point across the next edge of c
                 const auto opposite = c.next().next().next_edge();
                 return choose(

@@ -53,7 +53,7 @@ struct loop {
             const auto ring = v.corners().map([](auto c) { return c.next().v(); });
             return around(v, ring, betas, [](auto n, auto b, auto v, auto sum) { return (1 - n * b) * v + b * sum; });
         };
-        subdivide(triangle_split(), r, sharp.on_edges(edge_point), sharp.on_vertices(vertex_point));
+        subdivide(triangle_split(), r, sharp.at_edges(edge_point), sharp.at_vertices(vertex_point));
     }
 };
 

@@ -50,11 +50,11 @@ struct sqrt3 {
         const auto alphas = by_valence(r, alpha);
         const bool odd = sqrt3_split::is_odd(generation) and not coarse.is_closed();
 
-        const auto centers = on_faces([&](auto f) {
+        const auto centers = at_faces([&](auto f) {
             if (not odd or not sqrt3_split::has_one_boundary_edge(f))
                 assoc(f, V) = average(f.vertices());
         });
-        const auto vertices = on_vertices([&](auto v) {
+        const auto vertices = at_vertices([&](auto v) {
             if (not v.is_boundary()) {
                 const auto ring = v.corners().map([](auto c) { return c.next().v(); });
                 assoc(v, V) = around(
@@ -65,7 +65,7 @@ struct sqrt3 {
                 assoc(v, V) = v;
             }
         });
-        const auto thirds = on_edges([&](auto e) {
+        const auto thirds = at_edges([&](auto e) {
             if (not e.is_boundary() or not sqrt3_split::has_one_boundary_edge(e.lface()))
                 return;
             const auto x = e.org();

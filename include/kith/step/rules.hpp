@@ -11,7 +11,7 @@
 
 namespace kith {
 
-/// What is done with all elements of one kind: on_vertices, on_edges, on_faces, on_corners.
+/// What is done with all elements of one kind: at_vertices, at_edges, at_faces, at_corners.
 template <class Elements, class Body>
 class rule {
 public:
@@ -46,22 +46,22 @@ private:
 
 /// The rule of all vertices: body(v) is the mask of the new point (v), or makes what it makes by itself.
 template <class Body>
-[[nodiscard]] auto on_vertices(const Body& body)
+[[nodiscard]] auto at_vertices(const Body& body)
 {
     return rule([](const auto& level) { return level.vertices(); }, body);
 }
 template <class Body>
-[[nodiscard]] auto on_edges(const Body& body)
+[[nodiscard]] auto at_edges(const Body& body)
 {
     return rule([](const auto& level) { return level.edges(); }, body);
 }
 template <class Body>
-[[nodiscard]] auto on_faces(const Body& body)
+[[nodiscard]] auto at_faces(const Body& body)
 {
     return rule([](const auto& level) { return level.faces(); }, body);
 }
 template <class Body>
-[[nodiscard]] auto on_corners(const Body& body)
+[[nodiscard]] auto at_corners(const Body& body)
 {
     return rule([](const auto& level) { return level.corners(); }, body);
 }

@@ -41,13 +41,13 @@ public:
 
     /// The rule of all edges: smooth(e) where the scheme's own mask is all there is to it. It must not outlive this.
     template <class Smooth>
-    [[nodiscard]] auto on_edges(const Smooth& smooth) const
+    [[nodiscard]] auto at_edges(const Smooth& smooth) const
     {
         return [this, smooth](const auto& r) { make_all(r.coarse.edges(), r.assoc, smooth); };
     }
     /// The same of all vertices.
     template <class Smooth>
-    [[nodiscard]] auto on_vertices(const Smooth& smooth) const
+    [[nodiscard]] auto at_vertices(const Smooth& smooth) const
     {
         return [this, smooth](const auto& r) { make_all(r.coarse.vertices(), r.assoc, smooth); };
     }
