@@ -30,7 +30,7 @@ struct affine<CGAL::Point_3<Kernel>> : coordinates_affine<typename Kernel::FT, 3
     }
 };
 
-/// A refined mesh has its points and no other property maps: those that users add to the source are not carried.
+/// A refined mesh has its points and no other property maps; cgal_properties.hpp carries those of the source.
 template <class Point>
 struct mesh_traits<CGAL::Surface_mesh<Point>> {
     using mesh_type = CGAL::Surface_mesh<Point>;

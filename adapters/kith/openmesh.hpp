@@ -50,7 +50,7 @@ struct affine<OpenMesh::VectorT<Scalar, N>> : coordinates_affine<Scalar, std::si
 
 /// Meshes of OpenMesh's array kernel, polygons or triangles, any traits, classes derived from them included.
 /// A refined mesh has the attributes of its source, in traits or by request: status, normals, colors, texture coordinates and
-/// the texture index. Their values are not carried: they are zero. Properties of the user's own are left out.
+/// the texture index. Their values are zero and properties of the user's own are left out; openmesh_properties.hpp carries them.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
 struct mesh_traits<M> {
     using vertex = OpenMesh::VertexHandle;

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "openmesh_mesh.hpp"
+#include "shapes.hpp"
+
+#include <kith/catmull_clark.hpp>
+#include <kith/loop.hpp>
+#include <kith/openmesh_properties.hpp>
+
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using OpenMesh::EdgeHandle;
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+using names = std::vector<std::string>;
+
+/// With attributes by request and properties of one's own on all kinds of elements.
+template <class M>
+M with_properties(M mesh)
+{
+    mesh.request_vertex_colors(), mesh.request_face_colors(), mesh.request_vertex_normals();
+    mesh.request_halfedge_texcoords2D(), mesh.request_edge_status();
+    auto height = OpenMesh::getOrMakeProperty<VertexHandle, double>(mesh, "height");
+    auto tag = OpenMesh::getOrMakeProperty<FaceHandle, std::string>(mesh, "tag");
+    auto hard = OpenMesh::getOrMakeProperty<EdgeHandle, bool>(mesh, "hard");
+    for (const auto v : mesh.vertices()) {
+        height[v] = mesh.point(v)[2];
+        mesh.set_color(v, typename M::Color(200, 10, 255));
+    }
+    for (const auto f : mesh.faces()) {
+        tag[f] = "face " + std::to_string(f.idx());
+        mesh.set_color(f, typename M::Color(f.idx(), 1, 2));
+    }
+    for (const auto e : mesh.edges()) {
+        hard[e] = e.idx() % 3 == 0;
+        mesh.status(e).set_feature(e.idx() % 2 == 0);
+    }
+    for (const auto h : mesh.halfedges())
+        mesh.set_texcoord2D(h, {float(h.idx()), float(h.idx() % 5)});
+    return mesh;
+}
+
+template <class M, class Scheme>
+void expect_carried(const M& control, const Scheme& scheme)
+{
+    kith::hierarchy<M, Scheme> levels(control, scheme);
+    levels.refine(2);
+    M fine = levels[2];
+    const auto report = kith::carry_properties(levels, 0, 2, fine);
+    for (const char* name : {"height", "tag", "hard", "v:colors", "f:colors", "h:texcoords2D", "e:status"})
+        EXPECT_EQ(std::ranges::count(report.carried, name), 1) << name;
+    EXPECT_EQ(std::ranges::count(report.left_out, "v:normals"), 1);
+
+    const auto height = OpenMesh::getProperty<VertexHandle, double>(fine, "height");
+    for (const auto v : fine.vertices()) {
+        EXPECT_EQ(height[v], fine.point(v)[2]);
+        EXPECT_EQ(fine.color(v), typename M::Color(200, 10, 255));
+    }
+    const auto tag = OpenMesh::getProperty<FaceHandle, std::string>(fine, "tag");
+    for (const auto f : fine.faces()) {
+        const FaceHandle parent = *levels.origin(1, *levels.origin(2, f).f).f;
+        EXPECT_EQ(tag[f], "face " + std::to_string(parent.idx()));
+        EXPECT_EQ(fine.color(f), typename M::Color(parent.idx(), 1, 2));
+    }
+    const auto hard = OpenMesh::getProperty<EdgeHandle, bool>(fine, "hard");
+    std::size_t found = 0, features = 0, expected = 0, expected_features = 0;
+    for (const auto e : fine.edges()) {
+        found += hard[e];
+        features += fine.status(e).feature();
+    }
+    for (const auto e : control.edges()) {
+        expected += 4 * (e.idx() % 3 == 0);
+        expected_features += 4 * control.status(e).feature();
+    }
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(features, expected_features);
+
+    // Every corner that is at an old vertex has the coordinates that this vertex has in the old face.
+    std::size_t old_corners = 0;
+    for (const auto h : fine.halfedges()) {
+        if (fine.is_boundary(h))
+            continue;
+        const auto born = levels.origin(2, fine.to_vertex_handle(h));
+        if (not born.v)
+            continue;
+        const auto before = levels.origin(1, *born.v);
+        if (not before.v)
+            continue;
+        const FaceHandle parent = *levels.origin(1, *levels.origin(2, fine.face_handle(h)).f).f;
+        for (auto g = control.cfh_iter(parent); g.is_valid(); ++g)
+            if (control.to_vertex_handle(*g) == *before.v) {
+                EXPECT_EQ(fine.texcoord2D(h), control.texcoord2D(*g));
+                ++old_corners;
+            }
+    }
+    EXPECT_GT(old_corners, 0U);
+}
+
+} // namespace
+
+TEST(openmesh_properties, are_carried_by_name_and_told)
+{
+    const auto quads = user_mesh<poly_mesh>::make(shapes::cube().points, shapes::cube().faces);
+    expect_carried(with_properties(quads), kith::catmull_clark());
+
+    auto shape = shapes::both(shapes::tetrahedron(), shapes::cube());
+    for (std::size_t v = 4; v < shape.points.size(); ++v)
+        shape.points[v][0] -= 10;
+    auto with_deleted = user_mesh<poly_mesh>::make(shape.points, shape.faces);
+    for (int f = 0; f < 4; ++f)
+        with_deleted.delete_face(FaceHandle(f), true);
+    expect_carried(with_properties(with_deleted), kith::catmull_clark());
+}
+
+TEST(openmesh_properties, of_triangles)
+{
+    const auto shape = shapes::triangulated(shapes::cube());
+    auto [fine, report] = kith::refine_with_properties(
+        with_properties(user_mesh<tri_mesh>::make(shape.points, shape.faces)), kith::loop(), 2);
+    const auto height = OpenMesh::getProperty<VertexHandle, double>(fine, "height");
+    for (const auto v : fine.vertices())
+        EXPECT_EQ(height[v], fine.point(v)[2]);
+    EXPECT_EQ(std::ranges::count(report.carried, "h:texcoords2D"), 1);
+}
