@@ -93,7 +93,7 @@ public:
             return s;
         double others = 0;
         std::size_t count = 0;
-        if (const auto fan = find(large, v.index()); fan != large.end() and fan->vertex == v.index()) {
+        if (const large_fan* fan = find(large, v.index())) {
             others = fan->total - s;
             count = fan->count - 1;
         } else if (method == crease_method::chaikin) {
@@ -156,10 +156,10 @@ public:
     }
 
 private:
-    static auto find(std::span<const large_fan> fans, std::size_t vertex)
+    static const large_fan* find(std::span<const large_fan> fans, std::size_t vertex)
     {
-        return std::lower_bound(
-            fans.begin(), fans.end(), vertex, [](const large_fan& fan, std::size_t x) { return fan.vertex < x; });
+        const auto fan = std::ranges::lower_bound(fans, vertex, {}, &large_fan::vertex);
+        return fan != fans.end() and fan->vertex == vertex ? &*fan : nullptr;
     }
 
     sparse_values<double> edges_, vertices_;
