@@ -4,7 +4,7 @@
 #include "../tests/all_shapes.hpp"
 #include "arguments.hpp"
 
-#include <kith/file_error.hpp>
+#include <kith/text/file_error.hpp>
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/read_mesh.hpp>
 

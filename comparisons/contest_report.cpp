@@ -3,7 +3,7 @@
 
 #include "../tools/json.hpp"
 
-#include <kith/file_error.hpp>
+#include <kith/text/file_error.hpp>
 
 #include <algorithm>
 #include <fstream>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../tests/figures.hpp"
+
 #include <kith/compiled_schemes.hpp>
-#include <kith/figures.hpp>
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/plan.hpp>
 

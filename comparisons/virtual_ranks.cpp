@@ -4,8 +4,9 @@
 // and verified: each of their control faces once more in a tile of its own, and once more from a level that was refined as
 // a whole. Numbers, vertices and places have to be the same bit for bit.
 // Sample run: virtual_ranks --faces 1000000 --parts 100000 --levels 10 --sample 3
+#include "../tests/figures.hpp"
+
 #include <kith/catmull_clark.hpp>
-#include <kith/figures.hpp>
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/metis_partition.hpp>
 #include <kith/part/checksum.hpp>
@@ -81,7 +82,7 @@ void require(bool condition, const std::string& what)
 basic_mesh<> control_mesh(std::size_t faces)
 {
     const auto rows = std::max<std::size_t>(3, std::size_t(std::sqrt(double(faces) / 2)));
-    auto shape = kith::figures::torus(rows, std::max<std::size_t>(3, faces / rows));
+    auto shape = figures::torus(rows, std::max<std::size_t>(3, faces / rows));
     std::mt19937 random(7);
     for (auto& point : shape.points)
         for (double& x : point)

@@ -3,10 +3,10 @@
 // factoring, splitting and tilting. For closed meshes.
 // Sample run: euler_encodings
 
+#include "../tests/figures.hpp"
 #include "same_faces.hpp"
 
 #include <kith/doo_sabin.hpp>
-#include <kith/figures.hpp>
 #include <kith/mid_edge.hpp>
 #include <kith/refine.hpp>
 
@@ -166,7 +166,7 @@ bool same(const mesh& a, const mesh& b)
 int main()
 {
     bool all = true;
-    for (const auto& shape : {kith::figures::cube(), kith::figures::pentacube(), kith::figures::hollow_cube()}) {
+    for (const auto& shape : {figures::cube(), figures::pentacube(), figures::hollow_cube()}) {
         const auto control = kith::make_mesh(shape.points, shape.faces);
         const auto dual = kith::refine(control, kith::doo_sabin{.weights = kith::doo_sabin_weights::averaging}, 1);
 

@@ -2,7 +2,7 @@
 // Writes the control meshes of the thesis's figures as OBJ files, which `kith refine` reads with their creases.
 // Sample run: figures FOLDER
 
-#include <kith/figures.hpp>
+#include "../tests/figures.hpp"
 
 #include <array>
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace {
 
 using creases = std::vector<std::array<std::size_t, 2>>;
 
-bool write(const std::string& file, const kith::figures::shape& shape, const creases& sharp = {})
+bool write(const std::string& file, const figures::shape& shape, const creases& sharp = {})
 {
     std::ofstream out(file);
     out.precision(17);
@@ -37,7 +37,7 @@ bool write(const std::string& file, const kith::figures::shape& shape, const cre
 
 int main(int count, char** words)
 {
-    using namespace kith::figures;
+    using namespace figures;
     const std::string folder = count > 1 ? words[1] : ".";
     const bool all = write(folder + "/cube.obj", cube()) and
                      write(folder + "/triangulated_cube.obj", triangulated(cube())) and

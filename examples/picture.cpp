@@ -2,9 +2,10 @@
 // The picture of the README: four schemes, levels 0 to 3, every face in the color of the face of level 0 it came from.
 // Sample run: picture > docs/picture.svg
 
+#include "../tests/figures.hpp"
+
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
-#include <kith/figures.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
 #include <kith/sqrt3.hpp>
@@ -22,8 +23,8 @@ using mesh = kith::basic_mesh<point>;
 /// Three cubes in an L, as quads or, each quad cut in two, as triangles.
 mesh l_shape(bool triangles)
 {
-    const auto l = kith::figures::cubes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    const auto shape = triangles ? kith::figures::triangulated(l) : l;
+    const auto l = figures::cubes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    const auto shape = triangles ? figures::triangulated(l) : l;
     return kith::make_mesh(shape.points, shape.faces);
 }
 

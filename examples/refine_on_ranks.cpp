@@ -3,8 +3,9 @@
 // The bounding box that is printed, and the checksum, are the same on any number of ranks.
 // Sample run: mpirun -n 4 refine_on_ranks
 
+#include "../tests/figures.hpp"
+
 #include <kith/catmull_clark.hpp>
-#include <kith/figures.hpp>
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/metis_partition.hpp>
 #include <kith/part/checksum.hpp>
@@ -22,7 +23,7 @@ int main(int count, char** words)
     kith::basic_mesh<> cage; // stays empty elsewhere
     kith::partition parts;
     if (comm.is_root()) {
-        const auto torus = kith::figures::torus();
+        const auto torus = figures::torus();
         cage = kith::make_mesh(torus.points, torus.faces);
         parts = kith::metis_partition(cage, 4 * std::size_t(comm.size()));
     }

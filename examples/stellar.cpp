@@ -3,9 +3,9 @@
 // makes a new level, so that what is undone by weld and collapse elsewhere is the level before.
 // Sample run: stellar
 
+#include "../tests/figures.hpp"
 #include "same_faces.hpp"
 
-#include <kith/figures.hpp>
 #include <kith/linear.hpp>
 #include <kith/refine.hpp>
 #include <kith/sqrt3.hpp>
@@ -177,10 +177,10 @@ bool triangle_split_by_splits_and_flips(const mesh& control)
 
 int main()
 {
-    const auto make = [](const kith::figures::shape& shape) { return kith::make_mesh(shape.points, shape.faces); };
-    const auto cube = make(kith::figures::triangulated(kith::figures::cube()));
-    const auto hollow = make(kith::figures::triangulated(kith::figures::hollow_cube()));
-    const auto pentacube = make(kith::figures::pentacube());
+    const auto make = [](const figures::shape& shape) { return kith::make_mesh(shape.points, shape.faces); };
+    const auto cube = make(figures::triangulated(figures::cube()));
+    const auto hollow = make(figures::triangulated(figures::hollow_cube()));
+    const auto pentacube = make(figures::pentacube());
     const auto split = kith::refine(pentacube, split_polygons(), 1),
                linear = kith::refine(pentacube, kith::linear(), 1);
     bool all = report("face splits 1 to n, linear split",

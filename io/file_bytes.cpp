@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/file_bytes.hpp>
+#include <kith/text/file_bytes.hpp>
 
-#include <kith/file_error.hpp>
-#include <kith/mesh_format.hpp>
+#include <kith/text/file_error.hpp>
+#include <kith/format/mesh_format.hpp>
 
 #include <algorithm>
 #include <cerrno>

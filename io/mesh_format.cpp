@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/mesh_format.hpp>
+#include <kith/format/mesh_format.hpp>
 
-#include <kith/file_error.hpp>
+#include <kith/text/file_error.hpp>
 
 #include <algorithm>
 #include <filesystem>

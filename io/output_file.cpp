@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kith/output_file.hpp"
+#include <kith/output_file.hpp>
 
-#include "kith/file_error.hpp"
+#include <kith/text/file_error.hpp>
 
 #include <algorithm>
 #include <cerrno>

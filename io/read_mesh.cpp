@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/read_mesh.hpp>
 
-#include <kith/file_bytes.hpp>
-#include <kith/file_error.hpp>
-#include <kith/text_cursor.hpp>
+#include <kith/text/file_bytes.hpp>
+#include <kith/text/file_error.hpp>
+#include <kith/text/text_cursor.hpp>
 
 namespace kith::io {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/counted.hpp>
-#include <kith/ply_not_kept.hpp>
+#include <kith/text/counted.hpp>
+#include <kith/format/ply_not_kept.hpp>
 #include <kith/read_mesh.hpp>
-#include <kith/text_cursor.hpp>
+#include <kith/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/write_mesh.hpp>
 
-#include <kith/counted.hpp>
-#include <kith/facet_normal.hpp>
-#include <kith/file_error.hpp>
-#include <kith/obj_tag.hpp>
-#include <kith/text_writer.hpp>
+#include <kith/text/counted.hpp>
+#include <kith/format/facet_normal.hpp>
+#include <kith/text/file_error.hpp>
+#include <kith/format/obj_tag.hpp>
+#include <kith/text/text_writer.hpp>
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/figures.hpp>
-
+#include "figures.hpp"
 #include "native_shape.hpp"
 
 #include <kith/catmull_clark.hpp>
@@ -10,8 +9,6 @@
 
 #include <algorithm>
 #include <cstddef>
-
-namespace figures = kith::figures;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/figures.hpp>
+#include "figures.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -11,7 +11,7 @@
 /// The control meshes of the tests: those of the figures and others.
 namespace shapes {
 
-using namespace kith::figures;
+using namespace figures;
 
 inline shape tetrahedron()
 {

@@ -6,7 +6,7 @@
 
 #include <kith/field/field.hpp>
 #include <kith/mesh/basic_mesh.hpp>
-#include <kith/mesh_tags.hpp>
+#include <kith/format/mesh_tags.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/file_error.hpp>
+#include <kith/text/file_error.hpp>
 
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/file_bytes.hpp>
+#include <kith/text/file_bytes.hpp>
 
 #include <string>
 

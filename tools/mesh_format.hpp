@@ -3,4 +3,4 @@
 
 #include "errors.hpp"
 
-#include <kith/mesh_format.hpp>
+#include <kith/format/mesh_format.hpp>

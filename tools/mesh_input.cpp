@@ -4,7 +4,7 @@
 #include "errors.hpp"
 #include "word_list.hpp"
 
-#include <kith/counted.hpp>
+#include <kith/text/counted.hpp>
 #include <kith/read_mesh.hpp>
 
 #include <algorithm>

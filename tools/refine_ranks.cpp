@@ -14,7 +14,7 @@
 #include "tile_output.hpp"
 
 #include <kith/part/checksum.hpp>
-#include <kith/ply_not_kept.hpp>
+#include <kith/format/ply_not_kept.hpp>
 #include <kith/refine.hpp>
 #include <kith/slices/tiles_of_slices.hpp>
 #include <kith/tile/tiles_at_once.hpp>

@@ -9,7 +9,7 @@
 #include "word_list.hpp"
 
 #include <kith/base/error.hpp>
-#include <kith/counted.hpp>
+#include <kith/text/counted.hpp>
 #include <kith/tags_of_creases.hpp>
 
 #include <algorithm>

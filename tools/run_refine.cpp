@@ -12,7 +12,7 @@
 #include "scheme_options.hpp"
 #include "tile_options.hpp"
 
-#include <kith/counted.hpp>
+#include <kith/text/counted.hpp>
 
 #include <cstdint>
 #include <iostream>

@@ -6,7 +6,7 @@
 #include "triangulate.hpp"
 #include "word_list.hpp"
 
-#include <kith/counted.hpp>
+#include <kith/text/counted.hpp>
 #include <kith/crease/make_creases.hpp>
 #include <kith/step/scheme.hpp>
 #include <kith/tags_of_creases.hpp>

@@ -4,7 +4,7 @@
 #include "holes.hpp"
 #include "mesh_input.hpp"
 
-#include <kith/counted.hpp>
+#include <kith/text/counted.hpp>
 
 #include <utility>
 

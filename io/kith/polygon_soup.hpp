@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mesh_tags.hpp"
-
+#include <kith/format/mesh_tags.hpp>
 #include <kith/mesh/make_mesh.hpp>
 
 #include <array>

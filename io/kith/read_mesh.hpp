@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mesh_format.hpp"
 #include "polygon_soup.hpp"
+
+#include <kith/format/mesh_format.hpp>
 
 #include <string>
 #include <string_view>

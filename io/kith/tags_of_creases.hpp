@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mesh_tags.hpp"
-
 #include <kith/crease/creases.hpp>
+#include <kith/format/mesh_tags.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 
 namespace kith::io {

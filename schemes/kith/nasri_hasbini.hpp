@@ -3,6 +3,7 @@
 
 #include <kith/mask/large_rings.hpp>
 #include <kith/mask/weight_rows.hpp>
+#include <kith/nasri_hasbini/boundary.hpp>
 #include <kith/nasri_hasbini/polygons.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/ternary_split.hpp>
@@ -41,7 +42,7 @@ struct nasri_hasbini {
         // All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them all.
         for_each(coarse.vertices(), [&](auto v) {
             if (v.is_boundary())
-                make_boundary(v, assoc, large);
+                detail::make_ternary_boundary(v, assoc, large);
             else if (not has_quads_only(v))
                 detail::beside_polygons(v, assoc, rows_beside, large).make_all();
             else if (v.valence() <= longest_row)
@@ -87,46 +88,6 @@ private:
             assoc(v, c.next_edge(), V) = (304. * v + e.mask(kernel_b(n), turn) + d.mask(kernel_c(n), turn - 1)) / 729;
             assoc(c, V) = (256. * v + e.mask(kernel_q(n), turn + 1) + d.mask(kernel_g(n), turn)) / 729;
             turn += 2;
-        }
-    }
-
-    /// The boundary curve is the ternary cubic B-spline; a vertex with one face is a corner. docs/schemes.md.
-    template <class Vertex, class Assoc, class LargeFaces>
-    static void make_boundary(const Vertex& v, const Assoc& assoc, const LargeFaces& large)
-    {
-        using namespace targets;
-        const auto diagonal = [&](const auto& c) { return detail::diagonal(c, large); };
-        const auto a = v.first_rim();
-        const auto z = v.last_rim();
-        const auto first = v.first_corner();
-        const auto last = v.last_corner();
-        const std::size_t faces = v.face_count();
-        const auto towards = [&](const auto& e, const auto& near, const auto& far) {
-            if (faces == 1)
-                assoc(v, e, V) = (2. * v + near) / 3;
-            else
-                assoc(v, e, V) = (far + 16. * v + 10. * near) / 27;
-        };
-        towards(first.next_edge(), a, z);
-        towards(last.prev_edge(), z, a);
-        if (faces == 1)
-            assoc(v, V) = v;
-        else
-            assoc(v, V) = (4. * a + 19. * v + 4. * z) / 27;
-
-        if (faces == 2) { // the first row inside, reflected at the boundary
-            const auto c = last.next().v();
-            const auto d0 = diagonal(first);
-            const auto d1 = diagonal(last);
-            assoc(v, last.next_edge(), V) = 2. * assoc(v, V) / 3 + (4. * d0 + 19. * c + 4. * d1) / 81;
-            assoc(first, V) = 2. * assoc(v, first.next_edge(), V) / 3 + (d1 + 16. * c + 10. * d0) / 81;
-            assoc(last, V) = 2. * assoc(v, last.prev_edge(), V) / 3 + (d0 + 16. * c + 10. * d1) / 81;
-            return;
-        }
-        for (const auto c : v.corners()) {
-            if (not c.is_boundary())
-                assoc(v, c.next_edge(), V) = (2. * assoc(v, V) + c.next().v()) / 3;
-            assoc(c, V) = (4. * assoc(v, V) + 2. * c.next().v() + 2. * c.prev().v() + diagonal(c)) / 9;
         }
     }
 };

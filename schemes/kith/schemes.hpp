@@ -5,7 +5,6 @@
 #include "butterfly.hpp"
 #include "catmull_clark.hpp"
 #include "doo_sabin.hpp"
-#include "figures.hpp"
 #include "four_eight.hpp"
 #include "interpolatory_sqrt3.hpp"
 #include "kobbelt.hpp"

@@ -2,7 +2,7 @@
 #include "files.hpp"
 
 #include <kith/crease/creases.hpp>
-#include <kith/file_error.hpp>
+#include <kith/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
 
 #include <gtest/gtest.h>

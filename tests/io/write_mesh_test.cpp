@@ -2,9 +2,9 @@
 #include "files.hpp"
 
 #include <kith/crease/creases.hpp>
-#include <kith/facet_normal.hpp>
-#include <kith/file_error.hpp>
-#include <kith/obj_tag.hpp>
+#include <kith/format/facet_normal.hpp>
+#include <kith/text/file_error.hpp>
+#include <kith/format/obj_tag.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/write_mesh.hpp>
 

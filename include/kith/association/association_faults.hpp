@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// The faults of a scheme that an association space finds while the scheme runs. They stay out of the loops: `for_each`
 /// has everything inlined into its loops that is not told otherwise.
@@ -101,3 +103,42 @@ inline constexpr const char* face_set_twice = " -> F is set twice";
 inline constexpr const char* no_side = " -> F: the scheme declares edges, so each line needs its side: v >> side";
 
 } // namespace kith::faults
+
+namespace kith {
+
+/// Which elements of the next level a scheme has made so far, and where it let the fans of its vertices start; vertices and faces
+/// may be asked for and made on several threads. Only spaces that check their scheme keep it.
+template <class Index>
+class made_elements {
+public:
+    made_elements() = default;
+    /// Nothing so far, of so many; no fan starts, which is said by `none`.
+    made_elements(std::size_t vertices, std::size_t faces, Index none)
+        : vertices_(vertices), faces_(faces), starts_(vertices, none)
+    {
+    }
+
+    [[nodiscard]] bool has_vertex(std::size_t id)
+    {
+        return std::atomic_ref(vertices_[id]).load(std::memory_order_relaxed) != 0;
+    }
+    /// Each says whether it was made before.
+    bool make_vertex(std::size_t id) { return make(vertices_[id]); }
+    bool make_face(std::size_t id) { return make(faces_[id]); }
+    void start_fan(std::size_t vertex, Index halfedge) { starts_[vertex] = halfedge; }
+    void forget_vertices() { vertices_.assign(vertices_.size(), 0); }
+
+    /// Per vertex and per face; not 0 where it has been made.
+    [[nodiscard]] const std::vector<unsigned char>& vertices() const { return vertices_; }
+    [[nodiscard]] const std::vector<unsigned char>& faces() const { return faces_; }
+    /// The sides at which the vertices have been told to start.
+    [[nodiscard]] const std::vector<Index>& starts() const { return starts_; }
+
+private:
+    static bool make(unsigned char& mark) { return std::atomic_ref(mark).exchange(1, std::memory_order_relaxed) != 0; }
+
+    std::vector<unsigned char> vertices_, faces_;
+    std::vector<Index> starts_;
+};
+
+} // namespace kith

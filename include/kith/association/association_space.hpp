@@ -6,17 +6,13 @@
 #include "vertex_dictionary.hpp"
 
 #include <kith/mesh/basic_mesh.hpp>
+#include <kith/mesh/connect.hpp>
 
-#include <atomic>
 #include <concepts>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace kith {
-
-/// How much of a new level's connectivity is wanted: none (only values are computed), face-vertex lists, or all.
-enum class connect : unsigned char { nothing, faces, everything };
 
 template <class Level, class Numbering, class Values, bool Checked> class pass_space;
 
@@ -35,11 +31,8 @@ public:
     association_space(const Level& coarse, const Numbering& ids, Values& values, Fine& fine)
         : coarse_(&coarse), ids_(ids), values_(&values), fine_(&fine)
     {
-        if constexpr (Checked) {
-            vertex_is_set_.assign(ids.vertices.total(), 0);
-            face_is_set_.assign(ids.faces.total(), 0);
-            vertex_start_.assign(ids.vertices.total(), none);
-        }
+        if constexpr (Checked)
+            made_ = {ids.vertices.total(), ids.faces.total(), none};
     }
 
     /// assoc(elements..., target): the elements in any order.
@@ -92,15 +85,12 @@ public:
     [[nodiscard]] sum evaluate(const mask auto& mask) const { return mask.evaluate(*values_); }
 
     /// Which elements have been made; empty unless Checked.
-    [[nodiscard]] const std::vector<unsigned char>& vertex_is_set() const { return vertex_is_set_; }
-    [[nodiscard]] const std::vector<unsigned char>& face_is_set() const { return face_is_set_; }
-    /// The sides at which the vertices have been told to start; empty unless Checked.
-    [[nodiscard]] const std::vector<index_type>& vertex_start() const { return vertex_start_; }
+    [[nodiscard]] const made_elements<index_type>& made() const { return made_; }
 
 protected:
     void forget_what_is_set() const
     {
-        vertex_is_set_.assign(vertex_is_set_.size(), 0);
+        made_.forget_vertices();
         dictionary_.clear();
     }
 
@@ -129,8 +119,7 @@ private:
     template <element... X>
     auto associate(targets::to_vertex, const X&... x) const
     {
-        // Two elements of one kind may be neighbours or not, which only running tells, so they always have the
-        // general form.
+        // Whether two elements of one kind are neighbours only running tells, so they always have the general form.
         constexpr tuple_kind kind = kind_of<X...>;
         constexpr bool pair_of_one_kind = sizeof...(X) == 2 and kind == tuple_kind::e;
         if constexpr (pair_of_one_kind or not has_vertices<kind>) {
@@ -178,7 +167,7 @@ private:
     {
         const index_type id = vertex_id<Kind>(tuple);
         if constexpr (Checked)
-            if (not std::atomic_ref(vertex_is_set_[id]).load(std::memory_order_relaxed)) [[unlikely]]
+            if (not made_.has_vertex(id)) [[unlikely]]
                 faults::refuse(*coarse_, Kind, tuple, faults::vertex_read_early);
         return values_->fine(id);
     }
@@ -188,14 +177,14 @@ private:
         const index_type id = vertex_id<Kind>(tuple);
         values_->assign(id, mask.evaluate(*values_));
         if constexpr (Checked)
-            if (std::atomic_ref(vertex_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
+            if (made_.make_vertex(id)) [[unlikely]]
                 faults::refuse(*coarse_, Kind, tuple, faults::vertex_set_twice);
     }
     [[nodiscard]] decltype(auto) listed_value(const tuple_elements& tuple) const
     {
         const index_type id = dictionary_.find(tuple);
         if constexpr (Checked)
-            if (id < vertex_is_set_.size() and not vertex_is_set_[id]) // it refers to a vertex of a column
+            if (id < made_.vertices().size() and not made_.vertices()[id]) // it refers to a vertex of a column
                 faults::refuse(tuple, faults::vertex_read_early);
         return values_->listed(id);
     }
@@ -216,7 +205,7 @@ private:
         if constexpr (Connect != connect::nothing) {
             const index_type id = face_id<Kind>(tuple);
             if constexpr (Checked)
-                if (std::atomic_ref(face_is_set_[id]).exchange(1, std::memory_order_relaxed)) [[unlikely]]
+                if (made_.make_face(id)) [[unlikely]]
                     faults::refuse(*coarse_, Kind, tuple, faults::face_set_twice);
             if constexpr (is_foreign) {
                 static_assert(not Checked, "what is checked is looked up in a native level");
@@ -265,7 +254,7 @@ private:
             else
                 fine_->vertex_corner[vertex] = corner;
             if constexpr (Checked)
-                vertex_start_[vertex] = halfedge;
+                made_.start_fan(vertex, halfedge);
         }
     }
 
@@ -303,8 +292,7 @@ private:
     const Numbering& ids_;
     Values* values_;
     Fine* fine_;
-    mutable std::vector<unsigned char> vertex_is_set_, face_is_set_; // Checked only
-    mutable std::vector<index_type> vertex_start_;                   // Checked only
+    mutable made_elements<index_type> made_; // Checked only
     mutable vertex_dictionary<index_type> dictionary_;
 };
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mask_expressions.hpp"
+
 #include <kith/base/affine.hpp>
 #include <kith/base/refused.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 namespace kith {
 
@@ -15,8 +16,6 @@ namespace kith {
 /// computed or allocated until it is assigned; what it is evaluated *over* (points, stencil rows, hashes, any type with
 /// an `affine`) is decided there. The operands are vertices of the coarse level and associations that name vertices of
 /// the fine level. Its order of operations is the order in the text, so equal texts give equal bits.
-struct mask_base {};
-
 template <class T>
 concept mask = std::derived_from<std::remove_cvref_t<T>, mask_base>;
 
@@ -46,186 +45,6 @@ concept of_meshes = of_a_mesh<T> or requires(const T& range) {
 } or requires(const T& range) { typename decltype(*range.begin())::handle_type; };
 
 } // namespace refused
-
-template <class A, class B>
-struct mask_sum : mask_base {
-    A a;
-    B b;
-
-    mask_sum(A a, B b) : a(std::move(a)), b(std::move(b)) {}
-
-    template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
-    {
-        auto total = a.evaluate(values);
-        Values::add(total, b.evaluate(values));
-        return total;
-    }
-};
-
-/// The weight 1/n, formed in the scalar type of the evaluation, so that it is exact over exact numbers.
-struct one_over {
-    double n;
-
-    template <class Scalar>
-    [[nodiscard]] Scalar as() const
-    {
-        return Scalar(1) / Scalar(n);
-    }
-};
-
-template <class A, class Weight>
-struct mask_scaled : mask_base {
-    A a;
-    Weight weight;
-
-    mask_scaled(A a, Weight weight) : a(std::move(a)), weight(std::move(weight)) {}
-
-    template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
-    {
-        auto total = a.evaluate(values);
-        if constexpr (std::same_as<Weight, one_over>)
-            Values::scale(total, weight.template as<typename Values::scalar>());
-        else
-            Values::scale(total, static_cast<typename Values::scalar>(weight));
-        return total;
-    }
-};
-
-/// The sum over a range; never empty, since no element of a mesh is without neighbours.
-template <class Range>
-struct mask_range_sum : mask_base {
-    Range range;
-
-    explicit mask_range_sum(Range range) : range(std::move(range)) {}
-
-    template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
-    {
-        std::size_t count = 0;
-        return evaluate(values, count);
-    }
-    template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values, std::size_t& count) const
-    {
-        auto i = range.begin();
-        const auto end = range.end();
-        typename Values::sum total = (*i).evaluate(values);
-        for (++i, ++count; not(i == end); ++i, ++count)
-            Values::add(total, (*i).evaluate(values));
-        return total;
-    }
-};
-
-template <class Range>
-struct mask_average : mask_base {
-    mask_range_sum<Range> total;
-
-    explicit mask_average(Range range) : total(std::move(range)) {}
-
-    template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
-    {
-        std::size_t count = 0;
-        auto result = total.evaluate(values, count);
-        Values::scale(result, one_over{double(count)}.as<typename Values::scalar>());
-        return result;
-    }
-};
-
-/// The sum of weight_of(i) times the i-th operand.
-template <class Range, class WeightOf>
-struct mask_weighted_sum : mask_base {
-    Range range;
-    WeightOf weight_of;
-
-    mask_weighted_sum(Range range, WeightOf weight_of) : range(std::move(range)), weight_of(std::move(weight_of)) {}
-
-    template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
-    {
-        std::size_t count = 0;
-        const auto term = [&](const auto& operand) {
-            typename Values::sum result = operand.evaluate(values);
-            Values::scale(result, static_cast<typename Values::scalar>(weight_of(count++)));
-            return result;
-        };
-        auto i = range.begin();
-        const auto end = range.end();
-        typename Values::sum total = term(*i);
-        for (++i; not(i == end); ++i)
-            Values::add(total, term(*i));
-        return total;
-    }
-};
-
-/// The same over a list of operands with their weights. The list must outlive the mask.
-template <class List>
-struct mask_list_sum : mask_base {
-    const List* list;
-
-    explicit mask_list_sum(const List& list) : list(&list) {}
-
-    template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
-    {
-        const auto term = [&](const auto& entry) {
-            typename Values::sum result = entry.first.evaluate(values);
-            Values::scale(result, static_cast<typename Values::scalar>(entry.second));
-            return result;
-        };
-        auto i = list->begin();
-        typename Values::sum total = term(*i);
-        for (++i; i != list->end(); ++i)
-            Values::add(total, term(*i));
-        return total;
-    }
-};
-
-/// A sum that is there already, as an operand.
-template <class Sum>
-struct mask_of_sum : mask_base {
-    const Sum* total;
-
-    explicit mask_of_sum(const Sum& total) : total(&total) {}
-
-    template <class Values>
-    [[nodiscard]] Sum evaluate(const Values&) const
-    {
-        return *total;
-    }
-};
-
-/// In place of weights that a formula does not ask for.
-struct no_weights {};
-
-/// A formula of a vertex and the sum around it, weighted by how many operands there are: the ring is walked once.
-template <class Center, class Range, class Weights, class Formula>
-struct mask_ring : mask_base {
-    Center center;
-    mask_range_sum<Range> ring;
-    const Weights* weights;
-    Formula formula;
-
-    mask_ring(Center center, Range ring, const Weights* weights, Formula formula)
-        : center(std::move(center)), ring(std::move(ring)), weights(weights), formula(std::move(formula))
-    {
-    }
-
-    template <class Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
-    {
-        std::size_t count = 0;
-        const typename Values::sum total = ring.evaluate(values, count);
-        const typename Values::scalar n(static_cast<double>(count));
-        const mask_of_sum<typename Values::sum> sum(total);
-        if constexpr (std::same_as<Weights, no_weights>)
-            return formula(n, center, sum).evaluate(values);
-        else
-            return formula(n, (*weights)(count), center, sum).evaluate(values);
-    }
-};
 
 template <mask A, mask B>
 [[nodiscard]] auto operator+(const A& a, const B& b)

@@ -18,7 +18,6 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace kith {
 
@@ -138,9 +137,7 @@ void turn_boundary_fans(connectivity<Index>& fine)
 
 /// What cannot be seen while a scheme runs: elements that were never made, and faces that form no manifold.
 template <class Level, class Numbering, class Index>
-void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine,
-                 const std::vector<unsigned char>& vertex_is_set, const std::vector<unsigned char>& face_is_set,
-                 const std::vector<Index>& vertex_start)
+void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine, const made_elements<Index>& made)
 {
     const auto require_all = [&](const auto& column_ids, const auto& is_set, const char* why) {
         for (std::size_t id = 0; id < is_set.size(); ++id)
@@ -149,8 +146,8 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
                 faults::refuse(coarse, kind, index, why);
             }
     };
-    require_all(ids.vertices, vertex_is_set, " -> V was never set");
-    require_all(ids.faces, face_is_set, " -> F was never set");
+    require_all(ids.vertices, made.vertices(), " -> V was never set");
+    require_all(ids.faces, made.faces(), " -> F was never set");
     for (std::size_t e = 0; e < fine.edges(); ++e)
         if (fine.halfedge_corner[2 * e] == fine.none) {
             const auto [kind, index] = ids.edges.origin(e);
@@ -166,9 +163,9 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
     }
     if (fine.vertex_corner.empty())
         return;
-    for (std::size_t v = 0; v < vertex_start.size(); ++v)
+    for (std::size_t v = 0; v < made.starts().size(); ++v)
         if (const Index c = fine.vertex_corner[v];
-            c != fine.none and (fine.corner_vertex[c] != v or fine.corner_halfedge[c] != vertex_start[v])) {
+            c != fine.none and (fine.corner_vertex[c] != v or fine.corner_halfedge[c] != made.starts()[v])) {
             const auto [kind, index] = ids.vertices.origin(v);
             faults::refuse(
                 coarse, kind, index, " -> V starts at a corner that is not its own, or at another side there");
@@ -208,7 +205,7 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     const detail::loop_body outside(false); // the caller's loops are not the scheme's
     detail::call(scheme, refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
     if constexpr (Checked and Connect != connect::nothing)
-        detail::check_level(coarse, ids, fine, assoc.vertex_is_set(), assoc.face_is_set(), assoc.vertex_start());
+        detail::check_level(coarse, ids, fine, assoc.made());
     if constexpr (Connect != connect::nothing)
         fine.vertices += values.listed_count();
     if constexpr (Connect == connect::everything) {

@@ -10,7 +10,7 @@
 /// The control meshes of the thesis's figures, for examples, tests and measurements:
 /// `kith::make_mesh(f.points, f.faces)`. The thesis prints the counts of the first four; where a figure shows a body
 /// without its numbers, the proportions are those of unit cubes.
-namespace kith::figures {
+namespace figures {
 
 using point = std::array<double, 3>;
 using polygons = std::vector<std::vector<std::size_t>>;
@@ -135,4 +135,4 @@ inline shape hollow_cube()
     return cubes(cells);
 }
 
-} // namespace kith::figures
+} // namespace figures

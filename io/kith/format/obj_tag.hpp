@@ -2,7 +2,8 @@
 #pragma once
 
 #include "mesh_tags.hpp"
-#include "text_cursor.hpp"
+
+#include <kith/text/text_cursor.hpp>
 
 #include <string>
 
