@@ -4,6 +4,9 @@
 #include "refine.hpp"
 
 #include <kith/field/field.hpp>
+#include <kith/lineage/parent_of.hpp>
+#include <kith/lineage/relatives.hpp>
+#include <kith/lineage/retrieve.hpp>
 #include <kith/mask/stencil.hpp>
 
 #include <concepts>
@@ -12,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -19,15 +23,6 @@
 #include <vector>
 
 namespace kith {
-
-/// The elements, on the level below, that gave birth to an element; those of its tuple are set.
-template <class M>
-struct birth {
-    tuple_kind kind;
-    std::optional<typename mesh_traits<M>::vertex> v;
-    std::optional<typename mesh_traits<M>::edge> e;
-    std::optional<typename mesh_traits<M>::face> f;
-};
 
 /// A surface with all its levels on the user's own mesh type, and the associations between them: down by `assoc`, up by
 /// `origin`, at any level, in handles of that mesh. Thesis 2.2: M(i) retained for all i.
@@ -75,7 +70,9 @@ public:
     [[nodiscard]] int depth() const { return int(levels_.size()) - 1; }
     /// Level 0 is the control mesh. Errors, here and below: mesh_error for levels that are not there.
     [[nodiscard]] const M& operator[](int level) const { return at(level).mesh; }
-    [[nodiscard]] const M& finest() const { return levels_.back()->mesh; }
+    [[nodiscard]] const M& finest() const& { return levels_.back()->mesh; }
+    /// Taken out of a hierarchy that is given up: std::move(levels).finest().
+    [[nodiscard]] M finest() && { return std::move(levels_.back()->mesh); }
 
     /// The scheme as it is at a level, with the state of that level (creases).
     [[nodiscard]] const Scheme& scheme(int level) const { return at(level).scheme; }
@@ -110,17 +107,57 @@ public:
 
     /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and for
     /// handles of no element of this level. Cost: O(1), O(log n) where the scheme leaves tuples of that kind out.
-    [[nodiscard]] birth<M> origin(int level, typename traits::vertex v) const
+    template <class X>
+    [[nodiscard]] birth<M> origin(int level, const X& x) const
     {
-        return parents(level, &numbering_type::vertices, at(level, v).index());
+        return birth_of(level, at(level, x));
     }
-    [[nodiscard]] birth<M> origin(int level, typename traits::edge e) const
+
+    /// The element of a coarser level from which an element of `level` descends. Each new element has one parent: (v) is the
+    /// parent of what is made under it, the edge of (e) and (v,e), the face of all others. An edge that was found by matching
+    /// has the element between the parents of its ends. An element of `level` itself is its own ancestor there.
+    /// Errors: mesh_error unless coarser <= level, and for handles of no element of this level; association_error for an
+    /// element that comes from no tuple of touching elements. Cost: that of `origin` per level.
+    template <class X>
+    [[nodiscard]] ancestor_element<M> ancestor(int level, const X& x, int coarser) const
     {
-        return parents(level, &numbering_type::edges, at(level, e).index());
+        require_finer(level, coarser);
+        numbered_element here = numbered(at(level, x));
+        for (; level > coarser; --level)
+            here = parent(level, here);
+        return {elements(coarser), here};
     }
-    [[nodiscard]] birth<M> origin(int level, typename traits::face f) const
+
+    /// The elements of a finer level that have this element of `level` as their ancestor; those of different elements have none
+    /// in common. Errors: mesh_error unless level <= finer, and for handles of no element of this level. Cost: O(their
+    /// ranges), few per level; where edges are found by matching O(edges) per level.
+    template <class X>
+    [[nodiscard]] descendant_elements<level_type> descendants(int level, const X& x, int finer) const
     {
-        return parents(level, &numbering_type::faces, at(level, f).index());
+        require_finer(finer, level);
+        auto ranges = only(numbered(at(level, x)));
+        for (; level < finer; ++level)
+            ranges = children(elements(level), at(level).ids, elements(level + 1), ranges);
+        return {elements(finer), std::move(ranges)};
+    }
+
+    /// Moves the vertices of a level, and those of all finer levels with them: the same bits as refining a mesh with these points,
+    /// without making its connectivity again. Points in the order of dense numbers.
+    /// Errors: mesh_error unless there is a point per vertex, all finite; nothing is moved then. Cost: that of `carry`.
+    void move_points(int level, std::span<const typename traits::point> points)
+        requires movable_mesh<M>
+    {
+        const auto is_finite = [](const auto& p) { return detail::point_is_finite(p); };
+        if (const auto bad = std::ranges::find_if_not(points, is_finite); bad != points.end())
+            throw mesh_error("level " + std::to_string(level) + ": the new point of vertex " +
+                             std::to_string(bad - points.begin()) +
+                             " is not finite; give all vertices finite coordinates");
+        auto moved = carry(level, level, points);
+        set_points(level, moved);
+        for (; level < depth(); ++level) {
+            moved = carry(level, level + 1, std::span<const typename traits::point>(moved.data(), moved.size()));
+            set_points(level + 1, moved);
+        }
     }
 
     /// Values at the vertices of level `from` carried to level `to` by the scheme's own text: colours, weights, hashes,
@@ -205,29 +242,15 @@ private:
     }
     [[nodiscard]] auto at(int level, typename traits::vertex v) const
     {
-        return vertex<level_type>(level_with(level, v, "vertex"), v);
+        return vertex<level_type>(require_element(elements(level), at(level).mesh, v, level), v);
     }
     [[nodiscard]] auto at(int level, typename traits::edge e) const
     {
-        return edge<level_type>(level_with(level, e, "edge"), e);
+        return edge<level_type>(require_element(elements(level), at(level).mesh, e, level), e);
     }
     [[nodiscard]] auto at(int level, typename traits::face f) const
     {
-        return face<level_type>(level_with(level, f, "face"), f);
-    }
-    template <class Handle>
-    [[nodiscard]] const level_type& level_with(int level, Handle x, const char* kind) const
-    {
-        const level_type& here = elements(level);
-        if (not here.has(x)) {
-            const auto number = std::size_t(traits::index(at(level).mesh, x));
-            const bool invalid = number >= std::numeric_limits<index_type>::max() / 2;
-            throw mesh_error("level " + std::to_string(level) + " has no " + kind +
-                             (invalid ? " with this handle, which is invalid"
-                                      : " " + std::to_string(number) + ", it was removed or is of another mesh") +
-                             "; take handles from level " + std::to_string(level));
-        }
-        return here;
+        return face<level_type>(require_element(elements(level), at(level).mesh, f, level), f);
     }
     void require_order(int from, int to) const
     {
@@ -237,59 +260,58 @@ private:
             throw mesh_error("values were to be carried from level " + std::to_string(from) + " to level " +
                              std::to_string(to) + "; they are carried to the same level or a finer one");
     }
+    void require_finer(int finer, int coarser) const
+    {
+        static_cast<void>(at(finer));
+        static_cast<void>(at(coarser));
+        if (finer < coarser)
+            throw mesh_error("level " + std::to_string(finer) + " was given as the finer, level " +
+                             std::to_string(coarser) + " as the coarser one; give them the other way round");
+    }
+
+    void set_points(int level, const storage<typename traits::point>& points)
+    {
+        const level_type& here = elements(level);
+        M& mesh = levels_[std::size_t(level)]->mesh;
+        auto* const all = traits::points(mesh);
+        for (std::size_t v = 0; v < points.size(); ++v)
+            all[traits::index(mesh, here.vertex_at(v))] = points[v];
+    }
 
     template <tuple_kind Kind, class Target>
-    [[nodiscard]] auto child(int level, tuple_index<Kind> tuple, Target) const
+    [[nodiscard]] auto child(int level, tuple_index<Kind> tuple, Target to) const
     {
         if (level == depth())
             throw association_error("level " + std::to_string(level) +
                                     " is the last, nothing belongs to its elements yet; refine() first");
-        const auto& ids = at(level).ids;
-        const auto find = [&](const auto& column_ids) {
-            index_type id = column_ids.none;
-            if constexpr (std::remove_cvref_t<decltype(column_ids)>::template has<Kind>)
-                if (tuple.value != tuple.not_incident)
-                    id = column_ids.template id<Kind>(tuple.value);
-            if (id == column_ids.none)
-                throw association_error("level " + std::to_string(level) +
-                                        ": the scheme made nothing under this tuple");
-            return id;
-        };
-        if constexpr (std::same_as<Target, targets::to_vertex>) {
-            const index_type id = find(ids.vertices);
-            return elements(level + 1).vertex_at(id);
-        } else if constexpr (std::same_as<Target, targets::to_edge>) {
-            const index_type id = find(ids.edges);
-            return elements(level + 1).edge_at(id);
-        } else {
-            const index_type id = find(ids.faces);
-            return elements(level + 1).face_at(id);
-        }
+        const auto found = retrieve(at(level).ids, elements(level + 1), tuple, to);
+        if (not found)
+            throw association_error("level " + std::to_string(level) + ": the scheme made nothing under this tuple");
+        return *found;
     }
 
-    template <class Ids>
-    [[nodiscard]] birth<M> parents(int level, Ids numbering_type::* which, std::size_t id) const
+    [[nodiscard]] numbered_element parent(int level, const numbered_element& x) const
+    {
+        const auto found = parent_of(elements(level - 1), at(level - 1).ids, elements(level), x);
+        if (not found)
+            no_tuple(level);
+        return *found;
+    }
+    template <class Element>
+    [[nodiscard]] birth<M> birth_of(int level, const Element& x) const
     {
         if (level == 0)
             throw mesh_error(
                 "level 0 is the control mesh, whose elements come from no others; ask for the origin of those "
                 "of level 1 or more");
-        const Ids& ids = at(level - 1).ids.*which;
-        if (id >= ids.total())
-            throw association_error("level " + std::to_string(level) +
-                                    ": this element belongs to no tuple of elements");
-        const auto [kind, index] = ids.origin(id);
-        birth<M> result{kind, {}, {}, {}};
-        const auto& coarse = elements(level - 1);
-        for (const auto& [letter, number] : list_tuple(coarse, kind, index)) {
-            if (letter == 'v')
-                result.v = coarse.vertex_at(number);
-            else if (letter == 'e')
-                result.e = coarse.edge_at(number);
-            else
-                result.f = coarse.face_at(number);
-        }
-        return result;
+        const auto found = kith::birth_of<M>(elements(level - 1), at(level - 1).ids, elements(level), x);
+        if (not found)
+            no_tuple(level);
+        return *found;
+    }
+    [[noreturn]] static void no_tuple(int level)
+    {
+        throw association_error("level " + std::to_string(level) + ": this element belongs to no tuple of elements");
     }
 
     refine_options options_;

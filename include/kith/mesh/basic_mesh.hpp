@@ -181,6 +181,7 @@ struct mesh_traits<basic_mesh<Point, Index>> {
         return m.topology().vertex_corner[v.value] == connectivity<Index>::none;
     }
     static const Point& point_of(const mesh_type& m, vertex v) { return m.point(v.value); }
+    static Point* points(mesh_type& m) { return m.points().data(); }
     static int generation(const mesh_type& m) { return m.generation(); }
     static mesh_type build(mesh_type&& fine) { return std::move(fine); }
 

@@ -39,12 +39,13 @@ class basic_mesh;
 ///   build(basic_mesh<point, uint32_t>&&, const M& source) -> M     the same for a mesh that was refined from `source`, of
 ///                                  which it may keep more than elements (optional)
 ///
+///   points(m)                      the array of all points, by index (optional: without it vertices cannot be moved)
+///
 ///   For meshes that several threads may write; `fill` is their `build` then, and `refine` makes the last level in them:
 ///
 ///   request_like(m, source)        lets an empty m have the attributes that `source` has (optional; comes first)
 ///   make_room(m, vertices, edges, faces)   gives an empty m so many elements, not joined yet; throws mesh_error for more
 ///                                  than it can number
-///   points(m)                      the array of all points
 ///   at<Handle>(i)                  the vertex, edge, half-edge or face whose index is i; half-edges 2i and 2i+1 are edge i
 ///   set_side(m, h, f, v, next)     h lies in face f, leads to v and is followed by `next`
 ///   set_boundary_side(m, h, v, next)   the same for a half-edge without face
@@ -94,6 +95,12 @@ concept mesh = std::regular<typename T::vertex> and std::regular<typename T::edg
                    { T::is_isolated(m, v) } -> std::convertible_to<bool>;
                    { T::point_of(m, v) } -> std::convertible_to<typename T::point>;
                };
+
+/// A mesh whose vertices kith can move.
+template <class M, class T = mesh_traits<M>>
+concept movable_mesh = mesh<M, T> and requires(M& m) {
+    { T::points(m) } -> std::same_as<typename T::point*>;
+};
 
 /// A mesh that kith can also make.
 template <class M, class T = mesh_traits<M>>

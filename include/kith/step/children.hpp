@@ -70,6 +70,16 @@ struct element_ranges {
     friend bool operator==(const element_ranges&, const element_ranges&) = default;
 };
 
+/// The ranges of one kind: ranges.*of_kind(kind).
+constexpr std::vector<number_range> element_ranges::* of_kind(element_kind kind)
+{
+    switch (kind) {
+    case element_kind::vertex: return &element_ranges::vertices;
+    case element_kind::edge: return &element_ranges::edges;
+    default: return &element_ranges::faces;
+    }
+}
+
 namespace detail {
 
 /// The tuples of a kind that have these parents follow one another, as ends of edges and corners of faces do.
@@ -95,11 +105,7 @@ std::vector<number_range> children_among(const Level& level, const Ids& ids, con
     std::vector<number_range> result;
     for (std::size_t i = 0; i < ids.size; ++i) {
         const tuple_kind kind = ids.kinds[i];
-        const element_kind of = parent_kind(kind);
-        const auto& ranges = of == element_kind::vertex ? parents.vertices
-                             : of == element_kind::edge ? parents.edges
-                                                        : parents.faces;
-        for (const number_range& range : ranges)
+        for (const number_range& range : parents.*of_kind(parent_kind(kind)))
             if (const auto born = ids.ids(i, tuples_of(level, kind, range)); born.begin != born.end) {
                 if (not result.empty() and result.back().end == born.begin)
                     result.back().end = born.end;

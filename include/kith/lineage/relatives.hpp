@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "parent_of.hpp"
+
+#include <kith/mesh/mesh_traits.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// The elements, on the level below, that gave birth to an element; those of its tuple are set.
+template <class M>
+struct birth {
+    tuple_kind kind;
+    std::optional<typename mesh_traits<M>::vertex> v;
+    std::optional<typename mesh_traits<M>::edge> e;
+    std::optional<typename mesh_traits<M>::face> f;
+};
+
+/// The one element of a level from which another descends, of whatever kind: the one that is set.
+template <class M>
+struct ancestor_element {
+    element_kind kind;
+    std::optional<typename mesh_traits<M>::vertex> v;
+    std::optional<typename mesh_traits<M>::edge> e;
+    std::optional<typename mesh_traits<M>::face> f;
+
+    /// Of the level that is given, of M.
+    template <class Level>
+    ancestor_element(const Level& level, const numbered_element& x) : kind(x.kind)
+    {
+        switch (kind) {
+        case element_kind::vertex: v = level.vertex_at(x.number); break;
+        case element_kind::edge: e = level.edge_at(x.number); break;
+        case element_kind::face: f = level.face_at(x.number); break;
+        }
+    }
+    friend bool operator==(const ancestor_element&, const ancestor_element&) = default;
+};
+
+/// What gave birth to an element of the next level. Of an edge that was found by matching it is the element between the
+/// parents of its ends, as (e) or (f). Nothing for vertices of the dictionary and edges at them. Cost: that of parent_of.
+template <class M, class Level, class Numbering, class Fine, class X>
+std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, const X& x)
+{
+    const auto from_tuple = [&](const auto& of_kind) -> std::optional<birth<M>> {
+        if (x.index() >= of_kind.total())
+            return {};
+        const auto [kind, index] = of_kind.origin(x.index());
+        birth<M> result{kind, {}, {}, {}};
+        for (const auto& [letter, number] : list_tuple(coarse, kind, index)) {
+            if (letter == 'v')
+                result.v = coarse.vertex_at(number);
+            else if (letter == 'e')
+                result.e = coarse.edge_at(number);
+            else
+                result.f = coarse.face_at(number);
+        }
+        return result;
+    };
+    if constexpr (element_letter<X> == 'v') {
+        return from_tuple(ids.vertices);
+    } else if constexpr (element_letter<X> == 'f') {
+        return from_tuple(ids.faces);
+    } else if constexpr (Numbering::has_edges) {
+        return from_tuple(ids.edges);
+    } else {
+        const auto found = parent_of(coarse, ids, fine, numbered(x));
+        if (not found)
+            return {};
+        const ancestor_element<M> from(coarse, *found);
+        return birth<M>{from.e ? tuple_kind::e : tuple_kind::f, from.v, from.e, from.f};
+    }
+}
+
+/// The elements of a level that descend from one of a coarser level: as ranges of numbers, and in handles of the mesh. It may
+/// be used as long as the hierarchy has this level.
+template <class Level>
+class descendant_elements {
+public:
+    descendant_elements(const Level& level, element_ranges numbers) : level_(&level), numbers_(std::move(numbers)) {}
+
+    /// Increasing ranges of dense numbers, those by which `elements(level)` counts.
+    [[nodiscard]] const element_ranges& numbers() const { return numbers_; }
+    /// Cost: O(their number).
+    [[nodiscard]] auto vertices() const
+    {
+        return handles(numbers_.vertices, [this](std::size_t i) { return level_->vertex_at(i); });
+    }
+    [[nodiscard]] auto edges() const
+    {
+        return handles(numbers_.edges, [this](std::size_t i) { return level_->edge_at(i); });
+    }
+    [[nodiscard]] auto faces() const
+    {
+        return handles(numbers_.faces, [this](std::size_t i) { return level_->face_at(i); });
+    }
+
+private:
+    template <class At>
+    static auto handles(const std::vector<number_range>& ranges, const At& at)
+    {
+        std::vector<decltype(at(0))> result;
+        for (const auto& [begin, end] : ranges)
+            for (std::size_t i = begin; i < end; ++i)
+                result.push_back(at(i));
+        return result;
+    }
+
+    const Level* level_;
+    element_ranges numbers_;
+};
+
+} // namespace kith

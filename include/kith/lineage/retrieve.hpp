@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/association/association.hpp>
+#include <kith/association/tuples.hpp>
+#include <kith/base/error.hpp>
+#include <kith/mesh/mesh_traits.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+namespace kith {
+
+/// The element of the next level that belongs to a tuple, by the numbering of the step alone; nothing where the scheme
+/// made none under it. Cost: O(1).
+template <tuple_kind Kind, class Numbering, class Fine, class Target>
+auto retrieve(const Numbering& ids, const Fine& fine, tuple_index<Kind> tuple, Target)
+{
+    const auto find = [&](const auto& column_ids, const auto& at) -> std::optional<decltype(at(0))> {
+        if constexpr (std::remove_cvref_t<decltype(column_ids)>::template has<Kind>)
+            if (tuple.value != tuple.not_incident)
+                if (const auto id = column_ids.template id<Kind>(tuple.value); id != column_ids.none)
+                    return at(id);
+        return {};
+    };
+    if constexpr (std::same_as<Target, targets::to_vertex>)
+        return find(ids.vertices, [&](std::size_t id) { return fine.vertex_at(id); });
+    else if constexpr (std::same_as<Target, targets::to_edge>)
+        return find(ids.edges, [&](std::size_t id) { return fine.edge_at(id); });
+    else
+        return find(ids.faces, [&](std::size_t id) { return fine.face_at(id); });
+}
+
+/// The level, if it has the element with this handle. Errors: mesh_error for all other handles.
+template <mesh M, class Level, class Handle>
+const Level& require_element(const Level& here, const M& mesh, Handle x, int level)
+{
+    using traits = mesh_traits<M>;
+    if (not here.has(x)) {
+        constexpr const char* kind = std::same_as<Handle, typename traits::vertex> ? "vertex"
+                                     : std::same_as<Handle, typename traits::edge> ? "edge"
+                                                                                   : "face";
+        const auto number = std::size_t(traits::index(mesh, x));
+        const bool invalid = number >= std::numeric_limits<typename Level::index_type>::max() / 2;
+        throw mesh_error("level " + std::to_string(level) + " has no " + kind +
+                         (invalid ? " with this handle, which is invalid"
+                                  : " " + std::to_string(number) + ", it was removed or is of another mesh") +
+                         "; take handles from level " + std::to_string(level));
+    }
+    return here;
+}
+
+} // namespace kith
