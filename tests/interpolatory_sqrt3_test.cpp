@@ -83,13 +83,13 @@ TEST(interpolatory_sqrt3, takes_the_ring_of_the_only_irregular_vertex)
         const std::size_t point = levels.assoc(0, c.f().handle(), kith::targets::V).value;
         const auto weight = [&](const auto& v) {
             double result = 0;
-            for (std::size_t k = matrix.row_start[point]; k < matrix.row_start[point + 1]; ++k)
-                result += matrix.column[k] == v.index() ? matrix.weight[k] : 0;
+            for (std::size_t k = matrix.begin_of_row(point); k < matrix.begin_of_row(point + 1); ++k)
+                result += std::size_t(matrix.column[k]) == v.index() ? matrix.weight[k] : 0;
             return result;
         };
         const std::size_t n = c.v().valence();
         const auto row = interpolatory_sqrt3::ring_weights(n);
-        EXPECT_EQ(matrix.row_start[point + 1] - matrix.row_start[point], n + 1);
+        EXPECT_EQ(matrix.begin_of_row(point + 1) - matrix.begin_of_row(point), n + 1);
         EXPECT_DOUBLE_EQ(weight(c.v()), interpolatory_sqrt3::center_weight(n));
         EXPECT_DOUBLE_EQ(weight(c.prev().v()), row[0]);
         EXPECT_DOUBLE_EQ(weight(c.next().v()), row[n - 1]);

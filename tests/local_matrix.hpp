@@ -160,7 +160,7 @@ local_matrix make_local_matrix(const kith::hierarchy<Mesh, Scheme>& levels, int 
     std::vector<Eigen::RowVectorXd> rows;
     for (const std::size_t v : vertices[1]) {
         kith::stencil_row row;
-        for (std::size_t k = all.row_start[v]; k < all.row_start[v + 1]; ++k)
+        for (std::size_t k = all.begin_of_row(v); k < all.begin_of_row(v + 1); ++k)
             row.entries.emplace_back(all.column[k], all.weight[k]);
         rows.push_back(detail::as_row(row, vertices[0], result.leak));
     }

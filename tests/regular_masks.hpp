@@ -23,8 +23,8 @@ std::vector<double> weights_of(const shapes::shape& shape, const Scheme& scheme,
     levels.refine();
     const auto row = levels.assoc(0, handle..., kith::targets::V).value;
     const auto matrix = levels.matrix(0, 1);
-    std::vector<double> result(matrix.weight.begin() + std::ptrdiff_t(matrix.row_start[row]),
-                               matrix.weight.begin() + std::ptrdiff_t(matrix.row_start[row + 1]));
+    std::vector<double> result(matrix.weight.begin() + matrix.row_start[row],
+                               matrix.weight.begin() + matrix.row_start[row + 1]);
     std::erase(result, 0.);
     std::ranges::sort(result, std::greater());
     return result;

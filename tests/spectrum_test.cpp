@@ -312,8 +312,8 @@ TEST(spectrum, four_eight_is_the_four_directional_box_spline)
     levels.refine(1);
     const auto matrix = levels.matrix(0, 1);
     for (std::size_t i = 0; i < matrix.rows(); ++i) {
-        std::vector<double> row(matrix.weight.begin() + std::ptrdiff_t(matrix.row_start[i]),
-                                matrix.weight.begin() + std::ptrdiff_t(matrix.row_start[i + 1]));
+        std::vector<double> row(matrix.weight.begin() + matrix.row_start[i],
+                                matrix.weight.begin() + matrix.row_start[i + 1]);
         std::ranges::sort(row, std::greater());
         EXPECT_EQ(row, i < 36 ? (std::vector{.5, .125, .125, .125, .125}) : (std::vector{.25, .25, .25, .25}));
     }

@@ -68,10 +68,10 @@ TEST(stencil, transposing_exchanges_rows_and_columns)
     EXPECT_EQ(back.column, matrix.column);
     EXPECT_EQ(back.weight, matrix.weight);
     std::vector<double> first(42, 0); // the entries of column 3, one by one
-    for (std::size_t k = transposed.row_start[3]; k < transposed.row_start[4]; ++k)
-        first[transposed.column[k]] = transposed.weight[k];
+    for (std::size_t k = transposed.begin_of_row(3); k < transposed.begin_of_row(4); ++k)
+        first[std::size_t(transposed.column[k])] = transposed.weight[k];
     for (std::size_t i = 0; i < 42; ++i)
-        for (std::size_t k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
+        for (std::size_t k = matrix.begin_of_row(i); k < matrix.begin_of_row(i + 1); ++k)
             if (matrix.column[k] == 3) {
                 EXPECT_EQ(matrix.weight[k], first[i]);
             }

@@ -52,14 +52,20 @@ struct affine<stencil_row> {
 };
 
 /// A subdivision matrix in compressed rows: point i of the finer level is the sum over k in [row_start[i],
-/// row_start[i+1]) of weight[k] times point column[k] of the coarser one.
+/// row_start[i+1]) of weight[k] times point column[k] of the coarser one. Its numbers are signed as those of other libraries
+/// are, so that these look at the same arrays: kith/eigen.hpp, or SciPy's csr_matrix.
 struct subdivision_matrix {
+    using index_type = std::ptrdiff_t;
+
     std::size_t columns = 0;
-    std::vector<std::size_t> row_start{0};
-    std::vector<std::size_t> column;
+    std::vector<index_type> row_start{0};
+    std::vector<index_type> column;
     std::vector<double> weight;
 
     [[nodiscard]] std::size_t rows() const { return row_start.size() - 1; }
+
+    /// Where row i begins, in `column` and `weight`; row i+1 begins where it ends.
+    [[nodiscard]] std::size_t begin_of_row(std::size_t i) const { return std::size_t(row_start[i]); }
 
     /// Any values of the coarser level, one per vertex, carried to the finer one.
     /// Precondition: values.size() == columns. Cost: O(entries).
@@ -68,15 +74,15 @@ struct subdivision_matrix {
     {
         using traits = affine<T>;
         const auto term = [&](std::size_t k) {
-            typename traits::sum result = traits::load(values[column[k]]);
+            typename traits::sum result = traits::load(values[std::size_t(column[k])]);
             traits::scale(result, static_cast<typename traits::scalar>(weight[k]));
             return result;
         };
         std::vector<T> result;
         result.reserve(rows());
         for (std::size_t i = 0; i < rows(); ++i) {
-            typename traits::sum total = term(row_start[i]);
-            for (std::size_t k = row_start[i] + 1; k < row_start[i + 1]; ++k)
+            typename traits::sum total = term(begin_of_row(i));
+            for (std::size_t k = begin_of_row(i) + 1; k < begin_of_row(i + 1); ++k)
                 traits::add(total, term(k));
             result.push_back(traits::store(total));
         }
@@ -89,21 +95,23 @@ struct subdivision_matrix {
         subdivision_matrix result;
         result.columns = rows();
         result.row_start.assign(columns + 1, 0);
-        for (const std::size_t j : column)
-            ++result.row_start[j + 1];
+        for (const index_type j : column)
+            ++result.row_start[std::size_t(j) + 1];
         for (std::size_t j = 0; j < columns; ++j)
             result.row_start[j + 1] += result.row_start[j];
         result.column.resize(column.size());
         result.weight.resize(weight.size());
-        std::vector<std::size_t> end(result.row_start.begin(), result.row_start.end() - 1);
+        std::vector<index_type> end(result.row_start.begin(), result.row_start.end() - 1);
         for (std::size_t i = 0; i < rows(); ++i)
-            for (std::size_t k = row_start[i]; k < row_start[i + 1]; ++k) {
-                const std::size_t place = end[column[k]]++;
-                result.column[place] = i;
+            for (std::size_t k = begin_of_row(i); k < begin_of_row(i + 1); ++k) {
+                const auto place = std::size_t(end[std::size_t(column[k])]++);
+                result.column[place] = index_type(i);
                 result.weight[place] = weight[k];
             }
         return result;
     }
+
+    friend bool operator==(const subdivision_matrix&, const subdivision_matrix&) = default;
 };
 
 /// Rows as a matrix over `columns` coarse vertices.
@@ -113,10 +121,10 @@ inline subdivision_matrix make_matrix(const storage<stencil_row>& rows, std::siz
     result.columns = columns;
     for (const auto& row : rows) {
         for (const auto& [column, weight] : row.entries) {
-            result.column.push_back(column);
+            result.column.push_back(subdivision_matrix::index_type(column));
             result.weight.push_back(weight);
         }
-        result.row_start.push_back(result.column.size());
+        result.row_start.push_back(subdivision_matrix::index_type(result.column.size()));
     }
     return result;
 }
