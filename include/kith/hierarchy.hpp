@@ -202,9 +202,7 @@ public:
     {
         require_order(from, to);
         const std::size_t columns = elements(from).vertex_count();
-        std::vector<stencil_row> unit(columns);
-        for (std::size_t v = 0; v < columns; ++v)
-            unit[v].entries = {{v, 1.}};
+        const auto unit = unit_rows(columns);
         return make_matrix(carry(from, to, std::span<const stencil_row>(unit)), columns);
     }
 

@@ -19,4 +19,5 @@
 
 #include <kith/crease/make_creases.hpp>
 #include <kith/crease/vertex_type.hpp>
+#include <kith/limit/limit_matrix.hpp>
 #include <kith/limit/limit_surface.hpp>

@@ -114,6 +114,15 @@ struct subdivision_matrix {
     friend bool operator==(const subdivision_matrix&, const subdivision_matrix&) = default;
 };
 
+/// The rows of the identity: every vertex is itself.
+inline std::vector<stencil_row> unit_rows(std::size_t vertices)
+{
+    std::vector<stencil_row> result(vertices);
+    for (std::size_t v = 0; v < vertices; ++v)
+        result[v].entries = {{v, 1.}};
+    return result;
+}
+
 /// Rows as a matrix over `columns` coarse vertices.
 inline subdivision_matrix make_matrix(const storage<stencil_row>& rows, std::size_t columns)
 {

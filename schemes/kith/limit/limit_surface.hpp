@@ -103,14 +103,25 @@ limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, cons
 {
     return limit_surface_around(mesh, scheme, {});
 }
+namespace detail {
+
+/// A level of a hierarchy as a native mesh: itself, or a copy.
+template <mesh M, class Scheme>
+decltype(auto) native_of(const hierarchy<M, Scheme>& levels, int level)
+{
+    if constexpr (requires { levels[level].topology(); })
+        return levels[level];
+    else
+        return lift(levels.elements(level), generation_of(levels[0]) + level);
+}
+
+} // namespace detail
+
 /// The same of a level of a hierarchy, on any kind of mesh. Precondition: 0 <= level <= depth.
 template <class M, searchable_scheme Scheme>
 auto limit_surface_of(const hierarchy<M, Scheme>& levels, int level)
 {
-    if constexpr (requires { levels[level].topology(); })
-        return limit_surface_of(levels[level], levels.scheme(level));
-    else
-        return limit_surface_of(lift(levels.elements(level), generation_of(levels[0]) + level), levels.scheme(level));
+    return limit_surface_of(detail::native_of(levels, level), levels.scheme(level));
 }
 
 } // namespace kith
