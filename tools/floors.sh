@@ -7,13 +7,8 @@ cd "$(dirname "$0")/.."
 # root: its folders from the ground up; `.` is what lies in the root itself, which most people include, but for headers that
 # are named, which lie above it or know what does. `<` names the roots below.
 floors='
-<<<<<<< HEAD
-include     : base mesh mask level association step field .
-schemes     < include : split crease kernel nasri_hasbini . presets.hpp compiled_schemes.hpp limit_rules limit schemes.hpp
-=======
 include     : base mesh mask level association step field lineage .
-schemes     < include : split crease kernel nasri_hasbini . limit_rules limit schemes.hpp
->>>>>>> fdf0cb8 (Hierarchies answer ancestors and descendants over any number of levels, and points can be moved)
+schemes     < include : split crease kernel nasri_hasbini . presets.hpp compiled_schemes.hpp limit_rules limit schemes.hpp
 distributed < include : part number tile output mpi ranks slices .
 adapters    < include : .
 io          < include schemes distributed : text format .
