@@ -2,7 +2,6 @@
 #pragma once
 
 #include <kith/mask/large_rings.hpp>
-#include <kith/mask/weight_rows.hpp>
 #include <kith/nasri_hasbini/boundary.hpp>
 #include <kith/nasri_hasbini/polygons.hpp>
 #include <kith/split/require_faces.hpp>
@@ -60,12 +59,10 @@ private:
     static void make_inner(const Vertex& v, const Assoc& assoc, const Rows& rows)
     {
         using namespace targets;
-        const std::size_t n = v.valence();
         const auto first = v.first_corner();
         const auto ring = 304. * average(first.neighbors_from_here()) + 64. * average(first.opposites_from_here());
         assoc(v, V) = (361. * v + ring) / 729;
-        typename Rows::spare spare;
-        const auto row = rows(n, spare);
+        const auto row = rows(v.valence());
         for (const auto c : v.corners()) {
             const auto e = c.next_edge();
             assoc(v, e, V) = (304. * v + sum(c.neighbors_from_here(), row.b) + sum(c.opposites_from_here(), row.c)) /

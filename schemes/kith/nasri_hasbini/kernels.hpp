@@ -2,8 +2,8 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
+#include <kith/mask/by_valence.hpp>
 #include <kith/mask/ring_waves.hpp>
-#include <kith/mask/weight_rows.hpp>
 
 #include <array>
 #include <complex>
@@ -132,16 +132,15 @@ inline double polygon_weight(ternary_point point, std::size_t k, std::size_t m)
     return (k0 + wave(k1, 1) + (m >= 5 ? wave(k2, 2) : 0)) / (double(m) * k0);
 }
 
-/// The ring weights of (v,e) and (v,f) by valence.
+/// The ring weights of (v,e) and (v,f) by valence, up to longest_row.
 template <class Scalar>
 class ternary_rows {
 public:
     struct row {
         const Scalar *b, *c, *q, *g;
     };
-    using spare = std::array<std::vector<Scalar>, 4>;
 
-    row operator()(std::size_t n, spare& s) const { return {b_(n, s[0]), c_(n, s[1]), q_(n, s[2]), g_(n, s[3])}; }
+    row operator()(std::size_t n) const { return {b_(n), c_(n), q_(n), g_(n)}; }
 
 private:
     template <ternary_point Point, bool Opposite>
@@ -153,43 +152,40 @@ private:
         return result;
     }
 
-    weight_rows<Scalar> b_{make<ternary_point::edge, false>}, c_{make<ternary_point::edge, true>},
+    rows_by_valence<Scalar> b_{make<ternary_point::edge, false>}, c_{make<ternary_point::edge, true>},
         q_{make<ternary_point::face, false>}, g_{make<ternary_point::face, true>};
 };
 
 /// The weights around a vertex beside faces that are not quads. Doubles: they are combined before they become scalars.
 class polygon_rows {
 public:
-    using spare = std::array<std::vector<double>, 2>;
     static const polygon_rows& shared()
     {
         static const polygon_rows rows;
         return rows;
     }
 
-    struct ring {
-        const double *neighbors, *opposites;
-    };
-
-    [[nodiscard]] ring around(ternary_point point, std::size_t n, spare& s) const
+    /// `neighbor_weight` and `opposite_weight`. Precondition: n <= longest_row, but for the point of the vertex.
+    [[nodiscard]] double neighbor(ternary_point point, std::size_t j, std::size_t n) const
     {
-        return {neighbors_[index(point)](n, s[0]), opposites_[index(point)](n, s[1])};
+        return point == ternary_point::vertex ? neighbor_weight(point, j, n) : neighbors_[index(point)](n)[j];
     }
-    /// `polygon_weight` by k.
-    [[nodiscard]] const double* special(ternary_point point, std::size_t m, spare& s) const
+    [[nodiscard]] double opposite(ternary_point point, std::size_t j, std::size_t n) const
     {
-        return special_[index(point)](m, s[0]);
+        return point == ternary_point::vertex ? opposite_weight(point, j, n) : opposites_[index(point)](n)[j];
     }
-    /// `diagonal_weight` by k.
-    [[nodiscard]] const double* diagonal(std::size_t m, spare& s) const { return diagonal_(m, s[0]); }
+    /// `polygon_weight` by k. Precondition: m <= longest_row.
+    [[nodiscard]] const double* special(ternary_point point, std::size_t m) const { return special_[index(point)](m); }
+    /// `diagonal_weight` by k. Precondition: m <= longest_row.
+    [[nodiscard]] const double* diagonal(std::size_t m) const { return diagonal_(m); }
 
 private:
     static constexpr std::size_t index(ternary_point point) { return std::size_t(point); }
 
     template <class WeightOf>
-    static weight_rows<double> rows(WeightOf weight_of)
+    static rows_by_valence<double> rows(WeightOf weight_of)
     {
-        return weight_rows<double>([weight_of](std::size_t n) {
+        return rows_by_valence<double>([weight_of](std::size_t n) {
             std::vector<double> result;
             for (std::size_t k = 0; k < n; ++k)
                 result.push_back(weight_of(k, n));
@@ -197,7 +193,7 @@ private:
         });
     }
     template <class WeightOf>
-    static std::array<weight_rows<double>, 3> by_point(WeightOf weight_of)
+    static std::array<rows_by_valence<double>, 3> by_point(WeightOf weight_of)
     {
         const auto of = [&](ternary_point point) {
             return rows([=](std::size_t k, std::size_t n) { return weight_of(point, k, n); });
@@ -205,9 +201,9 @@ private:
         return {of(ternary_point::vertex), of(ternary_point::edge), of(ternary_point::face)};
     }
 
-    std::array<weight_rows<double>, 3> neighbors_ = by_point(neighbor_weight), opposites_ = by_point(opposite_weight),
-                                       special_ = by_point(polygon_weight);
-    weight_rows<double> diagonal_ = rows(diagonal_weight);
+    std::array<rows_by_valence<double>, 3> neighbors_ = by_point(neighbor_weight),
+                                           opposites_ = by_point(opposite_weight), special_ = by_point(polygon_weight);
+    rows_by_valence<double> diagonal_ = rows(diagonal_weight);
 };
 
 } // namespace kith

@@ -91,13 +91,12 @@ private:
         row_.clear();
         std::fill(block_.begin(), block_.end(), 0.);
         const double own = center_weight(point);
-        const auto around = rows_.around(point, n, spare_);
         for (std::size_t j = 0; j < n; ++j) {
             if (is_special(j))
                 block_[j] += own / double(specials);
             const std::size_t before = (j + n - 1) % n; // e_j lies between faces j-1 and j
-            const double e = around.neighbors[(j + n - i) % n];
-            const double d = around.opposites[(j + n - i) % n];
+            const double e = rows_.neighbor(point, (j + n - i) % n, n);
+            const double d = rows_.opposite(point, (j + n - i) % n, n);
             const int sharing = int(is_special(j)) + int(is_special(before));
             if (sharing == 0)
                 row_.emplace_back(ring_[j].next().v(), real(e));
@@ -179,7 +178,7 @@ private:
         else if (m > longest_row)
             spend(large_.of(c.f()), diagonal_kernel, 2 * step_in_face(c), total);
         else
-            spend(c, total, [w = rows_.diagonal(m, spare_of_face_)](std::size_t k) { return w[k]; });
+            spend(c, total, [w = rows_.diagonal(m)](std::size_t k) { return w[k]; });
     }
     void spend_on_special(ternary_point point, std::size_t j, double total, bool mirrored)
     {
@@ -191,9 +190,7 @@ private:
                 k1 = std::conj(k1), k2 = std::conj(k2);
             spend(large_.of(c.f()), {1, k1 / k0, k2 / k0}, 2 * step_in_face(c), total);
         } else {
-            spend(c, total, [=, w = rows_.special(point, m, spare_of_face_)](std::size_t k) {
-                return w[mirrored ? (m - k) % m : k];
-            });
+            spend(c, total, [=, w = rows_.special(point, m)](std::size_t k) { return w[mirrored ? (m - k) % m : k]; });
         }
     }
     /// Adds the corners of c's face to the row, counted from c.
@@ -222,7 +219,6 @@ private:
     std::vector<corner_type> ring_;
     std::vector<std::pair<operand, real>> row_;
     std::vector<double> block_; // of each special face
-    polygon_rows::spare spare_, spare_of_face_;
 };
 
 } // namespace kith::detail
