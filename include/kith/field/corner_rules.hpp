@@ -5,6 +5,7 @@
 
 #include <kith/association/tuples.hpp>
 #include <kith/base/storage.hpp>
+#include <kith/step/children.hpp>
 
 #include <cstddef>
 #include <span>
@@ -95,17 +96,15 @@ private:
         constexpr std::size_t none = tuple_index<tuple_kind::vf>::not_incident;
         if (kind == tuple_kind::vf and level().corners()[i].v() == v)
             return values_[i];
-        if (kind == tuple_kind::e or kind == tuple_kind::ve) {
-            const auto e = level().edges()[kind == tuple_kind::e ? i : i / 2];
+        const std::size_t from = parent(level(), kind, i);
+        if (parent_kind(kind) == element_kind::edge) {
+            const auto e = level().edges()[from];
             const auto here_in = [&](const auto& c) { return here(c.v() == v ? c : c.next()); };
             if (e.org() == v or e.dst() == v)
                 return e.is_boundary() ? here_in(e.lcorner())
                                        : masks::middle(here_in(e.lcorner()), here_in(e.rcorner()));
-        } else if (kind != tuple_kind::v) {
-            const auto f = kind == tuple_kind::f     ? level().faces()[i]
-                           : kind == tuple_kind::vfe ? level().corners()[i / 2].f()
-                                                     : level().corners()[i].f();
-            if (const std::size_t corner = index_tuple(v, f).value; corner != none)
+        } else if (parent_kind(kind) == element_kind::face) {
+            if (const std::size_t corner = index_tuple(v, level().faces()[from]).value; corner != none)
                 return values_[corner];
         }
         const auto corners = v.corners();
@@ -119,13 +118,7 @@ private:
     template <class Face>
     [[nodiscard]] bool is_parent(std::pair<tuple_kind, std::size_t> face, const Face& f) const
     {
-        switch (face.first) {
-        case tuple_kind::f: return face.second == f.index();
-        case tuple_kind::vf:
-        case tuple_kind::ef: return level().corners()[face.second].f() == f;
-        case tuple_kind::vfe: return level().corners()[face.second / 2].f() == f;
-        default: return false;
-        }
+        return parent_kind(face.first) == element_kind::face and parent(level(), face.first, face.second) == f.index();
     }
 
     std::span<const T> values_;

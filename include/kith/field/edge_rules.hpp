@@ -5,6 +5,7 @@
 
 #include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
+#include <kith/step/children.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -21,12 +22,9 @@ bool is_born_on(const Step& step, std::size_t vertex, const Edge& e)
     if (vertex >= step.ids.vertices.total())
         return false; // of the dictionary
     const auto [kind, tuple] = step.ids.vertices.origin(vertex);
-    switch (kind) {
-    case tuple_kind::v: return tuple == e.org().index() or tuple == e.dst().index();
-    case tuple_kind::e: return tuple == e.index();
-    case tuple_kind::ve: return tuple / 2 == e.index();
-    default: return false;
-    }
+    if (kind == tuple_kind::v)
+        return tuple == e.org().index() or tuple == e.dst().index();
+    return parent_kind(kind) == element_kind::edge and parent(step.coarse, kind, tuple) == e.index();
 }
 
 } // namespace detail
@@ -55,7 +53,7 @@ struct along_edges {
                                  detail::columns_of_step(step).edges.list,
                                  [&]<tuple_kind K>(std::size_t id, std::size_t tuple) {
                                      const auto element = tuple_element<K>(step.coarse, tuple);
-                                     if constexpr (K == tuple_kind::e or K == tuple_kind::ve) {
+                                     if constexpr (parent_kind(K) == element_kind::edge) {
                                          const auto edge = fine.edges()[id];
                                          if (detail::is_born_on(step, edge.org().index(), element) and
                                              detail::is_born_on(step, edge.dst().index(), element)) {

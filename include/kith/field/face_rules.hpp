@@ -4,6 +4,7 @@
 #include "inherit.hpp"
 
 #include <kith/base/storage.hpp>
+#include <kith/step/children.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -27,13 +28,11 @@ struct from_parent {
                                  step.ids.faces,
                                  detail::columns_of_step(step).faces.list,
                                  [&]<tuple_kind K>(std::size_t id, std::size_t tuple) {
-                                     const auto element = tuple_element<K>(step.coarse, tuple);
-                                     if constexpr (K == tuple_kind::f)
-                                         result[id] = T(std::invoke(inherit, values[element.index()]));
-                                     else if constexpr (K == tuple_kind::v or K == tuple_kind::e or K == tuple_kind::ve)
-                                         result[id] = detail::born_value<T>(born, element, values);
+                                     if constexpr (parent_kind(K) == element_kind::face)
+                                         result[id] = T(std::invoke(inherit, values[parent(step.coarse, K, tuple)]));
                                      else
-                                         result[id] = T(std::invoke(inherit, values[element.f().index()]));
+                                         result[id] = detail::born_value<T>(
+                                             born, tuple_element<K>(step.coarse, tuple), values);
                                  });
         return result;
     }

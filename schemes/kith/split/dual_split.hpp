@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "shared_connections.hpp"
+
 #include <kith/step/refinement.hpp>
 
 #include <cstddef>
@@ -32,10 +34,7 @@ struct dual_split {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        for_each(coarse.faces(), [&](auto f) {
-            assoc(f, F) = polygon(f.corners(),
-                                  [&](auto c) { return assoc(c, V) >> assoc(c.next_edge(), f, E).left(); });
-        });
+        make_faces_inside(r);
         for_each_by_number(coarse.edges(), [&](auto e) {
             if (e.is_boundary())
                 return;

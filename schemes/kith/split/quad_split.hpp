@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "shared_connections.hpp"
+
 #include <kith/step/refinement.hpp>
 
 namespace kith {
@@ -29,11 +31,7 @@ struct quad_split {
                                   assoc(f, V) >> assoc(ep, f, E).right(),
                                   assoc(ep, V) >> assoc(v, ep, E).along(ep));
         });
-        for_each_by_number(coarse.vertices(), [&](auto v) {
-            const auto c = v.first_corner();
-            const auto en = c.next_edge();
-            assoc(v, V).starts_at(assoc(c, F).corner(0), assoc(v, en, E).along(en));
-        });
+        start_fans_along_ends(r);
         for_each_by_number(coarse.edges(), [&](auto e) {
             const auto c = e.lcorner();
             assoc(e, V).starts_at(assoc(c, F).corner(1), assoc(e, c.f(), E).left());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "shared_connections.hpp"
+
 #include <kith/step/refinement.hpp>
 
 namespace kith {
@@ -20,10 +22,7 @@ struct ternary_split {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        for_each(coarse.faces(), [&](auto f) {
-            assoc(f, F) = polygon(f.corners(),
-                                  [&](auto c) { return assoc(c, V) >> assoc(c.next_edge(), f, E).left(); });
-        });
+        make_faces_inside(r);
         for_each(coarse.corners(), [&](auto c) {
             const auto v = c.v();
             const auto w = c.next().v();
@@ -40,11 +39,7 @@ struct ternary_split {
                                   assoc(v, ep, V) >> assoc(v, ep, E).along(ep));
             assoc(c, V).starts_at(assoc(c, F).corner(2), assoc(c, ep, E).right());
         });
-        for_each_by_number(coarse.vertices(), [&](auto v) {
-            const auto c = v.first_corner();
-            const auto en = c.next_edge();
-            assoc(v, V).starts_at(assoc(c, F).corner(0), assoc(v, en, E).along(en));
-        });
+        start_fans_along_ends(r);
         for_each(coarse.edges(), [&](auto e) {
             const auto c = e.lcorner();
             assoc(e.org(), e, V).starts_at(assoc(c, F).corner(1), assoc(c, e, E).left());
