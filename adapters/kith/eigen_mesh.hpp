@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/mesh/make_mesh.hpp>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// A mesh from matrices as libigl has them: a row per point, with three coordinates, and a row per face, with its vertices.
+/// Rows that end in negative numbers are faces with fewer corners. Errors: mesh_error for points of other dimensions, and as
+/// make_mesh. Cost: as make_mesh.
+template <class V, class F>
+basic_mesh<std::array<typename V::Scalar, 3>> mesh_of_matrices(const Eigen::MatrixBase<V>& points,
+                                                               const Eigen::MatrixBase<F>& faces)
+{
+    using point = std::array<typename V::Scalar, 3>;
+    if (points.cols() != 3)
+        throw mesh_error("the points have " + std::to_string(points.cols()) + " coordinates; give three columns");
+    std::vector<point> list(std::size_t(points.rows()));
+    for (Eigen::Index v = 0; v < points.rows(); ++v)
+        list[std::size_t(v)] = {points(v, 0), points(v, 1), points(v, 2)};
+    face_list corners;
+    std::vector<std::size_t> face;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+        Eigen::Index degree = faces.cols();
+        while (degree > 0 and faces(f, degree - 1) < 0)
+            --degree;
+        face.clear();
+        for (Eigen::Index c = 0; c < degree; ++c)
+            face.push_back(std::size_t(faces(f, c))); // a negative number becomes one that is out of range
+        corners.push_back(face);
+    }
+    return make_mesh(list, corners);
+}
+
+/// The points of a mesh, a row each. Cost: O(vertices).
+template <class Scalar, std::unsigned_integral Index>
+Eigen::Matrix<Scalar, Eigen::Dynamic, 3> points_as_matrix(const basic_mesh<std::array<Scalar, 3>, Index>& mesh)
+{
+    using rows = Eigen::Matrix<Scalar, Eigen::Dynamic, 3, Eigen::RowMajor>;
+    return Eigen::Map<const rows>(mesh.points().data()->data(), Eigen::Index(mesh.vertex_count()), 3);
+}
+
+/// The faces of a mesh, a row each; rows of faces with fewer corners than others end in -1. Cost: O(corners).
+template <class Point, std::unsigned_integral Index>
+Eigen::MatrixXi faces_as_matrix(const basic_mesh<Point, Index>& mesh)
+{
+    std::size_t degree = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        degree = std::max(degree, mesh.face(f).size());
+    Eigen::MatrixXi result = Eigen::MatrixXi::Constant(Eigen::Index(mesh.face_count()), Eigen::Index(degree), -1);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (std::size_t c = 0; c < mesh.face(f).size(); ++c)
+            result(Eigen::Index(f), Eigen::Index(c)) = int(mesh.face(f)[c]);
+    return result;
+}
+
+} // namespace kith
