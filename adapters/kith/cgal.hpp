@@ -98,6 +98,13 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     {
         m.template add_property_map<face, std::uint8_t>(odd_generation, 1);
     }
+    static void forget_generation(mesh_type& m)
+    {
+        if (generation(m) != 0) {
+            auto odd = m.template add_property_map<face, std::uint8_t>(odd_generation).first;
+            m.remove_property_map(odd);
+        }
+    }
     static int generation(const mesh_type& m)
     {
         const auto odd = m.template property_map<face, std::uint8_t>(odd_generation);

@@ -114,10 +114,18 @@ struct mesh_traits<M> {
             advise_large_pages(points(m), vertices);
         }
         m.resize(vertices, edges, faces);
+        clear_attributes(m, 0);
+    }
+    /// Of all elements, but for the first vertices, which keep theirs.
+    static void clear_attributes(M& m, std::size_t vertices_to_keep)
+    {
         for_each_attribute([&](auto has, auto, auto property) {
-            if ((m.*has)())
-                for (auto& value : m.property((m.*property)()).data_vector())
-                    set_zero(value);
+            if (not(m.*has)())
+                return;
+            const auto handle = (m.*property)();
+            auto& values = m.property(handle).data_vector();
+            for (std::size_t i = is_on_vertices(handle) ? vertices_to_keep : 0; i < values.size(); ++i)
+                set_zero(values[i]);
         });
     }
     static point* points(M& m) { return m.property(m.points_pph()).data_vector().data(); }
@@ -155,6 +163,12 @@ struct mesh_traits<M> {
         m.add_property(odd, odd_generation);
         m.property(odd) = true;
     }
+    static void forget_generation(M& m)
+    {
+        OpenMesh::MPropHandleT<bool> odd;
+        if (m.get_property_handle(odd, odd_generation))
+            m.remove_property(odd);
+    }
     static int generation(const M& m)
     {
         OpenMesh::MPropHandleT<bool> odd;
@@ -187,6 +201,12 @@ private:
         f(&M::has_halfedge_texcoords3D, &M::request_halfedge_texcoords3D, &M::halfedge_texcoords3D_pph);
         f(&M::has_face_texture_index, &M::request_face_texture_index, &M::face_texture_index_pph);
     }
+    template <class T>
+    static constexpr bool is_on_vertices(OpenMesh::VPropHandleT<T>)
+    {
+        return true;
+    }
+    static constexpr bool is_on_vertices(OpenMesh::BaseHandle) { return false; }
     /// A vector of OpenMesh is made without values.
     template <class Scalar, int N>
     static void set_zero(OpenMesh::VectorT<Scalar, N>& value)

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "subdivision.hpp"
+
+#include <kith/doo_sabin.hpp>
+#include <kith/sqrt3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith::cgal {
+
+namespace detail {
+
+/// A step whose points are made by place(view, native mesh, numbering, points of the graph), on the graph as it is before.
+/// What is carried goes by the masks of the scheme, which has the connectivity.
+template <class Graph, class VertexPointMap, class Scheme, class Place>
+void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation, const Place& place)
+{
+    using view_type = face_graph<Graph, VertexPointMap>;
+    typename in_place::properties_of<Graph>::type carried(g);
+    const view_type view(std::as_const(g), points);
+    auto control = lift_valid(view);
+    control = {storage<typename view_type::point>(control.points()), control.topology(), generation};
+    in_place::refined<typename view_type::point> surface{std::move(control), true};
+    kith::detail::require_refinable(surface.mesh, scheme, 1, {});
+    std::vector<typename view_type::graph_point> made;
+    in_place::step(surface, scheme, carried, false, [&](const auto& ids, const auto& new_points) {
+        made.resize(new_points.size());
+        place(view, surface.mesh, ids, std::span(made));
+    });
+    write_connectivity(g, surface.mesh.topology(), surface.keeps_vertices);
+    carried.write(g);
+    std::size_t i = 0;
+    for (const auto v : graph_calls::all_vertices(g))
+        put(points, v, made[i++]);
+}
+
+/// The half-edge of each edge that has a face and, if it lies at the boundary, that; CGAL's for the others.
+template <class View>
+typename View::halfedge inner_side(const View& view, typename View::edge e)
+{
+    const auto h = view.directing(e);
+    return graph_calls::has_no_face(view.graph(), h) ? graph_calls::opposite_of(view.graph(), h) : h;
+}
+
+/// Edge points and vertex points by a mask of CGAL's kind. Where an edge lies at the boundary, border_node makes the point of
+/// its end, too.
+template <class View, class Mask, class Ids, class Points>
+void place_edges_and_vertices(const View& view, Mask& mask, const Ids& ids, const Points& points)
+{
+    const auto& g = view.graph();
+    const level_of<View> level(view);
+    std::vector<bool> is_placed(level.vertex_count());
+    for (const auto e : level.edges()) {
+        auto& point = points[ids.template id<tuple_kind::e>(e.index())];
+        const auto h = inner_side(view, e.handle());
+        if (not e.is_boundary()) {
+            mask.edge_node(h, point);
+        } else {
+            const std::size_t end = level.index(graph_calls::target_of(g, h));
+            mask.border_node(h, point, points[ids.template id<tuple_kind::v>(end)]);
+            is_placed[end] = true;
+        }
+    }
+    for (const auto v : level.vertices())
+        if (not is_placed[v.index()])
+            mask.vertex_node(v.handle(), points[ids.template id<tuple_kind::v>(v.index())]);
+}
+template <class View, class Mask, class Ids, class Points>
+void place_faces(const View& view, Mask& mask, const Ids& ids, const Points& points)
+{
+    std::size_t i = 0;
+    for (const auto f : view.faces())
+        mask.face_node(f, points[ids.template id<tuple_kind::f>(i++)]);
+}
+
+template <class Graph, class Np, class Step>
+void repeat(Graph& g, const Np& np, const Step& step)
+{
+    const auto points = points_of(g, np);
+    for (int i = 0; i < steps_of(np); ++i)
+        step(points, i);
+}
+
+} // namespace detail
+
+// NOLINTBEGIN(readability-identifier-naming)
+
+/// CGAL::Subdivision_method_3::PQQ, the quad split by a mask of one's own: a model of CGAL's PQQMask_3, whose face_node,
+/// edge_node, vertex_node and border_node see the mesh as it is before the step. Named parameters: number_of_iterations and
+/// vertex_point_map; or a number of steps. Property maps of a Surface_mesh go linearly, for all others see `subdivision`.
+/// Errors: as kith::refine, after the steps that went well. Cost: O(corners) and that of the mask per step.
+template <class Graph, class Mask, class Np>
+void PQQ(Graph& pmesh, Mask mask, const Np& np)
+{
+    if constexpr (steps<Np>)
+        return PQQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
+    else
+        detail::repeat(pmesh, np, [&](const auto& vpm, int) {
+            detail::step_by_mask(
+                pmesh, vpm, linear(), 0, [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                    detail::place_faces(view, mask, ids.vertices, points);
+                    detail::place_edges_and_vertices(view, mask, ids.vertices, points);
+                });
+        });
+}
+template <class Graph, class Mask>
+void PQQ(Graph& pmesh, Mask mask)
+{
+    PQQ(pmesh, mask, CGAL::parameters::default_values());
+}
+
+/// The same for the split of triangles: CGAL's PTQMask_3, with edge_node, vertex_node and border_node.
+template <class Graph, class Mask, class Np>
+void PTQ(Graph& pmesh, Mask mask, const Np& np)
+{
+    if constexpr (steps<Np>)
+        return PTQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
+    else
+        detail::repeat(pmesh, np, [&](const auto& vpm, int) {
+            detail::step_by_mask(
+                pmesh,
+                vpm,
+                linear_triangles(),
+                0,
+                [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                    detail::place_edges_and_vertices(view, mask, ids.vertices, points);
+                });
+        });
+}
+template <class Graph, class Mask>
+void PTQ(Graph& pmesh, Mask mask)
+{
+    PTQ(pmesh, mask, CGAL::parameters::default_values());
+}
+
+/// The same for the dual split: CGAL's DQQMask_3, whose corner_node takes the half-edge to the corner in its face.
+template <class Graph, class Mask, class Np>
+void DQQ(Graph& pmesh, Mask mask, const Np& np)
+{
+    if constexpr (steps<Np>)
+        return DQQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
+    else
+        detail::repeat(pmesh, np, [&](const auto& vpm, int) {
+            detail::step_by_mask(pmesh,
+                                 vpm,
+                                 doo_sabin{.boundary = doo_sabin_boundary::drop},
+                                 0,
+                                 [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                                     std::size_t corner = 0;
+                                     for (const auto f : view.faces()) {
+                                         const auto first = graph_calls::halfedge_at(view.graph(), f);
+                                         auto h = first; // which leaves the corner
+                                         do {
+                                             mask.corner_node(
+                                                 graph_calls::prev_of(view.graph(), h),
+                                                 points[ids.vertices.template id<tuple_kind::vf>(corner++)]);
+                                             h = graph_calls::next_of(view.graph(), h);
+                                         } while (h != first);
+                                     }
+                                 });
+        });
+}
+template <class Graph, class Mask>
+void DQQ(Graph& pmesh, Mask mask)
+{
+    DQQ(pmesh, mask, CGAL::parameters::default_values());
+}
+
+/// The same for the sqrt(3) split: CGAL's Sqrt3Mask_3, with face_node, vertex_node and, in every second step of a call,
+/// border_node(half-edge, point near its target, point near its source, point of its target).
+template <class Graph, class Mask, class Np>
+void Sqrt3(Graph& pmesh, Mask mask, const Np& np)
+{
+    if constexpr (steps<Np>)
+        return Sqrt3(pmesh, mask, CGAL::parameters::number_of_iterations(np));
+    else
+        detail::repeat(pmesh, np, [&](const auto& vpm, int step) {
+            const auto place = [&](const auto& view, const auto& mesh, const auto& ids, const auto& points) {
+                const auto& numbers = ids.vertices;
+                const level_of<std::remove_cvref_t<decltype(view)>> level(view);
+                for (const auto v : level.vertices()) {
+                    auto& point = points[numbers.template id<tuple_kind::v>(v.index())];
+                    if (v.is_boundary())
+                        point = get(vpm, v.handle());
+                    else
+                        mask.vertex_node(v.handle(), point);
+                }
+                for (const auto f : level.faces())
+                    if (const auto id = numbers.template id<tuple_kind::f>(f.index()); id != numbers.none)
+                        mask.face_node(f.handle(), points[id]);
+                if (mesh.generation() % 2 == 0)
+                    return;
+                for (const auto e : level.edges())
+                    if (e.is_boundary()) {
+                        const auto h = detail::inner_side(view, e.handle());
+                        const std::size_t end = level.index(graph_calls::target_of(view.graph(), h));
+                        mask.border_node(h,
+                                         points[numbers.template id<tuple_kind::ve>(2 * e.index() + 1)],
+                                         points[numbers.template id<tuple_kind::ve>(2 * e.index())],
+                                         points[numbers.template id<tuple_kind::v>(end)]);
+                    }
+            };
+            detail::step_by_mask(pmesh, vpm, sqrt3(), step % 2, place);
+        });
+}
+template <class Graph, class Mask>
+void Sqrt3(Graph& pmesh, Mask mask)
+{
+    Sqrt3(pmesh, mask, CGAL::parameters::default_values());
+}
+
+// NOLINTEND(readability-identifier-naming)
+
+} // namespace kith::cgal

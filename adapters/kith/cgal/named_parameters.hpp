@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/version.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <concepts>
+#include <functional>
+#include <type_traits>
+
+namespace kith::cgal {
+
+/// CGAL's named parameters and those it does not have. The latter come first in a chain:
+/// parameters::edge_sharpness_map(sharp).number_of_iterations(3).
+namespace parameters {
+
+using namespace CGAL::parameters;
+
+enum edge_sharpness_t { edge_sharpness };
+enum vertex_sharpness_t { vertex_sharpness };
+
+/// Edges and vertices with numbers: sharp for as many levels, infinitely_sharp for ever. `more` is a chain to go on from.
+template <class Map>
+auto edge_sharpness_map(const Map& map)
+{
+    return CGAL::Named_function_parameters<Map, edge_sharpness_t>(map);
+}
+template <class Map, class More>
+auto edge_sharpness_map(const Map& map, const More& more)
+{
+    return CGAL::Named_function_parameters<Map, edge_sharpness_t, More>(map, more);
+}
+template <class Map>
+auto vertex_sharpness_map(const Map& map)
+{
+    return CGAL::Named_function_parameters<Map, vertex_sharpness_t>(map);
+}
+template <class Map, class More>
+auto vertex_sharpness_map(const Map& map, const More& more)
+{
+    return CGAL::Named_function_parameters<Map, vertex_sharpness_t, More>(map, more);
+}
+
+#if CGAL_VERSION_NR >= 1060101000
+using do_not_modify_geometry_t = CGAL::internal_np::do_not_modify_geometry_t;
+inline constexpr auto do_not_modify_geometry_tag = CGAL::internal_np::do_not_modify_geometry;
+#else
+enum do_not_modify_geometry_t { do_not_modify_geometry_tag };
+
+/// Elements are split and nothing moves, as in CGAL from 6.1 on.
+inline auto do_not_modify_geometry(bool b)
+{
+    return CGAL::Named_function_parameters<bool, do_not_modify_geometry_t>(b);
+}
+template <class More>
+auto do_not_modify_geometry(bool b, const More& more)
+{
+    return CGAL::Named_function_parameters<bool, do_not_modify_geometry_t, More>(b, more);
+}
+#endif
+
+} // namespace parameters
+
+/// What a function of this dialect takes after the mesh: named parameters, or a number of steps, as before CGAL 5.
+template <class Np>
+concept steps = std::integral<Np>;
+
+namespace detail {
+
+template <class Np, class Tag>
+inline constexpr bool is_given = not CGAL::parameters::is_default_parameter<Np, Tag>::value;
+
+/// A map that values can be put into.
+template <class Map>
+constexpr bool is_writable()
+{
+    using traits = boost::property_traits<Map>;
+    return std::is_convertible_v<typename traits::category, boost::writable_property_map_tag> and
+           not std::is_const_v<std::remove_reference_t<typename traits::reference>>;
+}
+
+/// The parameter itself, where it was given by std::ref.
+template <class T>
+decltype(auto) unwrapped(T& parameter)
+{
+    if constexpr (requires { parameter.get(); })
+        return parameter.get();
+    else
+        return (parameter);
+}
+
+/// Tells the visitor how much is done; whether to go on.
+template <class Visitor>
+bool tell(Visitor& visitor, double done)
+{
+    auto& told = unwrapped(visitor);
+    if constexpr (std::is_void_v<decltype(told.progress(done))>) {
+        told.progress(done);
+        return true;
+    } else {
+        return bool(told.progress(done));
+    }
+}
+
+} // namespace detail
+
+} // namespace kith::cgal

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "face_graph.hpp"
+#include "named_parameters.hpp"
+#include "write_face_graph.hpp"
+
+#include <kith/cgal_properties.hpp>
+#include <kith/crease/make_creases.hpp>
+#include <kith/in_place/carried_properties.hpp>
+#include <kith/in_place/refine_in_place.hpp>
+#include <kith/linear.hpp>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace kith::cgal {
+
+namespace detail {
+
+template <class Graph, class Np>
+auto points_of(Graph& g, const Np& np)
+{
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    return choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                            CGAL::get_property_map(CGAL::vertex_point, g));
+}
+
+template <class Np>
+int steps_of(const Np& np)
+{
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    return int(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1));
+}
+
+/// What schemes with creases have.
+template <class Scheme>
+concept sharp_scheme = requires(Scheme& scheme) {
+    { scheme.sharpness } -> std::same_as<creases&>;
+};
+
+template <class Np>
+inline constexpr bool has_sharp_elements = is_given<Np, CGAL::internal_np::edge_is_constrained_t> or
+                                           is_given<Np, CGAL::internal_np::vertex_is_constrained_t> or
+                                           is_given<Np, parameters::edge_sharpness_t> or
+                                           is_given<Np, parameters::vertex_sharpness_t>;
+
+/// Calls f(map, what the map says of an element with this sharpness) for each of the two maps that is given.
+template <class Constrained, class Sharpness, class Np, class F>
+void for_each_map(const Np& np, const F& f)
+{
+    if constexpr (is_given<Np, Constrained>)
+        f(CGAL::parameters::get_parameter(np, Constrained()));
+    if constexpr (is_given<Np, Sharpness>)
+        f(CGAL::parameters::get_parameter(np, Sharpness()));
+}
+template <class Constrained, class Sharpness, class Np, class Element>
+double sharpness_in(const Np& np, const Element& x, std::size_t number, const char* kind)
+{
+    struct element {
+        const Element& descriptor;
+        std::size_t number;
+        [[nodiscard]] const Element& handle() const { return descriptor; }
+        [[nodiscard]] std::size_t index() const { return number; }
+    };
+    double result = 0;
+    for_each_map<Constrained, Sharpness>(np, [&](const auto& map) {
+        result = std::max(result, kith::detail::sharpness_from(map, element{x, number}, kind));
+    });
+    return result;
+}
+
+/// Adds what the maps say to the creases of a scheme.
+template <class View, class Np>
+void read_creases(const View& view, const Np& np, creases& sharp)
+{
+    namespace tags = CGAL::internal_np;
+    const level_of<View> level(view);
+    const auto& g = view.graph();
+    for (const auto e : level.edges())
+        if (const double s = sharpness_in<tags::edge_is_constrained_t, parameters::edge_sharpness_t>(
+                np, graph_calls::edge_along(g, view.directing(e.handle())), e.index(), "edge");
+            s > 0)
+            sharp.sharpen_edge(e.index(), s);
+    for (const auto v : level.vertices())
+        if (const double s = sharpness_in<tags::vertex_is_constrained_t, parameters::vertex_sharpness_t>(
+                np, v.handle(), v.index(), "vertex");
+            s > 0)
+            sharp.sharpen_vertex(v.index(), s);
+}
+
+/// Lets the maps that can be written say how sharp the elements of the refined mesh are.
+template <class Graph, class Np>
+void write_creases(const Graph& g, const Np& np, const creases& sharp)
+{
+    namespace tags = CGAL::internal_np;
+    const auto write = [](const auto& maps, const auto& elements, const auto& sharpness) {
+        maps([&]<class Map>(const Map& map) {
+            if constexpr (is_writable<Map>()) {
+                using value = typename boost::property_traits<Map>::value_type;
+                std::size_t i = 0;
+                for (const auto& x : elements) {
+                    const double s = sharpness(i++);
+                    put(map, x, std::is_same_v<value, bool> ? value(s == infinitely_sharp) : value(s));
+                }
+            }
+        });
+    };
+    write([&](const auto& f) { for_each_map<tags::edge_is_constrained_t, parameters::edge_sharpness_t>(np, f); },
+          graph_calls::all_edges(g),
+          [&](std::size_t e) { return sharp.of_edge(e); });
+    write([&](const auto& f) { for_each_map<tags::vertex_is_constrained_t, parameters::vertex_sharpness_t>(np, f); },
+          graph_calls::all_vertices(g),
+          [&](std::size_t v) { return sharp.of_vertex(v); });
+}
+
+/// Overwrites the graph with a refined mesh.
+template <class Graph, class VertexPointMap, class Point, class Carried>
+void write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, const Carried& carried)
+{
+    write_connectivity(g, fine.mesh.topology(), fine.keeps_vertices);
+    carried.write(g);
+    std::size_t i = 0;
+    for (const auto v : graph_calls::all_vertices(g))
+        put(points, v, face_graph<Graph, VertexPointMap>::to_graph(fine.mesh.point(i++)));
+}
+
+template <class Graph, class Scheme, class Np>
+void refine(Graph& g, Scheme& scheme, const Np& np)
+{
+    const int steps = steps_of(np);
+    kith::detail::require_levels<Scheme>(steps);
+    if (steps == 0)
+        return;
+    const auto points = points_of(g, np);
+    typename in_place::properties_of<Graph>::type carried(g);
+    auto control = [&] {
+        const face_graph view(std::as_const(g), points);
+        if constexpr (sharp_scheme<Scheme> and has_sharp_elements<Np>)
+            read_creases(view, np, scheme.sharpness);
+        return lift_valid(view);
+    }();
+    auto visitor = CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor);
+    const auto go_on = [&](double done) {
+        if constexpr (is_given<Np, CGAL::internal_np::visitor_t>)
+            return tell(visitor, done);
+        else
+            return true;
+    };
+    const auto fine = in_place::refine(std::move(control), scheme, steps, carried, false, go_on);
+    if (not fine)
+        return;
+    write(g, points, *fine, carried);
+    if constexpr (sharp_scheme<Scheme> and has_sharp_elements<Np>)
+        write_creases(g, np, scheme.sharpness);
+}
+
+} // namespace detail
+
+/// Subdivides a mesh in place by any scheme of kith's or of one's own: subdivision(pmesh, kith::kobbelt(), np).
+/// The graph is any model of CGAL's MutableFaceGraph and FaceListGraph. Old vertices keep their descriptors and come before the
+/// new ones, in schemes that have a vertex for each; edges and faces are others. Property maps of a Surface_mesh go along by
+/// the rules of `carry_properties`.
+///
+///   number_of_iterations(n)         1
+///   vertex_point_map(map)           get(CGAL::vertex_point, pmesh)
+///   edge_is_constrained_map(map), vertex_is_constrained_map(map)     creases and corners, infinitely sharp where true; a map of
+///                                   numbers says how sharp
+///   edge_sharpness_map(map), vertex_sharpness_map(map)     the same with numbers, in parameters of this namespace
+///   visitor(v)                      v.progress(share of the work done) after each level; if that returns false the mesh stays
+///
+/// Maps of creases that can be written then say how sharp the refined mesh is, so that it can be refined again.
+/// Errors: those of kith::refine; the mesh is as it was then. Cost: that of kith::refine.
+template <class Graph, scheme Scheme, class Np = CGAL::parameters::Default_named_parameters>
+void subdivision(Graph& pmesh, Scheme scheme, const Np& np = CGAL::parameters::default_values())
+{
+    if constexpr (steps<Np>) {
+        detail::refine(pmesh, scheme, CGAL::parameters::number_of_iterations(np));
+    } else {
+        static_assert(detail::sharp_scheme<Scheme> or not detail::has_sharp_elements<Np>,
+                      "kith::cgal: Catmull-Clark and Loop have creases, this scheme has none; leave out the maps of "
+                      "constrained edges, constrained vertices and sharpness");
+        detail::refine(pmesh, scheme, np);
+    }
+}
+
+} // namespace kith::cgal

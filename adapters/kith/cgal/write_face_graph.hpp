@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "face_graph.hpp"
+
+#include <kith/in_place/join_elements.hpp>
+
+#include <CGAL/Surface_mesh/Surface_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace kith::cgal {
+
+namespace detail {
+
+/// As many descriptors as are asked for: those that the graph has, of which what is too much is removed, and new ones.
+template <class Descriptor, class Add, class Remove>
+void resize(std::vector<Descriptor>& all, std::size_t size, const Add& add, const Remove& remove)
+{
+    while (all.size() > size) {
+        remove(all.back());
+        all.pop_back();
+    }
+    all.reserve(size);
+    while (all.size() < size)
+        all.push_back(add());
+}
+
+} // namespace detail
+
+/// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their order,
+/// those of vertices, edges and faces from 0 on; new ones come after them. Points are not written. Cost: O(elements).
+template <class Graph>
+void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool)
+{
+    using traits = boost::graph_traits<Graph>;
+    using halfedge = typename traits::halfedge_descriptor;
+    using namespace graph_calls;
+    const auto list = [](const auto& range) {
+        return std::vector<typename std::iterator_traits<decltype(range.begin())>::value_type>(range.begin(),
+                                                                                               range.end());
+    };
+    auto vertices = list(all_vertices(g));
+    auto edges = list(all_edges(g));
+    auto faces = list(all_faces(g));
+    detail::resize(vertices, t.vertices, [&] { return add_vertex(g); }, [&](auto v) { remove_vertex(v, g); });
+    detail::resize(edges, t.edges(), [&] { return add_edge(g); }, [&](auto e) { remove_edge(e, g); });
+    detail::resize(faces, t.faces, [&] { return add_face(g); }, [&](auto f) { remove_face(f, g); });
+
+    std::vector<halfedge> halfedges;
+    halfedges.reserve(2 * edges.size());
+    for (const auto& e : edges) {
+        const halfedge h = halfedge_at(g, e);
+        halfedges.push_back(h);
+        halfedges.push_back(opposite_of(g, h));
+    }
+    std::vector<std::uint32_t> leaving(t.vertices); // the half-edge without face that leaves a vertex
+    for (std::size_t f = 0; f < t.faces; ++f) {
+        const std::size_t first = t.first_corner(f), end = t.first_corner(f + 1);
+        for (std::size_t c = first; c < end; ++c) {
+            const std::size_t next = c + 1 == end ? first : c + 1;
+            const std::uint32_t number = t.corner_halfedge[c], beyond = number ^ 1;
+            const halfedge h = halfedges[number];
+            set_face(h, faces[f], g);
+            set_target(h, vertices[t.corner_vertex[next]], g);
+            set_next(h, halfedges[t.corner_halfedge[next]], g);
+            if (t.halfedge_corner[beyond] == t.none) {
+                set_face(halfedges[beyond], traits::null_face(), g);
+                set_target(halfedges[beyond], vertices[t.corner_vertex[c]], g);
+                leaving[t.corner_vertex[next]] = beyond;
+            }
+        }
+        set_halfedge(faces[f], halfedges[t.corner_halfedge[first]], g);
+    }
+    for (std::size_t c = 0; c < t.corners(); ++c)
+        if (const std::uint32_t beyond = t.corner_halfedge[c] ^ 1; t.halfedge_corner[beyond] == t.none)
+            set_next(halfedges[beyond], halfedges[leaving[t.corner_vertex[c]]], g);
+    for (std::size_t v = 0; v < t.vertices; ++v) // CGAL's half-edge of a vertex comes in
+        set_halfedge(vertices[v], halfedges[t.corner_halfedge[t.vertex_corner[v]] ^ 1], g);
+}
+
+/// The same in bulk. Vertices keep their indices if they are to, and removed ones stay removed; edges and faces are numbered
+/// from 0 on. Property maps stay, with their defaults on all edges, half-edges, faces and new vertices.
+template <class Point>
+void write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
+{
+    using mesh = CGAL::Surface_mesh<Point>;
+    using vertex = typename mesh::Vertex_index;
+    using size = typename mesh::size_type;
+    std::vector<vertex> handles, removed;
+    if (keeps_vertices)
+        for (size v = 0; v < m.num_vertices(); ++v)
+            (m.is_removed(vertex(v)) ? removed : handles).push_back(vertex(v));
+    const std::size_t bound = handles.size() + removed.size();
+    for (std::size_t v = handles.size(); v < t.vertices; ++v)
+        handles.emplace_back(size(v + removed.size()));
+    if (m.has_garbage())
+        m.clear_without_removing_property_maps(); // what else forgets how much was removed
+    m.resize(size(bound), 0, 0);
+    m.resize(size(t.vertices + removed.size()), size(t.edges()), size(t.faces));
+    mesh_traits<mesh>::forget_generation(m);
+    for (const vertex v : removed)
+        m.remove_vertex(v);
+    in_place::join_elements(m, t, [&](std::size_t v) { return handles[v]; });
+}
+
+} // namespace kith::cgal
