@@ -3,8 +3,10 @@
 
 #include "write_in_place.hpp"
 
+#include <kith/catmull_clark.hpp>
 #include <kith/in_place/carried_properties.hpp>
 #include <kith/in_place/refine_in_place.hpp>
+#include <kith/linear.hpp>
 #include <kith/openmesh_properties.hpp>
 
 #include <array>
@@ -16,10 +18,30 @@
 
 namespace kith::openmesh {
 
+namespace detail {
+
+/// OpenMesh's Catmull-Clark where points are not to be updated: the linear split, with creases that go along.
+struct quads_split {
+    creases sharpness{};
+
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = "linear", .trusted = true, .state = &quads_split::sharpness};
+    }
+    static constexpr auto columns() { return quad_split::columns(); }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        linear()(r);
+    }
+};
+
+} // namespace detail
+
 /// A subdivider as OpenMesh's are, by any scheme of kith's or of one's own: attach(mesh), operator()(n), detach(), or
 /// operator()(mesh, n), in place. Old vertices keep their handles and come before the new ones, in schemes that have a vertex
 /// for each; edges and faces are others. Attributes, status bits and properties with names go along by the rules of
-/// `carry_properties`; normals are left for update_normals().
+/// `carry_properties`; normals are made anew by update_normals().
 /// As with OpenMesh the steps of sqrt(3) are counted from attach() on.
 template <class Mesh, scheme Scheme>
 class subdivider {
@@ -75,16 +97,27 @@ private:
 
     bool refine(Mesh& mesh, Scheme& used, int generation, std::size_t n, bool update_points) const
     {
+        if constexpr (std::same_as<Scheme, catmull_clark>)
+            if (not update_points) {
+                detail::quads_split split{used.sharpness};
+                const bool done = refine_by(split, mesh, generation, n, true);
+                used.sharpness = split.sharpness;
+                return done;
+            }
+        return refine_by(used, mesh, generation, n, update_points);
+    }
+    template <class Used>
+    bool refine_by(Used& used, Mesh& mesh, int generation, std::size_t n, bool update_points) const
+    {
         if (n == 0)
             return true;
         if (n > std::size_t(std::numeric_limits<int>::max()))
             throw mesh_error("OpenMesh's meshes cannot hold so many levels; refine fewer times");
         in_place::carried_properties<Mesh> carried(mesh);
-        Scheme next = used;
-        const auto fine = in_place::refine(
-            read(mesh, generation), next, int(n), carried, not update_points, [&](double done) {
-                return not progress_ or progress_(done);
-            });
+        Used next = used;
+        const auto go_on = [&](double done) { return not progress_ or progress_(done); };
+        const auto fine =
+            in_place::refine(read(mesh, generation), next, int(n), carried, not update_points, go_on);
         if (not fine)
             return false;
         write_connectivity(mesh, fine->mesh.topology(), fine->keeps_vertices);
@@ -94,6 +127,7 @@ private:
             const point& p = fine->mesh.point(i++);
             mesh.set_point(v, typename Mesh::Point(p[0], p[1], p[2]));
         }
+        mesh.update_normals();
         used = std::move(next);
         return true;
     }

@@ -3,7 +3,6 @@
 
 #include "subdivider.hpp"
 
-#include <kith/linear.hpp>
 #include <kith/presets.hpp>
 
 #include <utility>
@@ -12,16 +11,79 @@ namespace kith::openmesh {
 
 namespace detail {
 
-/// With OpenMesh's conventions unless told otherwise; those of kith where OpenMesh does not have the scheme.
-template <class Mesh, class Scheme>
-struct with_conventions : subdivider<Mesh, Scheme> {
-    static constexpr bool has_preset = requires { like<Scheme>(library::openmesh); };
+template <class Scheme>
+Scheme openmesh_scheme()
+{
+    return like<Scheme>(library::openmesh);
+}
+template <class Scheme>
+Scheme own_scheme()
+{
+    return {};
+}
 
-    with_conventions() : subdivider<Mesh, Scheme>(like<Scheme>(conventions())) {}
-    explicit with_conventions(Mesh& mesh) : subdivider<Mesh, Scheme>(mesh, like<Scheme>(conventions())) {}
-    explicit with_conventions(Scheme scheme) : subdivider<Mesh, Scheme>(std::move(scheme)) {}
+/// A subdivider that starts with OpenMesh's options, or with those of kith for schemes that OpenMesh does not have.
+template <class Mesh, class Scheme, Scheme (*Options)()>
+class subdivider_with : public subdivider<Mesh, Scheme> {
+public:
+    subdivider_with() : subdivider<Mesh, Scheme>(Options()) {}
+    explicit subdivider_with(Mesh& mesh) : subdivider<Mesh, Scheme>(mesh, Options()) {}
+    explicit subdivider_with(Scheme scheme) : subdivider<Mesh, Scheme>(std::move(scheme)) {}
 };
 
+template <class Mesh, class Scheme>
+using as_openmesh = subdivider_with<Mesh, Scheme, openmesh_scheme<Scheme>>;
+template <class Mesh, class Scheme>
+using as_kith = subdivider_with<Mesh, Scheme, own_scheme<Scheme>>;
+
 } // namespace detail
+
+// Named as OpenMesh's, so that it takes one line to go from one to the other. The type of real numbers, double there by
+// default, is that of the mesh here.
+// NOLINTBEGIN(readability-identifier-naming)
+
+/// OpenMesh::Subdivider::Uniform::LoopT, to the same surface, boundaries included.
+template <class Mesh, class RealType = double>
+using LoopT = detail::as_openmesh<Mesh, loop>;
+
+/// The same for CatmullClarkT. Where old points are not to be updated it is the linear split, as there.
+template <class Mesh, class RealType = double>
+using CatmullClarkT = detail::as_openmesh<Mesh, catmull_clark>;
+
+/// The same for Sqrt3T. Unlike there, old points that are not to be updated stay.
+template <class Mesh, class RealType = double>
+using Sqrt3T = detail::as_openmesh<Mesh, sqrt3>;
+
+/// The same for ModifiedButterflyT.
+template <class Mesh, class RealType = double>
+using ModifiedButterflyT = detail::as_openmesh<Mesh, butterfly>;
+
+/// The same for InterpolatingSqrt3LGT, on closed meshes; others are refused.
+template <class Mesh, class RealType = double>
+using InterpolatingSqrt3LGT = detail::as_openmesh<Mesh, interpolatory_sqrt3>;
+
+/// The same for MidpointT, on closed meshes; from others, faces are not dropped at the boundary.
+template <class Mesh, class RealType = double>
+using MidpointT = detail::as_openmesh<Mesh, mid_edge>;
+
+// Schemes that OpenMesh does not have.
+
+template <class Mesh, class RealType = double>
+using DooSabinT = detail::as_kith<Mesh, doo_sabin>;
+template <class Mesh, class RealType = double>
+using KobbeltT = detail::as_kith<Mesh, kobbelt>;
+/// Any mesh becomes a tri-quad mesh first, as by `tri_quad`, if it is not one from an earlier call; a TriMesh, too.
+template <class Mesh, class RealType = double>
+using FourEightT = detail::as_kith<Mesh, four_eight>;
+template <class Mesh, class RealType = double>
+using NasriHasbiniT = detail::as_kith<Mesh, nasri_hasbini>;
+template <class Mesh, class RealType = double>
+using UnifiedT = detail::as_kith<Mesh, unified>;
+template <class Mesh, class RealType = double>
+using LinearT = detail::as_kith<Mesh, linear>;
+template <class Mesh, class RealType = double>
+using LinearTrianglesT = detail::as_kith<Mesh, linear_triangles>;
+
+// NOLINTEND(readability-identifier-naming)
 
 } // namespace kith::openmesh
