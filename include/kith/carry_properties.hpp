@@ -51,7 +51,9 @@ using four_numbers = std::array<Number, 4>;
 template <class T, class Number>
 T as_coordinate(const Number& x)
 {
-    if constexpr (std::integral<T>)
+    if constexpr (not std::constructible_from<double, const Number&>)
+        return as_coordinate<T>(to_double(x)); // of the exact number's own library
+    else if constexpr (std::integral<T>)
         return T(std::lround(
             std::clamp(double(x), double(std::numeric_limits<T>::min()), double(std::numeric_limits<T>::max()))));
     else
@@ -70,7 +72,7 @@ struct averaged_value<T> {
     template <class Number>
     static T store(const detail::four_numbers<Number>& x)
     {
-        return T(x[0]);
+        return detail::as_coordinate<T>(x[0]);
     }
 };
 

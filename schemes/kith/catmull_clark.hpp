@@ -14,6 +14,7 @@ namespace kith {
 /// C2, at extraordinary vertices C1. Cost: O(corners).
 struct catmull_clark {
     boundary_corner corners = boundary_corner::kept;
+    boundary_curve boundary = boundary_curve::cubic;
     creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level
 
     static constexpr auto traits()
@@ -31,7 +32,7 @@ struct catmull_clark {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        const sharp_rules sharp(coarse, sharpness, corners);
+        const sharp_rules sharp(coarse, sharpness, corners, boundary);
 
         for_each(coarse.faces(), [&](auto f) { assoc(f, V) = average(f.vertices()); });
 

@@ -42,8 +42,7 @@ void require_preset(library wanted, std::initializer_list<library> present, cons
 
 } // namespace detail
 
-/// CGAL and OpenMesh smooth boundary corners. OpenMesh's boundary curve itself, 1/6 4/6 1/6, is not the B-spline and is not
-/// followed: on meshes with a boundary the result differs from OpenMesh's.
+/// CGAL and OpenMesh smooth boundary corners. OpenMesh's boundary curve is not the B-spline; see boundary_curve.
 template <>
 inline catmull_clark like<catmull_clark>(library other)
 {
@@ -51,7 +50,8 @@ inline catmull_clark like<catmull_clark>(library other)
                                           {library::kith, library::cgal, library::openmesh, library::opensubdiv},
                                           "kith, CGAL, OpenMesh and OpenSubdiv");
     const bool smooth = other == library::cgal or other == library::openmesh;
-    return {.corners = smooth ? boundary_corner::smoothed : boundary_corner::kept};
+    return {.corners = smooth ? boundary_corner::smoothed : boundary_corner::kept,
+            .boundary = other == library::openmesh ? boundary_curve::thirds : boundary_curve::cubic};
 }
 
 /// CGAL, OpenMesh and libigl smooth boundary corners; libigl takes Warren's weights.

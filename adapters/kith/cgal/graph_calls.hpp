@@ -6,7 +6,11 @@
 
 namespace kith::cgal::graph_calls {
 
-// CGAL's functions on graphs, found where each library has them, under names that no class of kith has.
+// CGAL's functions on graphs, found where each library has them, under names that no class of kith has. These hide the
+// classes, beside which the compiler would look for no functions.
+void edge() = delete;
+void face() = delete;
+void target() = delete;
 
 template <class Graph>
 auto all_vertices(const Graph& g)

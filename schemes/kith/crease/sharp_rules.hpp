@@ -20,8 +20,9 @@ template <class Level>
 class sharp_rules {
 public:
     /// Errors: mesh_error for sharp elements that the level does not have.
-    sharp_rules(const Level& coarse, const creases& sharp, boundary_corner corners)
-        : sharp_(&sharp), corners_(corners), all_smooth_(sharp.empty() and coarse.is_closed())
+    sharp_rules(const Level& coarse, const creases& sharp, boundary_corner corners,
+                boundary_curve curve = boundary_curve::cubic)
+        : sharp_(&sharp), corners_(corners), curve_(curve), all_smooth_(sharp.empty() and coarse.is_closed())
     {
         if (sharp.empty())
             return;
@@ -79,7 +80,8 @@ public:
             return {limit_kind::corner, {v, v}};
         vertex_rule rule(v);
         const double s = sharp_->of_vertex(v.index());
-        bool lasts = s == 0 or s == infinitely_sharp; // what is semi-sharp changes its rule on a later level
+        // What is semi-sharp changes its rule on a later level; of the curve of thirds the limit is not known.
+        bool lasts = (s == 0 or s == infinitely_sharp) and not(v.is_boundary() and curve_ == boundary_curve::thirds);
         for (const auto e : v.edges())
             if (const double sharpness = sharp_->sharpness(e); sharpness > 0) {
                 rule.add(e.org() == v ? e.dst() : e.org());
@@ -140,6 +142,8 @@ private:
         if (near_sharp_.empty() or not near_sharp_[v.index()]) { // on the boundary, far from all creases
             if (is_kept_corner(v))
                 target = v;
+            else if (curve_ == boundary_curve::thirds)
+                target = thirds_curve_vertex(v, v.first_rim(), v.last_rim());
             else
                 target = cubic_curve_vertex(v, v.first_rim(), v.last_rim());
             return;
@@ -148,6 +152,8 @@ private:
         const auto rule = [&](const auto& r, const auto& use) {
             if (r.kind == rule_kind::corner)
                 use(sum(v));
+            else if (r.kind == rule_kind::crease and v.is_boundary() and curve_ == boundary_curve::thirds)
+                use(thirds_curve_vertex(v, r.ends[0], r.ends[1]));
             else if (r.kind == rule_kind::crease)
                 use(cubic_curve_vertex(v, r.ends[0], r.ends[1]));
             else
@@ -218,6 +224,7 @@ private:
 
     const creases* sharp_;
     boundary_corner corners_;
+    boundary_curve curve_;
     bool all_smooth_;                              // nothing to look at
     std::vector<bool> edge_is_sharp_, near_sharp_; // empty: no creases
     std::vector<creases::large_fan> large_fans_;

@@ -74,7 +74,10 @@ struct crease_limits : limit_defaults {
     template <class Scheme, class Level>
     static creased_scheme<Scheme, Level> on(const Scheme& scheme, const Level& level)
     {
-        return {scheme, sharp_rules(level, scheme.sharpness, scheme.corners)};
+        boundary_curve curve = boundary_curve::cubic;
+        if constexpr (requires { curve = scheme.boundary; })
+            curve = scheme.boundary;
+        return {scheme, sharp_rules(level, scheme.sharpness, scheme.corners, curve)};
     }
     /// The limit at corners, and along boundaries and creases: 1/6, 2/3, 1/6, where a cubic B-spline curve ends up.
     template <class Level, class Use>

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// kith::cgal beside CGAL::Subdivision_method_3 and beside kith on its native mesh.
+#include <CGAL/Simple_cartesian.h>
+
+#include "all_shapes.hpp"
+#include "graph_surface.hpp"
+#include "native_shape.hpp"
+
+#include <kith/cgal_subdivision.hpp>
+#include <kith/compiled_schemes.hpp>
+
+#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using kernel = CGAL::Simple_cartesian<double>;
+using mesh = surface_mesh<kernel>;
+using polyhedron = CGAL::Polyhedron_3<kernel>;
+using openmesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+namespace params = CGAL::parameters;
+namespace theirs = CGAL::Subdivision_method_3;
+namespace ours = kith::cgal;
+
+/// Calls both with copies of the same graph, one to three steps.
+template <class Graph, class Theirs, class Ours>
+void expect_same_surface(const shapes::shape& s, const Theirs& their_function, const Ours& our_function)
+{
+    for (unsigned steps = 1; steps <= 3; ++steps) {
+        auto a = make_graph<Graph>(s), b = make_graph<Graph>(s);
+        their_function(a, steps);
+        our_function(b, steps);
+        EXPECT_TRUE(CGAL::is_valid_polygon_mesh(b));
+        EXPECT_EQ(difference(surface_of(a), surface_of(b)), "") << steps << " steps";
+    }
+}
+
+template <class Graph>
+void expect_cgals_surfaces()
+{
+    const auto on = [](const auto& shapes, const auto& their_function, const auto& our_function) {
+        for (const auto& [name, shape] : shapes) {
+            SCOPED_TRACE(name);
+            if (shape.faces.size() <= 100)
+                expect_same_surface<Graph>(shape, their_function, our_function);
+        }
+    };
+    on(shapes::all_shapes(),
+       [](auto& m, unsigned n) { theirs::CatmullClark_subdivision(m, params::number_of_iterations(n)); },
+       [](auto& m, unsigned n) { ours::CatmullClark_subdivision(m, params::number_of_iterations(n)); });
+    on(shapes::shapes_without_valence_two(),
+       [](auto& m, unsigned n) { theirs::DooSabin_subdivision(m, params::number_of_iterations(n)); },
+       [](auto& m, unsigned n) { ours::DooSabin_subdivision(m, params::number_of_iterations(n)); });
+    on(shapes::triangle_shapes(),
+       [](auto& m, unsigned n) { theirs::Loop_subdivision(m, params::number_of_iterations(n)); },
+       [](auto& m, unsigned n) { ours::Loop_subdivision(m, params::number_of_iterations(n)); });
+    on(shapes::triangle_shapes(),
+       [](auto& m, unsigned n) { theirs::Sqrt3_subdivision(m, params::number_of_iterations(n)); },
+       [](auto& m, unsigned n) { ours::Sqrt3_subdivision(m, params::number_of_iterations(n)); });
+}
+
+/// Calls test(name, function of a graph and of a number of steps, scheme, shape) for every scheme and a shape that it takes.
+template <class Test>
+void for_each_function(const Test& test)
+{
+    const auto open = shapes::open_house(), triangles = shapes::triangle_shapes().front().second,
+               closed = shapes::torus(4, 5), fan = shapes::umbrella(7);
+    using kith::like, kith::library;
+    test([](auto& m, int n) { ours::CatmullClark_subdivision(m, n); }, like<kith::catmull_clark>(library::cgal), open);
+    test([](auto& m, int n) { ours::DooSabin_subdivision(m, n); }, like<kith::doo_sabin>(library::cgal), closed);
+    test([](auto& m, int n) { ours::Loop_subdivision(m, n); }, like<kith::loop>(library::cgal), fan);
+    test([](auto& m, int n) { ours::Sqrt3_subdivision(m, n); }, kith::sqrt3(), fan);
+    test([](auto& m, int n) { ours::Butterfly_subdivision(m, n); }, kith::butterfly(), fan);
+    test([](auto& m, int n) { ours::InterpolatorySqrt3_subdivision(m, n); },
+         kith::interpolatory_sqrt3(),
+         shapes::tetrahedron());
+    test([](auto& m, int n) { ours::Kobbelt_subdivision(m, n); }, kith::kobbelt(), shapes::grid());
+    test([](auto& m, int n) { ours::FourEight_subdivision(m, n); }, kith::four_eight(), open);
+    test([](auto& m, int n) { ours::FourEight_subdivision(m, n); }, kith::four_eight(), shapes::grid());
+    test([](auto& m, int n) { ours::FourEight_subdivision(m, n); }, kith::four_eight(), triangles);
+    test([](auto& m, int n) { ours::NasriHasbini_subdivision(m, n); }, kith::nasri_hasbini(), open);
+    test([](auto& m, int n) { ours::MidEdge_subdivision(m, n); }, kith::mid_edge(), closed);
+    test([](auto& m, int n) { ours::Unified_subdivision(m, 4, n); }, kith::unified{.degree = 4}, closed);
+    test([](auto& m, int n) { ours::Unified_subdivision(m, 5, n); }, kith::unified{.degree = 5}, closed);
+    test([](auto& m, int n) { ours::Linear_subdivision(m, n); }, kith::linear(), open);
+    test([](auto& m, int n) { ours::LinearTriangles_subdivision(m, n); }, kith::linear_triangles(), fan);
+}
+
+template <class Graph>
+void expect_native_bits()
+{
+    for_each_function([](const auto& function, const auto& scheme, const shapes::shape& shape) {
+        SCOPED_TRACE(std::string(kith::scheme_name<std::remove_cvref_t<decltype(scheme)>>()));
+        auto g = make_graph<Graph>(shape);
+        auto control = kith::lift(view_of(std::as_const(g)));
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(scheme)>, kith::four_eight>)
+            control = kith::tri_quad(control);
+        function(g, 2);
+        EXPECT_TRUE(CGAL::is_valid_polygon_mesh(g));
+        EXPECT_TRUE(same_bits(kith::lift(view_of(std::as_const(g))), kith::refine(control, scheme, 2)));
+    });
+}
+
+/// A mask of the user's own, not symmetric, that knows where it was called.
+template <class Graph>
+struct lifting_mask {
+    using vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
+    using halfedge = typename boost::graph_traits<Graph>::halfedge_descriptor;
+    using face = typename boost::graph_traits<Graph>::face_descriptor;
+    using point = kernel::Point_3;
+
+    const Graph* g;
+
+    auto at(vertex v) const { return get(CGAL::vertex_point, *g, v); }
+    void face_node(face f, point& p) const
+    {
+        p = CGAL::centroid(at(target(halfedge_of(f), *g)), at(source(halfedge_of(f), *g)), point(0, 0, 5));
+    }
+    void edge_node(halfedge h, point& p) const
+    {
+        p = CGAL::midpoint(CGAL::midpoint(at(source(h, *g)), at(target(h, *g))), point(1, 0, 0));
+    }
+    void vertex_node(vertex v, point& p) const { p = at(v) + kernel::Vector_3(0, 0, 1. / double(degree(v, *g))); }
+    void border_node(halfedge h, point& edge_point, point& vertex_point) const
+    {
+        edge_point = CGAL::barycenter(at(source(h, *g)), 1. / 4, at(target(h, *g)), 3. / 4);
+        vertex_point = at(target(h, *g)) + kernel::Vector_3(0, 1, 0);
+    }
+    void border_node(halfedge h, point& near_target, point& near_source, point& vertex_point) const
+    {
+        near_target = CGAL::barycenter(at(source(h, *g)), 1. / 5, at(target(h, *g)), 4. / 5);
+        near_source = CGAL::barycenter(at(source(h, *g)), 2. / 3, at(target(h, *g)), 1. / 3);
+        vertex_point = at(target(h, *g)) + kernel::Vector_3(0, 1, 0);
+    }
+    void corner_node(halfedge h, point& p) const
+    {
+        p = CGAL::barycenter(at(target(h, *g)), 3. / 4, at(source(h, *g)), 1. / 4);
+    }
+    halfedge halfedge_of(face f) const { return kith::cgal::graph_calls::halfedge_at(*g, f); }
+
+};
+
+} // namespace
+
+TEST(cgal_dialect, makes_cgals_surfaces)
+{
+    expect_cgals_surfaces<mesh>();
+    expect_cgals_surfaces<polyhedron>();
+}
+
+TEST(cgal_dialect, makes_the_bits_of_kith_on_every_graph)
+{
+    expect_native_bits<mesh>();
+    expect_native_bits<polyhedron>();
+}
+
+TEST(cgal_dialect, takes_openmesh_through_cgals_wrapper)
+{
+    // Its points are floats, CGAL's wrapper reads them as doubles.
+    auto g = make_graph<openmesh>(shapes::open_house());
+    auto expected = make_graph<mesh>(shapes::open_house());
+    ours::CatmullClark_subdivision(g, params::number_of_iterations(2));
+    ours::CatmullClark_subdivision(expected, params::number_of_iterations(2));
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(g));
+    EXPECT_EQ(difference(surface_of(g), surface_of(expected), 1e-6), "");
+}
+
+TEST(cgal_dialect, runs_masks_of_cgals_kind)
+{
+    const auto vpm = [](auto& m) { return get(CGAL::vertex_point, m); };
+    const auto run = [&]<class Graph>(Graph*) {
+        for (const auto& shape : {shapes::open_house(), shapes::cube()}) {
+            expect_same_surface<Graph>(
+                shape,
+                [](auto& m, unsigned n) {
+                    theirs::PQQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n));
+                },
+                [](auto& m, unsigned n) { ours::PQQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n)); });
+            expect_same_surface<Graph>(
+                shape,
+                [](auto& m, unsigned n) {
+                    theirs::DQQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n));
+                },
+                [](auto& m, unsigned n) { ours::DQQ(m, lifting_mask<Graph>{&m}, int(n)); });
+        }
+        for (const auto& shape : {shapes::umbrella(5), shapes::tetrahedron()}) {
+            expect_same_surface<Graph>(
+                shape,
+                [](auto& m, unsigned n) {
+                    theirs::PTQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n));
+                },
+                [&](auto& m, unsigned n) {
+                    ours::PTQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n).vertex_point_map(vpm(m)));
+                });
+            expect_same_surface<Graph>(
+                shape,
+                [](auto& m, unsigned n) {
+                    theirs::Sqrt3(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n));
+                },
+                [](auto& m, unsigned n) { ours::Sqrt3(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n)); });
+        }
+    };
+    run(static_cast<mesh*>(nullptr));
+    run(static_cast<polyhedron*>(nullptr));
+}

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Named parameters of kith::cgal, what becomes of handles and property maps, and errors.
+#include <CGAL/Simple_cartesian.h>
+
+#include "error_text.hpp"
+#include "graph_surface.hpp"
+
+#include <kith/cgal_subdivision.hpp>
+#include <kith/compiled_schemes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using kernel = CGAL::Simple_cartesian<double>;
+using point = kernel::Point_3;
+using mesh = surface_mesh<kernel>;
+using polyhedron = CGAL::Polyhedron_3<kernel>;
+using vertex = mesh::Vertex_index;
+using edge = mesh::Edge_index;
+using face = mesh::Face_index;
+using halfedge = mesh::Halfedge_index;
+namespace ours = kith::cgal;
+namespace params = kith::cgal::parameters;
+
+struct label {
+    int number = -1;
+    friend bool operator==(const label&, const label&) = default;
+};
+
+mesh house()
+{
+    return make_graph<mesh>(shapes::open_house());
+}
+
+/// Marks every third edge, sharp corners at the first two vertices.
+auto third_edges(const mesh& m)
+{
+    return [&m](edge e) { return e.idx() % 3 == 0 and not m.is_border(e); };
+}
+
+template <class Scheme>
+auto with_creases(Scheme scheme, kith::creases sharp)
+{
+    scheme.sharpness = std::move(sharp);
+    return scheme;
+}
+
+struct told {
+    std::vector<double> parts;
+    std::size_t last = 100;
+
+    bool progress(double done)
+    {
+        parts.push_back(done);
+        return parts.size() < last;
+    }
+};
+
+} // namespace
+
+TEST(cgal_parameters, old_vertices_keep_their_handles_and_maps_stay)
+{
+    mesh control = house();
+    auto weight = control.add_property_map<vertex, double>("v:weight").first;
+    auto unknown = control.add_property_map<vertex, label>("v:label").first;
+    auto material = control.add_property_map<face, int>("f:material", -7).first;
+    auto of_edge = control.add_property_map<edge, label>("e:label", label{8}).first;
+    auto texture = control.add_property_map<halfedge, std::array<float, 2>>("h:uv").first;
+    for (const auto v : control.vertices())
+        weight[v] = control.point(v).z(), unknown[v] = {int(v.idx())};
+    for (const auto f : control.faces())
+        material[f] = int(f.idx());
+    for (const auto e : control.edges())
+        of_edge[e] = {1};
+    for (const auto h : control.halfedges())
+        texture[h] = {float(control.point(control.target(h)).x()), 1};
+
+    const mesh before = control;
+    const auto expected = kith::refine_with_properties(before, kith::like<kith::catmull_clark>(kith::library::cgal), 2);
+    ours::CatmullClark_subdivision(control, params::number_of_iterations(2));
+    EXPECT_TRUE(same_bits(control, expected.first));
+    const auto expected_uv = expected.first.property_map<halfedge, std::array<float, 2>>("h:uv").first;
+    for (const auto v : control.vertices()) { // by the maps that were made before
+        EXPECT_EQ(weight[v], control.point(v).z());
+        EXPECT_EQ(unknown[v], label{v.idx() < before.num_vertices() ? int(v.idx()) : -1});
+    }
+    const auto expected_material = expected.first.property_map<face, int>("f:material").first;
+    for (const auto f : control.faces())
+        EXPECT_EQ(material[f], expected_material[f]);
+    for (const auto e : control.edges())
+        EXPECT_EQ(of_edge[e], label{8});
+    for (const auto h : control.halfedges())
+        if (not control.is_border(h)) {
+            EXPECT_EQ(texture[h], expected_uv[h]);
+        }
+}
+
+TEST(cgal_parameters, removed_elements_stay_removed)
+{
+    auto shape = shapes::both(shapes::tetrahedron(), shapes::cube());
+    for (std::size_t v = 4; v < shape.points.size(); ++v)
+        shape.points[v][0] -= 10;
+    mesh control = make_graph<mesh>(shape);
+    for (std::uint32_t f = 0; f < 4; ++f)
+        CGAL::Euler::remove_face(control.halfedge(face(f)), control);
+    auto name = control.add_property_map<vertex, std::string>("v:name").first;
+    for (const auto v : control.vertices())
+        name[v] = std::to_string(v.idx());
+    mesh expected = make_graph<mesh>([&] {
+        auto cube = shapes::cube();
+        for (auto& p : cube.points)
+            p[0] -= 10;
+        return cube;
+    }());
+    ASSERT_TRUE(control.has_garbage());
+    ours::CatmullClark_subdivision(control, params::number_of_iterations(2));
+    ours::CatmullClark_subdivision(expected, params::number_of_iterations(2));
+    EXPECT_TRUE(control.is_valid());
+    EXPECT_EQ(control.number_of_vertices() + 4, control.num_vertices());
+    EXPECT_EQ(control.number_of_faces(), control.num_faces());
+    EXPECT_EQ(control.number_of_edges(), control.num_edges());
+    EXPECT_EQ(difference(surface_of(control), surface_of(expected)), "");
+    for (const auto v : expected.vertices()) // old and new ones lie behind those that were removed
+        EXPECT_EQ(control.point(vertex(v.idx() + 4)), expected.point(v));
+    for (const auto v : control.vertices())
+        EXPECT_EQ(name[v], v.idx() < 12 ? std::to_string(v.idx()) : "");
+}
+
+TEST(cgal_parameters, constrained_edges_are_creases)
+{
+    const mesh control = house();
+    const auto expected = kith::refine(
+        control,
+        with_creases(kith::like<kith::catmull_clark>(kith::library::cgal),
+                     kith::make_creases(control, third_edges(control), [](vertex v) { return v.idx() == 4; })),
+        3);
+    mesh once = control, again = control;
+    for (mesh* m : {&once, &again}) {
+        auto constrained = m->add_property_map<edge, bool>("e:constrained", false).first;
+        auto corner = m->add_property_map<vertex, bool>("v:corner", false).first;
+        std::size_t count = 0;
+        for (const auto e : m->edges())
+            count += constrained[e] = third_edges(*m)(e);
+        corner[vertex(4)] = true;
+        const auto np = params::edge_is_constrained_map(constrained).vertex_is_constrained_map(corner);
+        if (m == &once)
+            ours::CatmullClark_subdivision(*m, np.number_of_iterations(3));
+        else
+            for (int i = 0; i < 3; ++i)
+                ours::CatmullClark_subdivision(*m, np);
+        EXPECT_TRUE(same_bits(*m, expected));
+        std::size_t children = 0, corners = 0;
+        for (const auto e : m->edges())
+            children += constrained[e];
+        for (const auto v : m->vertices())
+            corners += corner[v];
+        EXPECT_EQ(children, 8 * count);
+        EXPECT_EQ(corners, 1U);
+    }
+}
+
+TEST(cgal_parameters, sharpness_goes_down_from_level_to_level)
+{
+    const mesh control = make_graph<mesh>(shapes::tetrahedron());
+    const auto sharp = [](edge e) { return e.idx() == 1 ? 2.5 : 0.; };
+    const auto expected = kith::refine(
+        control,
+        with_creases(kith::like<kith::loop>(kith::library::cgal),
+                     kith::make_creases(control, sharp, [](vertex v) { return v.idx() == 3 ? 1.25 : 0.; })),
+        3);
+    for (const int steps : {3, 1}) {
+        mesh m = control;
+        auto of_edge = m.add_property_map<edge, double>("e:sharp", 0.).first;
+        auto of_vertex = m.add_property_map<vertex, float>("v:sharp", 0.F).first;
+        of_edge[edge(1)] = 2.5;
+        of_vertex[vertex(3)] = 1.25;
+        const auto np = params::edge_sharpness_map(of_edge, params::vertex_sharpness_map(of_vertex));
+        for (int i = 0; i < 3; i += steps) {
+            ours::Loop_subdivision(m, np.number_of_iterations(steps));
+            if (i == 0 and steps == 1) {
+                EXPECT_EQ(of_vertex[vertex(3)], 0.25F);
+                EXPECT_EQ(std::ranges::count_if(m.edges(), [&](edge e) { return of_edge[e] == 1.5; }), 2);
+            }
+        }
+        EXPECT_TRUE(same_bits(m, expected));
+        for (const auto e : m.edges())
+            EXPECT_EQ(of_edge[e], 0);
+    }
+}
+
+TEST(cgal_parameters, creases_on_a_polyhedron)
+{
+    mesh control = house();
+    polyhedron p;
+    CGAL::copy_face_graph(control, p);
+    auto constrained = get(CGAL::dynamic_edge_property_t<bool>(), p);
+    auto expected_map = control.add_property_map<edge, bool>("e:constrained", false).first;
+    auto e = edges(p).begin();
+    for (const auto f : control.edges()) {
+        expected_map[f] = third_edges(control)(f);
+        put(constrained, *e++, expected_map[f]);
+    }
+    ours::CatmullClark_subdivision(p, params::edge_is_constrained_map(constrained).number_of_iterations(2));
+    ours::CatmullClark_subdivision(control, params::edge_is_constrained_map(expected_map).number_of_iterations(2));
+    EXPECT_TRUE(same_bits(kith::lift(view_of(p)), kith::lift(view_of(control))));
+    e = edges(p).begin();
+    for (const auto f : control.edges())
+        EXPECT_EQ(get(constrained, *e++), expected_map[f]);
+}
+
+TEST(cgal_parameters, descriptors_of_a_polyhedron_stay)
+{
+    polyhedron p = make_graph<polyhedron>(shapes::open_house());
+    std::vector<polyhedron::Vertex_handle> before;
+    for (const auto v : vertices(p))
+        before.push_back(v);
+    mesh expected = house();
+    ours::CatmullClark_subdivision(p, 2);
+    ours::CatmullClark_subdivision(expected, 2);
+    for (std::size_t v = 0; v < before.size(); ++v)
+        EXPECT_EQ(before[v]->point(), expected.point(vertex(std::uint32_t(v))));
+    EXPECT_TRUE(p.is_valid());
+}
+
+TEST(cgal_parameters, points_may_lie_in_another_map)
+{
+    mesh m = house();
+    auto place = m.add_property_map<vertex, point>("v:place").first;
+    for (const auto v : m.vertices())
+        place[v] = m.point(v) + kernel::Vector_3(0, 0, 1);
+    const mesh before = m;
+    mesh expected = m;
+    for (const auto v : expected.vertices())
+        expected.point(v) = place[v];
+    ours::NasriHasbini_subdivision(expected, params::number_of_iterations(2));
+    ours::NasriHasbini_subdivision(m, params::number_of_iterations(2).vertex_point_map(place));
+    ASSERT_EQ(m.number_of_vertices(), expected.number_of_vertices());
+    for (const auto v : m.vertices())
+        EXPECT_EQ(place[v], expected.point(v));
+    for (const auto v : before.vertices())
+        EXPECT_EQ(m.point(v), before.point(v));
+}
+
+TEST(cgal_parameters, geometry_may_stay)
+{
+    mesh m = house(), expected = house();
+    ours::CatmullClark_subdivision(m, params::do_not_modify_geometry(true, params::number_of_iterations(2)));
+    ours::Linear_subdivision(expected, 2);
+    EXPECT_TRUE(same_bits(m, expected));
+    m = expected = make_graph<mesh>(shapes::tetrahedron());
+    ours::Loop_subdivision(m, params::do_not_modify_geometry(true));
+    ours::LinearTriangles_subdivision(expected, 1);
+    EXPECT_TRUE(same_bits(m, expected));
+    ours::Loop_subdivision(m, params::do_not_modify_geometry(false));
+    ours::Loop_subdivision(expected);
+    EXPECT_TRUE(same_bits(m, expected));
+}
+
+TEST(cgal_parameters, a_visitor_is_told_and_may_stop)
+{
+    mesh m = make_graph<mesh>(shapes::tetrahedron()), expected = m;
+    told all;
+    ours::Loop_subdivision(m, params::number_of_iterations(3).visitor(std::ref(all)));
+    EXPECT_EQ(all.parts, (std::vector<double>{16. / 336, 80. / 336, 1.}));
+    ours::Loop_subdivision(expected, 3);
+    EXPECT_TRUE(same_bits(m, expected));
+
+    told two{.parts = {}, .last = 2};
+    ours::Loop_subdivision(m, params::number_of_iterations(3).visitor(std::ref(two)));
+    EXPECT_EQ(two.parts.size(), 2U);
+    EXPECT_TRUE(same_bits(m, expected));
+}
+
+TEST(cgal_parameters, sqrt3_counts_anew_in_each_call_and_leaves_no_trace)
+{
+    const mesh control = make_graph<mesh>(shapes::umbrella(5));
+    mesh m = control, expected = kith::refine(control, kith::sqrt3(), 1);
+    ours::Sqrt3_subdivision(m, 1);
+    EXPECT_EQ(difference(surface_of(m), surface_of(expected)), "");
+    EXPECT_EQ(kith::mesh_traits<mesh>::generation(m), 0);
+    ours::Sqrt3_subdivision(expected, 1); // of which kith knew that it was half-way
+    EXPECT_EQ(kith::mesh_traits<mesh>::generation(expected), 0);
+}
+
+TEST(cgal_parameters, a_mesh_that_is_refused_stays)
+{
+    mesh m = house();
+    const mesh before = m;
+    EXPECT_NE(error_text<kith::mesh_error>([&] { ours::Loop_subdivision(m, 2); }).find("loop: face"),
+              std::string::npos);
+    EXPECT_NE(error_text<kith::mesh_error>([&] { ours::CatmullClark_subdivision(m, -1); }).find("ask for 0 or more"),
+              std::string::npos);
+    ours::Loop_subdivision(m, 0);
+    EXPECT_TRUE(same_bits(m, before));
+    polyhedron p = make_graph<polyhedron>(shapes::open_house());
+    p.hds().vertices_push_back(polyhedron::Vertex(point(1, 2, 3)));
+    EXPECT_NE(error_text<kith::mesh_error>([&] { ours::CatmullClark_subdivision(p); }).find("belongs to no face"),
+              std::string::npos);
+}
+
+TEST(cgal_parameters, exact_points_stay_exact)
+{
+    using exact_mesh = surface_mesh<epeck>;
+    exact_mesh m = user_mesh<exact_mesh>::make(shapes::open_house().points, shapes::open_house().faces);
+    const auto expected = kith::refine(m, kith::like<kith::catmull_clark>(kith::library::cgal), 1);
+    ours::CatmullClark_subdivision(m);
+    EXPECT_TRUE(same_bits(m, expected));
+}

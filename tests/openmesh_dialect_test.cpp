@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// kith::openmesh beside OpenMesh::Subdivider::Uniform and beside kith on its native mesh.
+#include "all_shapes.hpp"
+#include "error_text.hpp"
+#include "openmesh_mesh.hpp"
+#include "same_surface.hpp"
+
+#include <kith/compiled_schemes.hpp>
+#include <kith/crease/make_creases.hpp>
+#include <kith/openmesh_subdivision.hpp>
+
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/MidpointT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3InterpolatingSubdividerLabsikGreinerT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
+// Not self-contained: it needs the mesh headers above it.
+#include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+using OpenMesh::EdgeHandle;
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+namespace theirs = OpenMesh::Subdivider::Uniform;
+namespace ours = kith::openmesh;
+
+template <class M>
+M make(const shapes::shape& s)
+{
+    return user_mesh<M>::make(s.points, s.faces);
+}
+
+template <class M>
+surface surface_of(const M& m)
+{
+    surface result;
+    std::vector<std::size_t> number(m.n_vertices());
+    for (const auto v : kith::mesh_traits<M>::vertices(m)) {
+        number[std::size_t(v.idx())] = result.points.size();
+        result.points.push_back(coordinates(m.point(v)));
+    }
+    for (const auto f : kith::mesh_traits<M>::faces(m)) {
+        result.faces.emplace_back();
+        for (const auto v : m.fv_ccw_range(f))
+            result.faces.back().push_back(number[std::size_t(v.idx())]);
+    }
+    return result;
+}
+
+/// Runs both, attached and in one call, one to three steps.
+template <class Theirs, class Ours, class M, class Shapes, class Takes>
+void expect_same_surfaces(const Shapes& shapes, const Takes& takes)
+{
+    for (const auto& [name, shape] : shapes) {
+        if (shape.faces.size() > 100 or not takes(shape))
+            continue;
+        SCOPED_TRACE(name);
+        for (std::size_t steps = 1; steps <= 3; ++steps) {
+            M a = make<M>(shape), b = a, c = a;
+            Theirs their_subdivider;
+            if constexpr (requires { their_subdivider.init_weights(200); })
+                their_subdivider.init_weights(200); // past whose end it reads
+            Ours our_subdivider;
+            EXPECT_TRUE(their_subdivider.attach(a) and their_subdivider(steps));
+            their_subdivider.detach();
+            EXPECT_TRUE(our_subdivider.attach(b) and our_subdivider(1) and our_subdivider(steps - 1));
+            our_subdivider.detach();
+            EXPECT_FALSE(our_subdivider(1));
+            EXPECT_TRUE(Ours()(c, steps));
+            EXPECT_EQ(user_mesh<M>::complaints(b), "");
+            EXPECT_TRUE(same_bits(b, c));
+            EXPECT_EQ(difference(surface_of(a), surface_of(b)), "") << steps << " steps";
+        }
+    }
+}
+bool is_closed(const shapes::shape& s)
+{
+    return kith::count(kith::make_mesh(s.points, s.faces).topology()).boundary_edges == 0;
+}
+const auto any = [](const shapes::shape&) { return true; };
+
+/// With attributes by request and properties of the user's own on all kinds of elements.
+template <class M>
+void add_properties(M& mesh)
+{
+    mesh.request_vertex_colors(), mesh.request_face_colors(), mesh.request_vertex_normals(), mesh.request_face_normals();
+    mesh.request_halfedge_texcoords2D();
+    auto height = OpenMesh::getOrMakeProperty<VertexHandle, double>(mesh, "height");
+    auto tag = OpenMesh::getOrMakeProperty<FaceHandle, std::string>(mesh, "tag");
+    for (const auto v : mesh.vertices()) {
+        height[v] = mesh.point(v)[2];
+        mesh.set_color(v, typename M::Color(200, 10, 255));
+    }
+    for (const auto f : mesh.faces()) {
+        tag[f] = "face " + std::to_string(f.idx());
+        mesh.set_color(f, typename M::Color(f.idx(), 1, 2));
+    }
+    for (const auto e : mesh.edges())
+        mesh.status(e).set_feature(e.idx() % 2 == 0);
+    for (const auto h : mesh.halfedges())
+        mesh.set_texcoord2D(h, {float(h.idx()), float(h.idx() % 5)});
+}
+
+template <class Subdivider>
+auto scheme_of(Subdivider& subdivider)
+{
+    return subdivider.scheme();
+}
+
+/// Three levels in two lines, beside a hierarchy that carries the same.
+template <class Subdivider, class M>
+void expect_carried(M mesh)
+{
+    add_properties(mesh);
+    const M control = mesh;
+    const auto height = OpenMesh::getProperty<VertexHandle, double>(mesh, "height"); // made before, read after
+    const auto tag = OpenMesh::getProperty<FaceHandle, std::string>(mesh, "tag");
+
+    Subdivider subdivide;
+    subdivide(mesh, 3);
+
+    const auto scheme = subdivide.scheme();
+    kith::hierarchy<M, std::remove_const_t<decltype(scheme)>> levels(control, scheme);
+    levels.refine(3);
+    M expected = levels[3];
+    kith::carry_properties(levels, 0, 3, expected);
+    const auto expected_height = OpenMesh::getProperty<VertexHandle, double>(expected, "height");
+    const auto expected_tag = OpenMesh::getProperty<FaceHandle, std::string>(expected, "tag");
+    EXPECT_EQ(user_mesh<M>::complaints(mesh), "");
+    EXPECT_TRUE(same_bits(mesh, expected));
+    const kith::level_of<M> ours(mesh), theirs(expected);
+    ASSERT_EQ(ours.vertex_count(), theirs.vertex_count());
+    for (std::size_t i = 0; i < ours.vertex_count(); ++i) {
+        const auto v = ours.vertex_at(i), w = theirs.vertex_at(i);
+        EXPECT_EQ(height[v], expected_height[w]);
+        EXPECT_EQ(mesh.color(v), expected.color(w));
+        EXPECT_EQ(mesh.status(v).bits(), 0U);
+    }
+    for (std::size_t i = 0; i < ours.face_count(); ++i) {
+        const auto f = ours.face_at(i), g = theirs.face_at(i);
+        EXPECT_EQ(tag[f], expected_tag[g]);
+        EXPECT_EQ(mesh.color(f), expected.color(g));
+        EXPECT_LT((mesh.normal(f) - mesh.calc_normal(f)).norm(), 1e-6);
+    }
+    for (std::size_t i = 0; i < ours.edge_count(); ++i)
+        EXPECT_EQ(mesh.status(ours.edge_at(i)).feature(), expected.status(theirs.edge_at(i)).feature());
+    for (std::size_t i = 0; i < ours.corner_count(); ++i) {
+        const auto corner = [&](const auto& level, const auto& m) { // the half-edge that leads to it
+            return kith::mesh_traits<M>::prev(m, level.corner_at(i).halfedge);
+        };
+        EXPECT_EQ(mesh.texcoord2D(corner(ours, mesh)), expected.texcoord2D(corner(theirs, expected)));
+    }
+}
+
+/// Calls test(subdivider type tag, shape that it takes) for every scheme.
+template <class M, class Test>
+void for_each_of_triangles(const Test& test)
+{
+    test(std::type_identity<ours::LoopT<M>>(), shapes::umbrella(7));
+    test(std::type_identity<ours::Sqrt3T<M>>(), shapes::umbrella(7));
+    test(std::type_identity<ours::ModifiedButterflyT<M>>(), shapes::umbrella(7));
+    test(std::type_identity<ours::InterpolatingSqrt3LGT<M>>(), shapes::tetrahedron());
+    test(std::type_identity<ours::LinearTrianglesT<M>>(), shapes::umbrella(7));
+}
+template <class M, class Test>
+void for_each_of_polygons(const Test& test)
+{
+    test(std::type_identity<ours::CatmullClarkT<M>>(), shapes::open_house());
+    test(std::type_identity<ours::MidpointT<M>>(), shapes::cube());
+    test(std::type_identity<ours::DooSabinT<M>>(), shapes::open_house());
+    test(std::type_identity<ours::KobbeltT<M>>(), shapes::grid());
+    test(std::type_identity<ours::NasriHasbiniT<M>>(), shapes::open_house());
+    test(std::type_identity<ours::UnifiedT<M>>(), shapes::cube());
+    test(std::type_identity<ours::LinearT<M>>(), shapes::open_house());
+}
+
+} // namespace
+
+TEST(openmesh_dialect, makes_openmeshs_surfaces)
+{
+    using kith::openmesh::CatmullClarkT;
+    const auto triangles = shapes::triangle_shapes(), polygons = shapes::shapes_without_valence_two();
+    expect_same_surfaces<theirs::LoopT<tri_mesh>, ours::LoopT<tri_mesh>, tri_mesh>(triangles, any);
+    expect_same_surfaces<theirs::Sqrt3T<tri_mesh>, ours::Sqrt3T<tri_mesh>, tri_mesh>(triangles, any);
+    expect_same_surfaces<theirs::ModifiedButterflyT<tri_mesh>, ours::ModifiedButterflyT<tri_mesh>, tri_mesh>(triangles,
+                                                                                                             any);
+    expect_same_surfaces<theirs::InterpolatingSqrt3LGT<tri_mesh>, ours::InterpolatingSqrt3LGT<tri_mesh>, tri_mesh>(
+        triangles, is_closed);
+    expect_same_surfaces<theirs::CatmullClarkT<poly_mesh>, ours::CatmullClarkT<poly_mesh>, poly_mesh>(
+        shapes::all_shapes(), any);
+    expect_same_surfaces<theirs::MidpointT<poly_mesh>, ours::MidpointT<poly_mesh>, poly_mesh>(polygons, is_closed);
+}
+
+TEST(openmesh_dialect, catmull_clark_without_new_positions_is_the_linear_split)
+{
+    for (const auto& [name, shape] : shapes::all_shapes()) {
+        poly_mesh a = make<poly_mesh>(shape), b = a;
+        theirs::CatmullClarkT<poly_mesh>()(a, 2, false);
+        ours::CatmullClarkT<poly_mesh>()(b, 2, false);
+        EXPECT_EQ(difference(surface_of(a), surface_of(b)), "") << name;
+    }
+    // With others of OpenMesh's new points stay at the origin or old ones move; here old ones stay.
+    tri_mesh m = make<tri_mesh>(shapes::tetrahedron());
+    const tri_mesh before = m;
+    ours::LoopT<tri_mesh>()(m, 2, false);
+    for (const auto v : before.vertices())
+        EXPECT_EQ(m.point(v), before.point(v));
+    // On the first level: 3/8 of the ends, 1/8 of the others.
+    tri_mesh one = before;
+    ours::LoopT<tri_mesh>()(one, 1, false);
+    const auto e = before.edge_handle(EdgeHandle(0).idx());
+    const auto h = before.halfedge_handle(e, 0);
+    const auto a = before.from_vertex_handle(h), b = before.to_vertex_handle(h);
+    auto others = tri_mesh::Point(0, 0, 0);
+    for (const auto v : before.vertices())
+        if (v != a and v != b)
+            others += before.point(v);
+    const auto expected = 0.375 * (before.point(a) + before.point(b)) + 0.125 * others;
+    EXPECT_LT((one.point(VertexHandle(4)) - expected).norm(), 1e-15);
+}
+
+TEST(openmesh_dialect, carries_everything)
+{
+    for_each_of_triangles<tri_mesh>(
+        [](auto type, const auto& s) { expect_carried<typename decltype(type)::type>(make<tri_mesh>(s)); });
+    for_each_of_polygons<poly_mesh>(
+        [](auto type, const auto& s) { expect_carried<typename decltype(type)::type>(make<poly_mesh>(s)); });
+}
+
+TEST(openmesh_dialect, leaves_deleted_elements_deleted)
+{
+    auto shape = shapes::both(shapes::tetrahedron(), shapes::cube());
+    for (std::size_t v = 4; v < shape.points.size(); ++v)
+        shape.points[v][0] -= 10;
+    auto mesh = make<poly_mesh>(shape);
+    for (int f = 0; f < 4; ++f)
+        mesh.delete_face(FaceHandle(f), true);
+    const poly_mesh control = mesh;
+    expect_carried<ours::CatmullClarkT<poly_mesh>>(mesh);
+    ours::CatmullClarkT<poly_mesh>()(mesh, 1);
+    EXPECT_EQ(user_mesh<poly_mesh>::complaints(mesh), "");
+    for (int v = 0; v < 4; ++v)
+        EXPECT_TRUE(mesh.status(VertexHandle(v)).deleted());
+    for (int v = 4; v < 12; ++v) // 5/9 of its corner of a cube
+        EXPECT_NEAR(mesh.point(VertexHandle(v))[1], control.point(VertexHandle(v))[1] * 5 / 9, 1e-15);
+    mesh.garbage_collection();
+    EXPECT_EQ(mesh.n_vertices(), 26U);
+}
+
+TEST(openmesh_dialect, four_eight_starts_by_itself_and_goes_on)
+{
+    for (const auto& shape : {shapes::grid(), shapes::open_house(), shapes::umbrella(5)}) {
+        poly_mesh once = make<poly_mesh>(shape), twice = once;
+        const auto expected = kith::refine(kith::tri_quad(kith::lift(once)), kith::four_eight(), 3);
+        ours::FourEightT<poly_mesh> subdivide;
+        subdivide(once, 3);
+        subdivide(twice, 1);
+        subdivide(twice, 2);
+        const auto made = kith::lift(once);
+        EXPECT_TRUE(same_arrays(made.topology(), expected.topology()));
+        for (std::size_t v = 0; v < made.vertex_count(); ++v)
+            EXPECT_EQ(made.point(v), expected.point(v));
+        EXPECT_TRUE(same_bits(once, twice));
+    }
+}
+
+TEST(openmesh_dialect, creases_belong_to_the_attached_mesh)
+{
+    auto mesh = make<poly_mesh>(shapes::cube());
+    for (const auto e : mesh.edges())
+        mesh.status(e).set_feature(e.idx() < 4);
+    const poly_mesh control = mesh;
+    auto scheme = kith::like<kith::catmull_clark>(kith::library::openmesh);
+    scheme.sharpness = kith::creases_from_features(control);
+    ours::CatmullClarkT<poly_mesh> subdivide(scheme);
+    subdivide.attach(mesh);
+    subdivide(1);
+    subdivide(1);
+    EXPECT_EQ(subdivide.scheme().sharpness.edges().size(), 16U);
+    EXPECT_TRUE(same_bits(mesh, kith::refine(control, scheme, 2)));
+}
+
+TEST(openmesh_dialect, can_be_stopped_and_refuses)
+{
+    auto mesh = make<tri_mesh>(shapes::tetrahedron());
+    const tri_mesh before = mesh;
+    ours::LoopT<tri_mesh> subdivide(mesh);
+    EXPECT_EQ(subdivide.name(), std::string("loop"));
+    std::vector<double> told;
+    subdivide.on_progress([&](double done) {
+        told.push_back(done);
+        return told.size() < 2;
+    });
+    EXPECT_FALSE(subdivide(3));
+    EXPECT_EQ(told, (std::vector<double>{16. / 336, 80. / 336}));
+    EXPECT_TRUE(same_bits(mesh, before));
+
+    auto open = make<tri_mesh>(shapes::umbrella(5));
+    const tri_mesh control = open;
+    EXPECT_NE(error_text<kith::mesh_error>([&] { ours::InterpolatingSqrt3LGT<tri_mesh>()(open, 1); }),
+              "no error");
+    EXPECT_TRUE(same_bits(open, control));
+}
