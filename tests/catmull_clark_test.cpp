@@ -79,3 +79,19 @@ TEST(catmull_clark, follows_the_boundary_of_other_libraries)
     EXPECT_EQ(kith::like<kith::catmull_clark>(library::cgal).corners, boundary_corner::smoothed);
     EXPECT_THROW(kith::like<kith::catmull_clark>(library::libigl), kith::mesh_error);
 }
+
+TEST(catmull_clark, the_boundary_of_openmesh_takes_thirds)
+{
+    const auto scheme = kith::like<kith::catmull_clark>(kith::library::openmesh);
+    EXPECT_EQ(scheme.boundary, kith::boundary_curve::thirds);
+    auto fine = once(shapes::grid(2, 4), scheme); // the lower boundary: x = 0 1 2 3 4, z = 0 1/2 1 1/4 3/4
+    EXPECT_EQ(fine.point(0), (exact_point{rational(1, 6), rational(1, 6), rational(5, 24)}));
+    EXPECT_EQ(fine.point(1), (exact_point{1, 0, rational(1, 2)}));
+    EXPECT_EQ(fine.point(2), (exact_point{2, 0, rational(19, 24)}));
+
+    auto sharp = scheme; // far from a crease and where one ends the rule is the same
+    sharp.sharpness.sharpen_vertex(7, kith::infinitely_sharp);
+    fine = once(shapes::grid(2, 4), sharp);
+    EXPECT_EQ(fine.point(2), (exact_point{2, 0, rational(19, 24)}));
+    EXPECT_EQ(fine.point(7), exact(shapes::grid(2, 4)).point(7));
+}

@@ -22,28 +22,31 @@ install_packages() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# Puts the meshes that CGAL's documentation comes with into build/data/meshes. They are in a documentation package whose
-# files many machines leave out when it is installed, so it is unpacked here instead. What needs them is skipped where
-# they cannot be had.
+# Puts the meshes that CGAL's documentation comes with into build/data/meshes, and its examples of subdivision into
+# build/data/examples. They are in a documentation package whose files many machines leave out when it is installed, so it
+# is unpacked here instead. What needs them is skipped where they cannot be had.
 unpack_meshes() {
-    local data=build/data archive=/usr/share/doc/libcgal-dev/data.tar.gz
-    if [ -d $data/meshes ]; then
+    local data=build/data documents=/usr/share/doc/libcgal-dev
+    if [ -d $data/meshes ] && [ -d $data/examples ]; then
         return
     fi
     mkdir -p $data
-    if [ ! -f $archive ]; then
-        echo "Downloading CGAL's meshes (libcgal-demo)"
-        archive=$data/package$archive
+    if [ ! -f $documents/data.tar.gz ] || [ ! -f $documents/examples.tar.gz ]; then
+        echo "Downloading CGAL's meshes and examples (libcgal-demo)"
+        documents=$data/package$documents
         if ! apt-cache show libcgal-demo >/dev/null 2>&1; then
             as_root apt-get update -qq || true
         fi
         if ! (cd $data && apt-get download -qq libcgal-demo 2>/dev/null && dpkg-deb -x libcgal-demo_*.deb package); then
-            echo "CGAL's meshes cannot be had; going on without them"
+            echo "CGAL's meshes and examples cannot be had; going on without them"
             return
         fi
     fi
     mkdir -p $data/unpacked
-    tar -xzf $archive -C $data/unpacked
+    tar -xzf $documents/data.tar.gz -C $data/unpacked
+    tar -xzf $documents/examples.tar.gz -C $data/unpacked examples/Subdivision_method_3
+    rm -rf $data/meshes $data/examples
     mv $data/unpacked/data/meshes $data/meshes
+    mv $data/unpacked/examples $data/examples
     rm -rf $data/unpacked $data/package $data/libcgal-demo_*.deb
 }
