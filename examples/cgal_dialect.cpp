@@ -61,7 +61,7 @@ int main()
     std::cout << pmesh.number_of_faces() << " faces, " << glass << " of glass; " << creases << " sharp edges\n";
 
     kith::cgal::Loop_subdivision(polyhedron, params::number_of_iterations(3)); // any face graph
-    kith::cgal::PTQ(ball, inflate{ball}, params::number_of_iterations(3));      // a mask written for CGAL
+    kith::cgal::PTQ(ball, inflate{ball}, params::number_of_iterations(3));     // a mask written for CGAL
     double farthest = 0;
     for (const auto v : ball.vertices())
         farthest = std::max(farthest, std::abs((ball.point(v) - CGAL::ORIGIN).squared_length() - 1));

@@ -47,26 +47,30 @@ void expect_cgals_surfaces()
                 expect_same_surface<Graph>(shape, their_function, our_function);
         }
     };
-    on(shapes::all_shapes(),
-       [](auto& m, unsigned n) { theirs::CatmullClark_subdivision(m, params::number_of_iterations(n)); },
-       [](auto& m, unsigned n) { ours::CatmullClark_subdivision(m, params::number_of_iterations(n)); });
-    on(shapes::shapes_without_valence_two(),
-       [](auto& m, unsigned n) { theirs::DooSabin_subdivision(m, params::number_of_iterations(n)); },
-       [](auto& m, unsigned n) { ours::DooSabin_subdivision(m, params::number_of_iterations(n)); });
-    on(shapes::triangle_shapes(),
-       [](auto& m, unsigned n) { theirs::Loop_subdivision(m, params::number_of_iterations(n)); },
-       [](auto& m, unsigned n) { ours::Loop_subdivision(m, params::number_of_iterations(n)); });
-    on(shapes::triangle_shapes(),
-       [](auto& m, unsigned n) { theirs::Sqrt3_subdivision(m, params::number_of_iterations(n)); },
-       [](auto& m, unsigned n) { ours::Sqrt3_subdivision(m, params::number_of_iterations(n)); });
+    on(
+        shapes::all_shapes(),
+        [](auto& m, unsigned n) { theirs::CatmullClark_subdivision(m, params::number_of_iterations(n)); },
+        [](auto& m, unsigned n) { ours::CatmullClark_subdivision(m, params::number_of_iterations(n)); });
+    on(
+        shapes::shapes_without_valence_two(),
+        [](auto& m, unsigned n) { theirs::DooSabin_subdivision(m, params::number_of_iterations(n)); },
+        [](auto& m, unsigned n) { ours::DooSabin_subdivision(m, params::number_of_iterations(n)); });
+    on(
+        shapes::triangle_shapes(),
+        [](auto& m, unsigned n) { theirs::Loop_subdivision(m, params::number_of_iterations(n)); },
+        [](auto& m, unsigned n) { ours::Loop_subdivision(m, params::number_of_iterations(n)); });
+    on(
+        shapes::triangle_shapes(),
+        [](auto& m, unsigned n) { theirs::Sqrt3_subdivision(m, params::number_of_iterations(n)); },
+        [](auto& m, unsigned n) { ours::Sqrt3_subdivision(m, params::number_of_iterations(n)); });
 }
 
 /// Calls test(name, function of a graph and of a number of steps, scheme, shape) for every scheme and a shape that it takes.
 template <class Test>
 void for_each_function(const Test& test)
 {
-    const auto open = shapes::open_house(), triangles = shapes::triangle_shapes().front().second,
-               closed = shapes::torus(4, 5), fan = shapes::umbrella(7);
+    const auto open = shapes::open_house(), triangles = shapes::umbrella(7), closed = shapes::torus(4, 5),
+               fan = shapes::umbrella(7);
     using kith::like, kith::library;
     test([](auto& m, int n) { ours::CatmullClark_subdivision(m, n); }, like<kith::catmull_clark>(library::cgal), open);
     test([](auto& m, int n) { ours::DooSabin_subdivision(m, n); }, like<kith::doo_sabin>(library::cgal), closed);
@@ -93,8 +97,9 @@ void expect_native_bits()
 {
     for_each_function([](const auto& function, const auto& scheme, const shapes::shape& shape) {
         SCOPED_TRACE(std::string(kith::scheme_name<std::remove_cvref_t<decltype(scheme)>>()));
-        auto g = make_graph<Graph>(shape);
+        auto g = same_graph<Graph>(make_graph<mesh>(shape));
         auto control = kith::lift(view_of(std::as_const(g)));
+        EXPECT_TRUE(same_bits(control, kith::lift(view_of(make_graph<mesh>(shape)))));
         if constexpr (std::same_as<std::remove_cvref_t<decltype(scheme)>, kith::four_eight>)
             control = kith::tri_quad(control);
         function(g, 2);
@@ -116,7 +121,10 @@ struct lifting_mask {
     auto at(vertex v) const { return get(CGAL::vertex_point, *g, v); }
     void face_node(face f, point& p) const
     {
-        p = CGAL::centroid(at(target(halfedge_of(f), *g)), at(source(halfedge_of(f), *g)), point(0, 0, 5));
+        kernel::Vector_3 sum(0, 0, 5);
+        for (const auto v : CGAL::vertices_around_face(halfedge_of(f), *g))
+            sum = sum + (at(v) - point(0, 0, 0));
+        p = point(0, 0, 0) + sum / 4;
     }
     void edge_node(halfedge h, point& p) const
     {
@@ -139,7 +147,6 @@ struct lifting_mask {
         p = CGAL::barycenter(at(target(h, *g)), 3. / 4, at(source(h, *g)), 1. / 4);
     }
     halfedge halfedge_of(face f) const { return kith::cgal::graph_calls::halfedge_at(*g, f); }
-
 };
 
 } // namespace
@@ -174,31 +181,23 @@ TEST(cgal_dialect, runs_masks_of_cgals_kind)
         for (const auto& shape : {shapes::open_house(), shapes::cube()}) {
             expect_same_surface<Graph>(
                 shape,
-                [](auto& m, unsigned n) {
-                    theirs::PQQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n));
-                },
+                [](auto& m, unsigned n) { theirs::PQQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n)); },
                 [](auto& m, unsigned n) { ours::PQQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n)); });
             expect_same_surface<Graph>(
                 shape,
-                [](auto& m, unsigned n) {
-                    theirs::DQQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n));
-                },
+                [](auto& m, unsigned n) { theirs::DQQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n)); },
                 [](auto& m, unsigned n) { ours::DQQ(m, lifting_mask<Graph>{&m}, int(n)); });
         }
         for (const auto& shape : {shapes::umbrella(5), shapes::tetrahedron()}) {
             expect_same_surface<Graph>(
                 shape,
-                [](auto& m, unsigned n) {
-                    theirs::PTQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n));
-                },
+                [](auto& m, unsigned n) { theirs::PTQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n)); },
                 [&](auto& m, unsigned n) {
                     ours::PTQ(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n).vertex_point_map(vpm(m)));
                 });
             expect_same_surface<Graph>(
                 shape,
-                [](auto& m, unsigned n) {
-                    theirs::Sqrt3(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n));
-                },
+                [](auto& m, unsigned n) { theirs::Sqrt3(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n)); },
                 [](auto& m, unsigned n) { ours::Sqrt3(m, lifting_mask<Graph>{&m}, params::number_of_iterations(n)); });
         }
     };

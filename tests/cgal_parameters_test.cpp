@@ -113,12 +113,7 @@ TEST(cgal_parameters, removed_elements_stay_removed)
     auto name = control.add_property_map<vertex, std::string>("v:name").first;
     for (const auto v : control.vertices())
         name[v] = std::to_string(v.idx());
-    mesh expected = make_graph<mesh>([&] {
-        auto cube = shapes::cube();
-        for (auto& p : cube.points)
-            p[0] -= 10;
-        return cube;
-    }());
+    mesh expected = make_graph<mesh>(shapes::cube());
     ASSERT_TRUE(control.has_garbage());
     ours::CatmullClark_subdivision(control, params::number_of_iterations(2));
     ours::CatmullClark_subdivision(expected, params::number_of_iterations(2));
@@ -198,8 +193,7 @@ TEST(cgal_parameters, sharpness_goes_down_from_level_to_level)
 TEST(cgal_parameters, creases_on_a_polyhedron)
 {
     mesh control = house();
-    polyhedron p;
-    CGAL::copy_face_graph(control, p);
+    auto p = same_graph<polyhedron>(control);
     auto constrained = get(CGAL::dynamic_edge_property_t<bool>(), p);
     auto expected_map = control.add_property_map<edge, bool>("e:constrained", false).first;
     auto e = edges(p).begin();

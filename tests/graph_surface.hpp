@@ -5,7 +5,7 @@
 #include "same_surface.hpp"
 #include "shapes.hpp"
 
-#include <kith/cgal/face_graph.hpp>
+#include <kith/cgal/write_face_graph.hpp>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -56,4 +56,19 @@ Graph make_graph(const shapes::shape& s)
         CGAL::copy_face_graph(mesh, result);
         return result;
     }
+}
+
+/// The graph with the elements of another, numbered, directed and started as there.
+template <class Graph, class Source>
+Graph same_graph(const Source& source)
+{
+    const auto native = kith::lift(view_of(source));
+    Graph result;
+    kith::cgal::write_connectivity(result, native.topology(), false);
+    std::size_t i = 0;
+    for (const auto v : vertices(result)) {
+        const auto& [x, y, z] = native.point(i++);
+        put(CGAL::vertex_point, result, v, {x, y, z});
+    }
+    return result;
 }

@@ -92,7 +92,8 @@ const auto any = [](const shapes::shape&) { return true; };
 template <class M>
 void add_properties(M& mesh)
 {
-    mesh.request_vertex_colors(), mesh.request_face_colors(), mesh.request_vertex_normals(), mesh.request_face_normals();
+    mesh.request_vertex_colors(), mesh.request_face_colors(), mesh.request_vertex_normals(),
+        mesh.request_face_normals();
     mesh.request_halfedge_texcoords2D();
     auto height = OpenMesh::getOrMakeProperty<VertexHandle, double>(mesh, "height");
     auto tag = OpenMesh::getOrMakeProperty<FaceHandle, std::string>(mesh, "tag");
@@ -306,7 +307,6 @@ TEST(openmesh_dialect, can_be_stopped_and_refuses)
 
     auto open = make<tri_mesh>(shapes::umbrella(5));
     const tri_mesh control = open;
-    EXPECT_NE(error_text<kith::mesh_error>([&] { ours::InterpolatingSqrt3LGT<tri_mesh>()(open, 1); }),
-              "no error");
+    EXPECT_NE(error_text<kith::mesh_error>([&] { ours::InterpolatingSqrt3LGT<tri_mesh>()(open, 1); }), "no error");
     EXPECT_TRUE(same_bits(open, control));
 }

@@ -10,7 +10,7 @@ floors='
 include     : base mesh mask level association step field lineage .
 schemes     < include : split crease kernel nasri_hasbini . presets.hpp compiled_schemes.hpp limit_rules limit schemes.hpp
 distributed < include : part number tile output mpi ranks slices .
-adapters    < include : .
+adapters    < include schemes : . in_place cgal openmesh cgal_subdivision.hpp openmesh_subdivision.hpp
 io          < include schemes distributed : text format .
 '
 

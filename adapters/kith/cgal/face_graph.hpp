@@ -25,13 +25,12 @@ namespace kith::cgal {
 
 /// Descriptors that hold numbers, those of the half-edges of edge i being 2i and 2i+1: Surface_mesh and OpenMesh.
 template <class Graph, class Traits = boost::graph_traits<Graph>>
-concept numbered_graph =
-    requires(typename Traits::vertex_descriptor v, typename Traits::halfedge_descriptor h,
-             typename Traits::face_descriptor f) {
-        { v.idx() } -> std::integral;
-        { h.idx() } -> std::integral;
-        { f.idx() } -> std::integral;
-    };
+concept numbered_graph = requires(typename Traits::vertex_descriptor v, typename Traits::halfedge_descriptor h,
+                                  typename Traits::face_descriptor f) {
+    { v.idx() } -> std::integral;
+    { h.idx() } -> std::integral;
+    { f.idx() } -> std::integral;
+};
 
 /// The numbers of descriptors that hold none, in the order of a range.
 template <class Descriptor>
@@ -66,8 +65,7 @@ private:
 template <class Graph, class VertexPointMap>
 class face_graph {
     template <class Descriptor>
-    using numbers_of =
-        std::conditional_t<numbered_graph<Graph>, held_numbers<Descriptor>, number_table<Descriptor>>;
+    using numbers_of = std::conditional_t<numbered_graph<Graph>, held_numbers<Descriptor>, number_table<Descriptor>>;
 
 public:
     using vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
@@ -181,10 +179,7 @@ struct mesh_traits<cgal::face_graph<Graph, VertexPointMap>> {
         return opposite(m, cgal::graph_calls::halfedge_at(m.graph(), v));
     }
     static halfedge halfedge_of(const mesh_type& m, edge e) { return m.directing(e); }
-    static halfedge halfedge_of(const mesh_type& m, face f)
-    {
-        return cgal::graph_calls::halfedge_at(m.graph(), f);
-    }
+    static halfedge halfedge_of(const mesh_type& m, face f) { return cgal::graph_calls::halfedge_at(m.graph(), f); }
     static bool is_isolated(const mesh_type& m, vertex v)
     {
         return cgal::graph_calls::halfedge_at(m.graph(), v) == boost::graph_traits<Graph>::null_halfedge();

@@ -123,14 +123,13 @@ void PTQ(Graph& pmesh, Mask mask, const Np& np)
         return PTQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
     else
         detail::repeat(pmesh, np, [&](const auto& vpm, int) {
-            detail::step_by_mask(
-                pmesh,
-                vpm,
-                linear_triangles(),
-                0,
-                [&](const auto& view, const auto&, const auto& ids, const auto& points) {
-                    detail::place_edges_and_vertices(view, mask, ids.vertices, points);
-                });
+            detail::step_by_mask(pmesh,
+                                 vpm,
+                                 linear_triangles(),
+                                 0,
+                                 [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                                     detail::place_edges_and_vertices(view, mask, ids.vertices, points);
+                                 });
         });
 }
 template <class Graph, class Mask>

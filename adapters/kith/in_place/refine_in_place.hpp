@@ -85,8 +85,8 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
         }
     }
     if (degree == 4) {
-        const auto is_odd =
-            detail::choose_diagonals(level_elements<native_level<Point, std::uint32_t, 4>>(surface.mesh));
+        const auto is_odd = detail::choose_diagonals(
+            level_elements<native_level<Point, std::uint32_t, 4>>(surface.mesh));
         split(detail::diagonal_split{&is_odd}, 0);
     } else {
         split(detail::centroid_split{}, 1);

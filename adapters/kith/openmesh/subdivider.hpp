@@ -46,9 +46,9 @@ struct quads_split {
 template <class Mesh, scheme Scheme>
 class subdivider {
     static constexpr bool fits = needs_triangles<Scheme> or not std::derived_from<Mesh, OpenMesh::TriConnectivity>;
-    static_assert(fits,
-                  "kith::openmesh: a TriMesh holds triangles only and this scheme makes other faces; use a PolyMesh, or a "
-                  "scheme of triangles such as LoopT");
+    static_assert(
+        fits, "kith::openmesh: a TriMesh holds triangles only and this scheme makes other faces; use a PolyMesh, or a "
+              "scheme of triangles such as LoopT");
 
 public:
     using mesh_t = Mesh;
@@ -116,8 +116,7 @@ private:
         in_place::carried_properties<Mesh> carried(mesh);
         Used next = used;
         const auto go_on = [&](double done) { return not progress_ or progress_(done); };
-        const auto fine =
-            in_place::refine(read(mesh, generation), next, int(n), carried, not update_points, go_on);
+        const auto fine = in_place::refine(read(mesh, generation), next, int(n), carried, not update_points, go_on);
         if (not fine)
             return false;
         write_connectivity(mesh, fine->mesh.topology(), fine->keeps_vertices);
