@@ -59,7 +59,7 @@ TEST(make_mesh, numbers_edges_by_their_ends)
     std::vector<indices> edges;
     for (std::size_t e = 0; e < mesh.edge_count(); ++e) {
         const auto h = mesh.topology().halfedge_corner[2 * e];
-        const auto next = kith::detail::next_corner(mesh.topology(), h);
+        const auto next = mesh.topology().next(h);
         edges.push_back({mesh.topology().corner_vertex[h], mesh.topology().corner_vertex[next]});
     }
     EXPECT_EQ(edges, (std::vector<indices>{{1, 0}, {0, 3}, {2, 1}, {1, 3}, {3, 2}}));

@@ -26,7 +26,7 @@ void for_each_shape(const Test& test)
 
 std::uint32_t end_of(const connectivity& t, std::uint32_t corner)
 {
-    return t.corner_vertex[kith::detail::next_corner(t, corner)];
+    return t.target(corner);
 }
 
 } // namespace

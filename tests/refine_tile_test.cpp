@@ -48,7 +48,7 @@ bool has_double_edges(const mesh3d& mesh)
     const auto& t = mesh.topology();
     std::set<std::pair<std::uint32_t, std::uint32_t>> halfedges;
     for (std::uint32_t c = 0; c < t.corners(); ++c)
-        halfedges.emplace(t.corner_vertex[c], t.corner_vertex[kith::detail::next_corner(t, c)]);
+        halfedges.emplace(t.corner_vertex[c], t.target(c));
     return halfedges.size() != t.corners();
 }
 

@@ -68,7 +68,7 @@ TEST(surface_order, goes_from_face_to_face_as_far_as_they_hang_together)
         bool touches = false;
         for (auto c = topology.first_corner(face); c < topology.first_corner(face + 1); ++c)
             if (const auto across = topology.halfedge_corner[topology.corner_halfedge[c] ^ 1]; across != topology.none)
-                touches = touches or is_taken[kith::detail::face_of_corner(topology, across)];
+                touches = touches or is_taken[topology.face_of(across)];
         starts += not touches;
         is_taken[face] = true;
     }

@@ -53,7 +53,7 @@ std::vector<std::uint32_t> grown(const Mesh& mesh, std::size_t parts, std::uint3
     for (std::size_t i = 0; i < queue.size(); ++i)
         for (auto c = t.first_corner(queue[i]); c < t.first_corner(queue[i] + 1); ++c)
             if (const auto across = t.halfedge_corner[t.corner_halfedge[c] ^ 1]; across != t.none) {
-                const auto f = kith::detail::face_of_corner(t, across);
+                const auto f = t.face_of(across);
                 if (is_taken[f] == 0) {
                     is_taken[f] = 1;
                     part_of[f] = part_of[queue[i]];

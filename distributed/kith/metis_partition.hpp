@@ -31,8 +31,8 @@ partition metis_partition(const basic_mesh<Point, Index>& mesh, std::size_t part
     neighbors.reserve(2 * inner_edges);
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         for (Index c = t.first_corner(f); c < t.first_corner(f + 1); ++c)
-            if (const Index other = t.halfedge_corner[t.corner_halfedge[c] ^ 1]; other != t.none)
-                neighbors.push_back(idx_t(t.degree != 0 ? other / Index(t.degree) : t.corner_face[other]));
+            if (const Index other = t.across(c); other != t.none)
+                neighbors.push_back(idx_t(t.face_of(other)));
         first[f + 1] = idx_t(neighbors.size());
         weights[f] = idx_t(mesh.face(f).size());
     }

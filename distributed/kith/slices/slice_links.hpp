@@ -5,6 +5,7 @@
 #include "ply_slice.hpp"
 
 #include <kith/mpi/all_to_all.hpp>
+#include <kith/mesh/connectivity.hpp>
 #include <kith/part/partition.hpp>
 #include <kith/tile/tile_patch.hpp>
 
@@ -160,11 +161,11 @@ private:
     [[nodiscard]] std::size_t ranks() const { return std::size_t(comm_.size()); }
     [[nodiscard]] global_id after(std::size_t corner) const
     {
-        return slice_.corners[corner + 1 < (corner / degree_ + 1) * degree_ ? corner + 1 : corner + 1 - degree_];
+        return slice_.corners[kith::detail::next_of_alike(corner, degree_)];
     }
     [[nodiscard]] global_id before(std::size_t corner) const
     {
-        return slice_.corners[corner % degree_ != 0 ? corner - 1 : corner + degree_ - 1];
+        return slice_.corners[kith::detail::prev_of_alike(corner, degree_)];
     }
 
     void number_edges()

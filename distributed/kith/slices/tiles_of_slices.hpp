@@ -72,10 +72,9 @@ void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
     for (std::size_t v = 0; v < smallest.size(); ++v)
         part.vertex_marks[v] = incomplete[v] == 0 and is_ours(smallest[v]) ? owned_mark : 0;
     for (std::size_t e = 0; e < t.edges(); ++e) {
-        const Index left = t.halfedge_corner[2 * e], right = t.halfedge_corner[2 * e + 1];
-        global_id face = part.face_ids[kith::detail::face_of_corner(t, left)];
-        if (right != t.none)
-            face = std::min(face, part.face_ids[kith::detail::face_of_corner(t, right)]);
+        global_id face = part.face_ids[t.face_of(t.halfedge_corner[2 * e])];
+        if (not t.is_boundary(e))
+            face = std::min(face, part.face_ids[t.face_of(t.halfedge_corner[2 * e + 1])]);
         if (not part.is_cut(e) and is_ours(face))
             part.edge_marks[e] = static_cast<unsigned char>(part.edge_marks[e] | owned_mark);
     }

@@ -9,6 +9,7 @@
 #include <kith/number/whole_counts.hpp>
 #include <kith/part/partition.hpp>
 #include <kith/part/reach.hpp>
+#include <kith/step/children.hpp>
 #include <kith/step/submesh.hpp>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ public:
     /// a partition of another mesh, a part that does not exist and more parts than can be held. Cost: O(elements).
     tile_cutter(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const std::uint32_t> part_of,
                 std::size_t parts)
-        : mesh_(mesh), scheme_(scheme), cutter_(mesh), first_(checked(parts, mesh) + 1, 0)
+        : mesh_(mesh), level_(mesh), scheme_(scheme), cutter_(mesh), first_(checked(parts, mesh) + 1, 0)
     {
         if (part_of.size() != mesh.face_count())
             throw mesh_error("the partition has " + std::to_string(part_of.size()) + " faces, the mesh has " +
@@ -82,10 +83,9 @@ public:
         const auto& t = mesh_.topology();
         std::vector<unsigned char> at_boundary(mesh_.vertex_count(), 0);
         for (std::size_t e = 0; e < t.edges(); ++e)
-            if (t.halfedge_corner[2 * e + 1] == t.none) {
-                const Index c = t.halfedge_corner[2 * e];
-                at_boundary[t.corner_vertex[c]] = at_boundary[t.corner_vertex[detail::next_corner(t, c)]] = 1;
-            }
+            if (t.is_boundary(e))
+                for (const Index v : t.ends(e))
+                    at_boundary[v] = 1;
         std::vector<Index> seeds;
         for (std::size_t f = 0; f < mesh_.face_count(); ++f)
             if (std::ranges::any_of(mesh_.face(f), [&](Index v) { return at_boundary[v] != 0; }))
@@ -113,9 +113,8 @@ private:
         static_assert(detail::is_said<decltype(traits_of<Scheme>.is_marked)>,
                       "a scheme whose columns pick edges by marks needs .is_marked = [](const auto& edge) {...} in its "
                       "traits(), to be refined in tiles");
-        const level_of<basic_mesh<Point, Index>> level(mesh_);
         marked_before_.assign(mesh_.edge_count() + 1, 0);
-        for (const auto e : level.edges())
+        for (const auto e : level_.edges())
             marked_before_[e.index() + 1] = marked_before_[e.index()] + (traits_of<Scheme>.is_marked(e) ? 1 : 0);
     }
 
@@ -136,44 +135,35 @@ private:
     }
     void fill_vertices(const submesh<Point, Index>& part, tile_type& result) const
     {
-        const level_of<basic_mesh<Point, Index>> level(mesh_);
-        const std::size_t size = part.vertex_from.size();
-        result.vertex_ids = storage<global_id>(size);
-        result.vertex_marks = storage<unsigned char>(size);
+        result.vertex_ids = storage<global_id>(part.vertex_from);
+        result.vertex_marks = storage<unsigned char>(part.vertex_from.size());
+        for (std::size_t v = 0; v < part.vertex_from.size(); ++v)
+            result.vertex_marks[v] = is_mine(tuple_kind::v, part.vertex_from[v]) and not part.is_copy(v) ? owned_mark
+                                                                                                         : 0;
         if constexpr (numbers_corners_at_vertices<Scheme>)
-            result.corners_before = storage<global_id>(size);
-        for (std::size_t v = 0; v < size; ++v) {
-            const std::size_t old = part.vertex_from[v];
-            result.vertex_ids[v] = old;
-            std::size_t smallest = mesh_.face_count();
-            for (const auto f : level.vertices()[old].faces())
-                smallest = std::min(smallest, f.index());
-            result.vertex_marks[v] = is_ours_[smallest] != 0 and not part.is_copy(v) ? owned_mark : 0;
-            if constexpr (numbers_corners_at_vertices<Scheme>)
-                result.corners_before[v] = corners_before_[old];
-        }
+            result.corners_before = of_each(part.vertex_from, corners_before_);
     }
     void fill_edges(const submesh<Point, Index>& part, tile_type& result) const
     {
-        const auto& t = mesh_.topology();
-        const std::size_t size = part.edge_from.size();
-        result.edge_ids = storage<global_id>(size);
-        result.edge_marks = storage<unsigned char>(size);
+        result.edge_ids = storage<global_id>(part.edge_from);
+        result.edge_marks = storage<unsigned char>(part.edge_from.size());
+        for (std::size_t e = 0; e < part.edge_from.size(); ++e)
+            result.edge_marks[e] = static_cast<unsigned char>(
+                (is_mine(tuple_kind::e, part.edge_from[e]) ? owned_mark : 0) |
+                (part.edge_is_new_rim[e] != 0 ? cut_mark : 0) | (part.edge_is_turned[e] != 0 ? turned_mark : 0));
         if constexpr (marks_edges<Scheme>)
-            result.marked_before = storage<global_id>(size);
-        for (std::size_t e = 0; e < size; ++e) {
-            const std::size_t old = part.edge_from[e];
-            result.edge_ids[e] = old;
-            if constexpr (marks_edges<Scheme>)
-                result.marked_before[e] = marked_before_[old];
-            const Index other = t.halfedge_corner[2 * old + 1];
-            Index smallest = detail::face_of_corner(t, t.halfedge_corner[2 * old]);
-            if (other != t.none)
-                smallest = std::min(smallest, detail::face_of_corner(t, other));
-            result.edge_marks[e] = static_cast<unsigned char>((is_ours_[smallest] != 0 ? owned_mark : 0) |
-                                                              (part.edge_is_new_rim[e] != 0 ? cut_mark : 0) |
-                                                              (part.edge_is_turned[e] != 0 ? turned_mark : 0));
-        }
+            result.marked_before = of_each(part.edge_from, marked_before_);
+    }
+    /// What lies at several faces belongs to the one with the smallest number.
+    [[nodiscard]] bool is_mine(tuple_kind kind, std::size_t element) const
+    {
+        return is_ours_[parent_face(level_, kind, element)] != 0;
+    }
+    static storage<global_id> of_each(const std::vector<Index>& elements, const std::vector<global_id>& values)
+    {
+        storage<global_id> result(elements.size());
+        std::ranges::transform(elements, result.begin(), [&](Index x) { return values[x]; });
+        return result;
     }
     void fill_faces(const submesh<Point, Index>& part, tile_type& result) const
     {
@@ -196,6 +186,7 @@ private:
     }
 
     const basic_mesh<Point, Index>& mesh_;
+    level_of<basic_mesh<Point, Index>> level_;
     Scheme scheme_;
     submesh_cutter<Point, Index> cutter_;
     std::vector<std::size_t> first_;

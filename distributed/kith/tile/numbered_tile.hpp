@@ -65,10 +65,9 @@ std::vector<unsigned char> incomplete_vertices(const Tile& part)
     const auto& t = part.mesh.topology();
     std::vector<unsigned char> result(part.mesh.vertex_count(), 0);
     for (std::size_t e = 0; e < t.edges(); ++e)
-        if (part.is_cut(e)) {
-            const auto c = t.halfedge_corner[2 * e];
-            result[t.corner_vertex[c]] = result[t.corner_vertex[detail::next_corner(t, c)]] = 1;
-        }
+        if (part.is_cut(e))
+            for (const auto v : t.ends(e))
+                result[v] = 1;
     return result;
 }
 

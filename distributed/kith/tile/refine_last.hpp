@@ -25,11 +25,10 @@ tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& s
     const detail::new_elements<tile<Point, Index>, Scheme> elements(coarse, ids, whole.numbering(level));
 
     std::vector<unsigned char> owned(fine.face_count());
-    std::size_t faces = 0, corners = 0;
+    std::size_t faces = 0;
     for (std::size_t f = 0; f < fine.face_count(); ++f) {
         owned[f] = elements.owns_face(f);
         faces += owned[f];
-        corners += owned[f] != 0 ? fine.face(f).size() : 0;
     }
     std::vector<unsigned char> is_met(fine.vertex_count(), 0), first_face_is_owned(fine.vertex_count(), 0);
     std::vector<Index> here(fine.vertex_count(), none);
@@ -49,14 +48,11 @@ tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& s
     tile<Point, Index> result;
     connectivity<Index> t;
     t.vertices = vertices;
-    t.faces = faces;
-    t.degree = fine.topology().degree;
-    t.corner_vertex = storage<Index>(corners);
-    if (t.degree == 0) {
-        t.face_corner = storage<Index>(faces + 1);
-        t.corner_face = storage<Index>(corners);
-        t.face_corner[faces] = Index(corners);
-    }
+    t.allocate_faces(faces, fine.topology().degree, [&, f = std::size_t(0)](std::size_t) mutable {
+        while (owned[f] == 0)
+            ++f;
+        return fine.face(f++).size();
+    });
     elements.begin_faces(result, faces);
     std::fill(result.face_marks.begin(), result.face_marks.end(), owned_mark);
     Index corner = 0;
@@ -64,10 +60,6 @@ tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& s
         if (owned[f] == 0)
             continue;
         elements.number_face(result, n, f);
-        if (t.degree == 0) {
-            t.face_corner[n] = corner;
-            std::fill_n(t.corner_face.begin() + corner, fine.face(f).size(), Index(n));
-        }
         for (const Index v : fine.face(f))
             t.corner_vertex[corner++] = here[v];
         ++n;

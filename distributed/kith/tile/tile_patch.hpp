@@ -70,8 +70,8 @@ tile_patch<Point> patch_of(const tile<Point, Index>& part, std::span<const Index
             result.corners.push_back({part.vertex_ids[v],
                                       part.end_id(half / 2, half % 2),
                                       t.halfedge_corner[half ^ 1] != t.none or part.is_cut(half / 2)});
-            const bool is_closed = t.halfedge_corner[t.corner_halfedge[start] ^ 1] != t.none;
-            const Index first = detail::face_of_corner(t, start);
+            const bool is_closed = t.across(start) != t.none;
+            const Index first = t.face_of(start);
             result.vertices.push_back({part.vertex_ids[v],
                                        is_closed ? part.face_ids[first] : unknown,
                                        is_closed ? start - t.first_corner(first) : unknown,
@@ -157,20 +157,9 @@ private:
 
     void fill_corners(connectivity<Index>& t, int degree, tile<Point, Index>& result) const
     {
-        std::size_t corners = 0;
-        for (const auto& f : faces_)
-            corners += f.face->degree;
         t.vertices = all_.vertices.size();
-        t.faces = faces_.size();
-        t.degree = degree;
-        t.corner_vertex = storage<Index>(corners);
-        t.corner_halfedge = storage<Index>(corners);
-        t.halfedge_corner = storage<Index>(2 * edges_.size(), none);
-        if (degree == 0) {
-            t.face_corner = storage<Index>(faces_.size() + 1);
-            t.corner_face = storage<Index>(corners);
-            t.face_corner[faces_.size()] = Index(corners);
-        }
+        t.allocate_faces(faces_.size(), degree, [this](std::size_t f) { return faces_[f].face->degree; });
+        t.allocate_edges(edges_.size());
         // Side 0 of an edge always has a face here; an edge of which only the other side is here is turned.
         std::vector<unsigned char> left_is_here(edges_.size(), 0);
         for (const auto& f : faces_)
@@ -180,26 +169,21 @@ private:
         result.edge_marks = storage<unsigned char>(edges_.size(), 0);
         std::size_t c = 0;
         for (std::size_t f = 0; f < faces_.size(); ++f) {
-            if (degree == 0)
-                t.face_corner[f] = Index(c);
             for (std::size_t k = 0; k < faces_[f].face->degree; ++k, ++c) {
                 const auto& corner = all_.corners[faces_[f].corner + k];
                 const std::size_t edge = local_edge(corner.end);
                 const bool turned = left_is_here[edge] == 0;
                 const std::size_t half = 2 * edge + (corner.end % 2 ^ std::size_t(turned));
-                t.corner_halfedge[c] = Index(half);
-                t.halfedge_corner[half] = Index(c);
+                t.set_side(Index(c), Index(half));
                 t.corner_vertex[c] = Index(
                     std::ranges::lower_bound(all_.vertices, corner.vertex, {}, &patch::vertex::id) -
                     all_.vertices.begin());
-                if (degree == 0)
-                    t.corner_face[c] = Index(f);
                 result.edge_marks[edge] = static_cast<unsigned char>((turned ? turned_mark : 0) |
                                                                      (corner.has_other != 0 ? cut_mark : 0));
             }
         }
         for (std::size_t e = 0; e < edges_.size(); ++e)
-            if (t.halfedge_corner[2 * e + 1] != none)
+            if (not t.is_boundary(e))
                 result.edge_marks[e] = 0;
     }
 

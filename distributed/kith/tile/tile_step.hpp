@@ -4,6 +4,7 @@
 #include "tile_job.hpp"
 
 #include <kith/number/new_elements.hpp>
+#include <kith/step/children.hpp>
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
 
@@ -32,7 +33,7 @@ public:
         const auto& t = fine_.topology();
         is_cut_.assign(fine_.edge_count(), 0);
         for (std::size_t e = 0; e < fine_.edge_count(); ++e)
-            if (t.halfedge_corner[2 * e + 1] == none) {
+            if (t.is_boundary(e)) {
                 const auto [kind, tuple] = ids_.edges.origin(e);
                 is_cut_[e] = not elements_.facts().is_at_true_boundary(kind, tuple);
             }
@@ -47,10 +48,9 @@ public:
         const auto& t = fine_.topology();
         std::vector<unsigned char> at_boundary(fine_.vertex_count(), 0);
         for (std::size_t e = 0; e < fine_.edge_count(); ++e)
-            if (t.halfedge_corner[2 * e + 1] == none and not is_cut_[e]) {
-                const index c = t.halfedge_corner[2 * e];
-                at_boundary[t.corner_vertex[c]] = at_boundary[t.corner_vertex[next_corner(t, c)]] = 1;
-            }
+            if (t.is_boundary(e) and not is_cut_[e])
+                for (const index v : t.ends(e))
+                    at_boundary[v] = 1;
         for (std::size_t f = 0; f < fine_.face_count(); ++f)
             if (std::ranges::none_of(fine_.face(f), [&](index v) { return at_boundary[v] != 0; }))
                 is_owned_[f] = 0;
@@ -67,13 +67,15 @@ public:
         auto part = cutter.cut(cutter.faces_around(owned, rings));
         scheme = scheme_of_part(scheme_, part.numbers());
 
+        const level_of<basic_mesh<point, index>> level(fine_);
         Tile result;
         result.vertex_ids = storage<global_id>(part.vertex_from.size());
         result.vertex_marks = storage<unsigned char>(part.vertex_from.size());
         for (std::size_t v = 0; v < part.vertex_from.size(); ++v) {
             const index from = part.vertex_from[v];
             result.vertex_ids[v] = elements_.vertex_id(from);
-            const bool mine = elements_.owns_vertex(from, [&] { return is_owned_[first_face_at_vertex(from)] != 0; });
+            const bool mine = elements_.owns_vertex(
+                from, [&] { return is_owned_[parent_face(level, tuple_kind::v, from)] != 0; });
             result.vertex_marks[v] = mine and not part.is_copy(v) ? owned_mark : 0;
         }
         result.edge_ids = storage<global_id>(part.edge_from.size());
@@ -82,7 +84,8 @@ public:
             const index from = part.edge_from[e];
             result.edge_ids[e] = elements_.edge_id(from);
             const bool cut = is_cut_[from] != 0 or part.edge_is_new_rim[e] != 0;
-            const bool mine = elements_.owns_edge(from, [&] { return is_owned_[first_face_at_edge(from)] != 0; });
+            const bool mine = elements_.owns_edge(
+                from, [&] { return is_owned_[parent_face(level, tuple_kind::e, from)] != 0; });
             result.edge_marks[e] = static_cast<unsigned char>(
                 (mine ? owned_mark : 0) | (cut ? cut_mark : 0) |
                 (was_turned(from) != (part.edge_is_turned[e] != 0) ? turned_mark : 0));
@@ -101,23 +104,8 @@ private:
     [[nodiscard]] bool was_turned(index edge) const
     {
         const auto [kind, tuple] = ids_.edges.origin(edge);
-        const bool is_piece = kind == tuple_kind::e or kind == tuple_kind::ve;
-        return is_piece and (coarse_.edge_marks[kind == tuple_kind::ve ? tuple / 2 : tuple] & turned_mark) != 0;
-    }
-    [[nodiscard]] index first_face_at_vertex(index vertex) const
-    {
-        const level_of<basic_mesh<point, index>> level(fine_);
-        std::size_t result = fine_.face_count();
-        for (const auto f : level.vertices()[vertex].faces())
-            result = std::min(result, f.index());
-        return index(result);
-    }
-    [[nodiscard]] index first_face_at_edge(index edge) const
-    {
-        const auto& t = fine_.topology();
-        const index left = face_of_corner(t, t.halfedge_corner[2 * edge]);
-        const index right = t.halfedge_corner[2 * edge + 1];
-        return right == none ? left : std::min(left, face_of_corner(t, right));
+        return parent_kind(kind) == element_kind::edge and
+               (coarse_.edge_marks[parent(elements_.facts().level(), kind, tuple)] & turned_mark) != 0;
     }
 
     const Tile& coarse_;

@@ -26,6 +26,14 @@ struct counts {
     /// On a manifold every boundary vertex ends exactly two boundary edges.
     [[nodiscard]] constexpr std::uint64_t boundary_vertices() const { return boundary_edges; }
 
+    /// Counts a boundary vertex with so many faces in the boundary classes.
+    constexpr void add_boundary_fan(std::uint64_t fan)
+    {
+        boundary_corners += fan;
+        boundary_vertices_of_one_face += fan == 1;
+        boundary_vertices_of_many_faces += fan >= 3;
+    }
+
     friend constexpr bool operator==(const counts&, const counts&) = default;
 };
 

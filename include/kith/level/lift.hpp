@@ -57,31 +57,18 @@ auto lift(const level_elements<mesh_level<M>>& level, int generation = 0)
     using index = std::uint32_t;
     connectivity<index> t;
     t.vertices = level.vertex_count();
-    t.faces = level.face_count();
-    t.corner_vertex = storage<index>(level.corner_count());
-    t.corner_halfedge = storage<index>(level.corner_count());
-    t.halfedge_corner = storage<index>(2 * level.edge_count(), t.none);
-    t.vertex_corner = storage<index>(level.vertex_count());
-
-    std::size_t degree = t.faces == 0 ? 0 : level.faces()[0].degree();
+    std::size_t degree = level.face_count() == 0 ? 0 : level.faces()[0].degree();
     for (const auto f : level.faces())
         if (f.degree() != degree)
             degree = 0;
-    t.degree = degree == 3 or degree == 4 ? int(degree) : 0;
-    if (t.degree == 0) {
-        t.face_corner = storage<index>(t.faces + 1);
-        t.corner_face = storage<index>(level.corner_count());
-        t.face_corner[0] = 0;
-        for (const auto f : level.faces()) {
-            const index first = t.face_corner[f.index()];
-            t.face_corner[f.index() + 1] = index(first + f.degree());
-            std::fill_n(t.corner_face.begin() + first, f.degree(), index(f.index()));
-        }
-    }
+    t.allocate_faces(level.face_count(), degree == 3 or degree == 4 ? int(degree) : 0, [&](std::size_t f) {
+        return level.faces()[f].degree();
+    });
+    t.allocate_edges(level.edge_count());
+    t.vertex_corner = storage<index>(level.vertex_count());
     for (const auto c : level.corners()) {
         t.corner_vertex[c.index()] = index(c.v().index());
-        t.corner_halfedge[c.index()] = index(c.halfedge());
-        t.halfedge_corner[c.halfedge()] = index(c.index());
+        t.set_side(index(c.index()), index(c.halfedge()));
     }
     storage<point> points(level.vertex_count());
     for (const auto v : level.vertices()) {

@@ -97,9 +97,7 @@ public:
             std::uint64_t fan = 0;
             for (corner_handle c = first(v); c != no_corner; c = across(prev(c)))
                 ++fan;
-            result.boundary_corners += fan;
-            result.boundary_vertices_of_one_face += fan == 1;
-            result.boundary_vertices_of_many_faces += fan >= 3;
+            result.add_boundary_fan(fan);
         }
         return result;
     }

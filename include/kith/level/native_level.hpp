@@ -91,31 +91,21 @@ public:
 
     [[nodiscard]] corner_handle next(corner_handle c) const
     {
-        if constexpr (Degree == 4)
-            return {Index((c.value & ~Index(3)) | ((c.value + 1) & 3))};
-        else if constexpr (Degree != 0)
-            return {Index(is_rare(c.value % Degree == Degree - 1) ? c.value - (Degree - 1) : c.value + 1)};
-        else {
-            const Index after = c.value + 1;
-            if (degree_ != 0)
-                return {after % degree_ == 0 ? Index(after - degree_) : after};
-            return after < corners_ and are_in_one_face(c.value, after) ? corner_handle{after} : first(face_of(c));
-        }
+        if constexpr (Degree != 0)
+            return {detail::next_of_alike(c.value, Index(Degree))};
+        else if (degree_ != 0)
+            return {detail::next_of_alike(c.value, degree_)};
+        else
+            return {detail::next_of_mixed(c.value, corners_, corner_face_, face_corner_)};
     }
     [[nodiscard]] corner_handle prev(corner_handle c) const
     {
-        if constexpr (Degree == 4)
-            return {Index((c.value & ~Index(3)) | ((c.value + 3) & 3))};
-        else if constexpr (Degree != 0)
-            return {Index(is_rare(c.value % Degree == 0) ? c.value + (Degree - 1) : c.value - 1)};
-        else {
-            const Index before = c.value - 1;
-            if (degree_ != 0)
-                return {c.value % degree_ == 0 ? Index(before + degree_) : before};
-            return {c.value != 0 and are_in_one_face(before, c.value)
-                        ? before
-                        : Index(face_corner_[corner_face_[c.value] + 1] - 1)};
-        }
+        if constexpr (Degree != 0)
+            return {detail::prev_of_alike(c.value, Index(Degree))};
+        else if (degree_ != 0)
+            return {detail::prev_of_alike(c.value, degree_)};
+        else
+            return {detail::prev_of_mixed(c.value, corner_face_, face_corner_)};
     }
     /// The corner whose half-edge runs the other way along the same edge; no_corner at the boundary.
     [[nodiscard]] corner_handle across(corner_handle c) const
@@ -155,13 +145,6 @@ public:
     }
 
 private:
-    /// For faces of several degrees: their bounds would be one more read that misses the cache.
-    [[nodiscard]] bool are_in_one_face(Index a, Index b) const { return corner_face_[a] == corner_face_[b]; }
-
-    /// Makes a branch of a choice, which it is not: fans look alike, so that the processor guesses right and does not wait
-    /// for the remainder before it asks for what the corner leads to.
-    static bool is_rare(bool condition) { return __builtin_expect_with_probability(condition, 0, 0.999) != 0; }
-
     const Point* points_;
     const Index* corner_vertex_;
     const Index* corner_halfedge_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "connectivity.hpp"
 #include "mesh_traits.hpp"
 
-#include <kith/base/counts.hpp>
 #include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
 
@@ -18,62 +18,6 @@
 #include <utility>
 
 namespace kith {
-
-/// The connectivity of a mesh as flat arrays of indices, corner by corner.
-///
-/// A *corner* is a vertex in a face; it stands for the half-edge that leaves the vertex inside the face, too. The
-/// corners of a face are contiguous and counter-clockwise. Half-edge 2e+s is side s of edge e; the side of a boundary
-/// edge that has no face is always side 1 and has no corner. Everything else is arithmetic on these arrays:
-/// the corner across an edge is halfedge_corner[corner_halfedge[c] ^ 1].
-template <std::unsigned_integral Index>
-struct connectivity {
-    static constexpr Index none = std::numeric_limits<Index>::max();
-
-    std::size_t vertices = 0;
-    std::size_t faces = 0;
-    int degree = 0;                 ///< of all faces alike; 0: mixed, see face_corner
-    storage<Index> corner_vertex;   ///< per corner
-    storage<Index> corner_halfedge; ///< per corner: 2e+s
-    storage<Index> halfedge_corner; ///< two per edge
-    storage<Index> vertex_corner;   ///< per vertex: where its fan starts; at the boundary the side without neighbour
-    storage<Index> face_corner;     ///< mixed only, faces+1: the first corner of each face
-    storage<Index> corner_face;     ///< mixed only
-
-    [[nodiscard]] std::size_t corners() const { return corner_vertex.size(); }
-    [[nodiscard]] std::size_t edges() const { return halfedge_corner.size() / 2; }
-    /// Face-vertex lists only: the last level of a refinement, when nobody asked for more.
-    [[nodiscard]] bool faces_only() const { return corner_halfedge.empty() and corners() != 0; }
-    [[nodiscard]] Index first_corner(std::size_t face) const
-    {
-        return degree != 0 ? Index(face * degree) : face_corner[face];
-    }
-};
-
-/// Counts of a mesh, with the boundary classes. Cost: one pass over the edges and over the boundary fans.
-template <std::unsigned_integral Index>
-counts count(const connectivity<Index>& mesh)
-{
-    counts result{.vertices = mesh.vertices, .edges = mesh.edges(), .faces = mesh.faces};
-    const auto prev = [&](Index c) {
-        if (mesh.degree != 0)
-            return Index(c % mesh.degree == 0 ? c + mesh.degree - 1 : c - 1);
-        const Index f = mesh.corner_face[c];
-        return c == mesh.face_corner[f] ? Index(mesh.face_corner[f + 1] - 1) : Index(c - 1);
-    };
-    for (std::size_t e = 0; e < mesh.edges(); ++e) {
-        if (mesh.halfedge_corner[2 * e + 1] != mesh.none)
-            continue;
-        ++result.boundary_edges;
-        std::uint64_t fan = 0; // each boundary edge starts the fan of exactly one boundary vertex
-        for (Index c = mesh.halfedge_corner[2 * e]; c != mesh.none;
-             c = mesh.halfedge_corner[mesh.corner_halfedge[prev(c)] ^ 1])
-            ++fan;
-        result.boundary_corners += fan;
-        result.boundary_vertices_of_one_face += fan == 1;
-        result.boundary_vertices_of_many_faces += fan >= 3;
-    }
-    return result;
-}
 
 /// kith's own mesh: points and connectivity, structure of arrays. Made from face lists by `make_mesh`, by refining,
 /// or by `lift` from any other mesh. Cheap to move, deep to copy, never changed by the library once it is made.
@@ -146,35 +90,26 @@ struct mesh_traits<basic_mesh<Point, Index>> {
     static std::size_t face_bound(const mesh_type& m) { return m.face_count(); }
     static std::size_t halfedge_bound(const mesh_type& m) { return 2 * m.edge_count(); }
 
-    static halfedge next(const mesh_type& m, halfedge h) { return step(m, h, 1); }
-    static halfedge prev(const mesh_type& m, halfedge h) { return step(m, h, -1); }
+    static halfedge next(const mesh_type& m, halfedge h) { return halfedge_at(m, m.topology().next(corner(m, h))); }
+    static halfedge prev(const mesh_type& m, halfedge h) { return halfedge_at(m, m.topology().prev(corner(m, h))); }
     static halfedge opposite(const mesh_type&, halfedge h) { return {Index(h.value ^ 1)}; }
-    static bool is_boundary(const mesh_type& m, halfedge h)
-    {
-        return m.topology().halfedge_corner[h.value] == connectivity<Index>::none;
-    }
+    static bool is_boundary(const mesh_type& m, halfedge h) { return corner(m, h) == connectivity<Index>::none; }
     static vertex source(const mesh_type& m, halfedge h)
     {
-        const auto& t = m.topology();
         if (not is_boundary(m, h))
-            return {t.corner_vertex[t.halfedge_corner[h.value]]};
-        return source(m, next(m, opposite(m, h)));
+            return {m.topology().corner_vertex[corner(m, h)]};
+        return {m.topology().target(corner(m, opposite(m, h)))};
     }
     static edge edge_of(const mesh_type&, halfedge h) { return {Index(h.value / 2)}; }
-    static face face_of(const mesh_type& m, halfedge h)
-    {
-        const auto& t = m.topology();
-        const Index c = t.halfedge_corner[h.value];
-        return {t.degree != 0 ? Index(c / t.degree) : t.corner_face[c]};
-    }
+    static face face_of(const mesh_type& m, halfedge h) { return {m.topology().face_of(corner(m, h))}; }
     static halfedge halfedge_of(const mesh_type& m, vertex v)
     {
-        return {m.topology().corner_halfedge[m.topology().vertex_corner[v.value]]};
+        return halfedge_at(m, m.topology().vertex_corner[v.value]);
     }
     static halfedge halfedge_of(const mesh_type&, edge e) { return {Index(2 * e.value)}; }
     static halfedge halfedge_of(const mesh_type& m, face f)
     {
-        return {m.topology().corner_halfedge[m.topology().first_corner(f.value)]};
+        return halfedge_at(m, m.topology().first_corner(f.value));
     }
     static bool is_isolated(const mesh_type& m, vertex v)
     {
@@ -192,14 +127,8 @@ private:
         return std::views::iota(std::size_t(0), size) |
                std::views::transform([](std::size_t i) { return Id{Index(i)}; });
     }
-    static halfedge step(const mesh_type& m, halfedge h, int by)
-    {
-        const auto& t = m.topology();
-        const face f = face_of(m, h);
-        const Index first = t.first_corner(f.value);
-        const Index degree = t.first_corner(f.value + 1) - first;
-        return {t.corner_halfedge[first + (t.halfedge_corner[h.value] - first + degree + by) % degree]};
-    }
+    static Index corner(const mesh_type& m, halfedge h) { return m.topology().halfedge_corner[h.value]; }
+    static halfedge halfedge_at(const mesh_type& m, Index corner) { return {m.topology().corner_halfedge[corner]}; }
 };
 
 } // namespace kith

@@ -4,7 +4,6 @@
 #include "basic_mesh.hpp"
 #include "dense_numbers.hpp"
 #include "make_mesh.hpp"
-#include "match.hpp"
 
 #include <kith/base/for_parts.hpp>
 
@@ -78,10 +77,7 @@ private:
         t_.degree = 0; // of some other face it is another one, or something is wrong
         t_.face_corner = storage<index>(t_.faces + 1);
         all(t_.faces, [this](std::size_t f) { return t_.face_corner[f + 1] = index(degree_of(f)), true; });
-        std::size_t corners = 0;
-        t_.face_corner[0] = 0;
-        for (std::size_t f = 0; f < t_.faces; ++f)
-            t_.face_corner[f + 1] = index(corners = std::min(corners + t_.face_corner[f + 1], 2 * edges_.size() + 1));
+        const std::size_t corners = t_.sum_degrees(2 * edges_.size() + 1);
         t_.corner_face = storage<index>(corners);
         return read_corners(corners);
     }
@@ -161,12 +157,11 @@ private:
     /// order of the faces, since their neighbours lie close together.
     bool each_vertex_has_one_fan()
     {
-        const auto across = [this](index c) { return t_.halfedge_corner[t_.corner_halfedge[c] ^ 1]; };
         std::atomic<std::size_t> fans = 0, corners_in_fans = 0;
         for_parts(t_.corners(), true, [&](std::size_t begin, std::size_t end) {
             std::size_t count = 0, size = 0;
             for (std::size_t c = begin; c < end; ++c) {
-                const bool at_boundary = not is_closed_ and across(index(c)) == t_.none;
+                const bool at_boundary = not is_closed_ and t_.across(index(c)) == t_.none;
                 const index v = t_.corner_vertex[c];
                 index& start = t_.vertex_corner[v];
                 if (at_boundary)
@@ -174,8 +169,8 @@ private:
                 else if (std::atomic_ref(start).load(std::memory_order_relaxed) != c)
                     continue;
                 std::size_t met = 1;
-                index o = across(prev_corner(t_, index(c)));
-                for (; o != t_.none and o != c and t_.corner_vertex[o] == v; o = across(prev_corner(t_, o)))
+                index o = t_.next_in_fan(index(c));
+                for (; o != t_.none and o != c and t_.corner_vertex[o] == v; o = t_.next_in_fan(o))
                     ++met;
                 if (o == (at_boundary ? t_.none : index(c))) { // else it is met where it starts, or is no fan of v
                     ++count;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "basic_mesh.hpp"
-#include "match.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -22,12 +21,12 @@ basic_mesh<Point, Index> close_rims(const basic_mesh<Point, Index>& mesh)
     const auto& t = mesh.topology();
     std::vector<Index> rim; // the corners whose edges have no other side
     for (std::size_t e = 0; e < t.edges(); ++e)
-        if (t.halfedge_corner[2 * e + 1] == none)
+        if (t.is_boundary(e))
             rim.push_back(t.halfedge_corner[2 * e]);
     std::vector<Index> leaving(mesh.vertex_count(), none); // per vertex: which edge of the rim leaves it
     for (std::size_t i = 0; i < rim.size(); ++i)
         leaving[t.corner_vertex[rim[i]]] = Index(i);
-    const auto end_of = [&](std::size_t i) { return t.corner_vertex[detail::next_corner(t, rim[i])]; };
+    const auto end_of = [&](std::size_t i) { return t.target(rim[i]); };
     std::vector<Index> apex(rim.size(), none);
     std::vector<std::size_t> starts; // of the loops
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -40,28 +39,28 @@ basic_mesh<Point, Index> close_rims(const basic_mesh<Point, Index>& mesh)
 
     connectivity<Index> closed;
     closed.vertices = mesh.vertex_count() + starts.size();
-    closed.faces = mesh.face_count() + rim.size();
-    closed.degree = t.degree == 3 ? 3 : 0;
-    const auto grown = [](const storage<Index>& array, std::size_t size) {
-        storage<Index> result(size);
-        std::copy(array.begin(), array.end(), result.begin());
-        return result;
-    };
+    closed.allocate_faces(mesh.face_count() + rim.size(), t.degree == 3 ? 3 : 0, [&](std::size_t f) {
+        return f < mesh.face_count() ? mesh.face(f).size() : 3;
+    });
     const std::size_t corners = t.corners(), edges = t.edges();
-    closed.corner_vertex = grown(t.corner_vertex, corners + 3 * rim.size());
-    closed.corner_halfedge = grown(t.corner_halfedge, corners + 3 * rim.size());
-    closed.halfedge_corner = grown(t.halfedge_corner, 2 * (edges + rim.size()));
-    closed.vertex_corner = grown(t.vertex_corner, closed.vertices);
+    closed.allocate_edges(edges + rim.size());
+    closed.vertex_corner = storage<Index>(closed.vertices);
+    const auto copy = [](const storage<Index>& from, storage<Index>& to) {
+        std::copy(from.begin(), from.end(), to.begin());
+    };
+    copy(t.corner_vertex, closed.corner_vertex);
+    copy(t.corner_halfedge, closed.corner_halfedge);
+    copy(t.halfedge_corner, closed.halfedge_corner);
+    copy(t.vertex_corner, closed.vertex_corner);
     // Spoke i goes from the start of edge i of the rim to the apex.
     for (std::size_t i = 0; i < rim.size(); ++i) {
         const Index vertices[3] = {end_of(i), t.corner_vertex[rim[i]], apex[i]};
         const Index halves[3] = {
             Index(t.corner_halfedge[rim[i]] ^ 1), Index(2 * (edges + i)), Index(2 * (edges + leaving[end_of(i)]) + 1)};
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t corner = corners + 3 * i + k;
+            const Index corner = Index(corners + 3 * i + k);
             closed.corner_vertex[corner] = vertices[k];
-            closed.corner_halfedge[corner] = halves[k];
-            closed.halfedge_corner[halves[k]] = Index(corner);
+            closed.set_side(corner, halves[k]);
         }
     }
     storage<Point> points(closed.vertices);
@@ -69,16 +68,6 @@ basic_mesh<Point, Index> close_rims(const basic_mesh<Point, Index>& mesh)
     for (std::size_t loop = 0; loop < starts.size(); ++loop) {
         closed.vertex_corner[mesh.vertex_count() + loop] = Index(corners + 3 * starts[loop] + 2);
         points[mesh.vertex_count() + loop] = mesh.point(t.corner_vertex[rim[starts[loop]]]);
-    }
-    if (closed.degree == 0) {
-        closed.face_corner = storage<Index>(closed.faces + 1);
-        closed.corner_face = storage<Index>(closed.corners());
-        for (std::size_t f = 0; f <= closed.faces; ++f)
-            closed.face_corner[f] = f <= mesh.face_count() ? t.first_corner(f)
-                                                           : Index(corners + 3 * (f - mesh.face_count()));
-        for (std::size_t f = 0; f < closed.faces; ++f)
-            for (Index c = closed.face_corner[f]; c < closed.face_corner[f + 1]; ++c)
-                closed.corner_face[c] = Index(f);
     }
     return {std::move(points), std::move(closed), mesh.generation()};
 }

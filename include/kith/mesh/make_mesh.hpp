@@ -101,24 +101,16 @@ connectivity<Index> connect_faces(std::size_t vertices, const face_list& faces)
 {
     connectivity<Index> t;
     t.vertices = vertices;
-    t.faces = faces.size();
     const std::size_t degree = faces.size() == 0 ? 0 : faces[0].size();
     bool uniform = degree == 3 or degree == 4;
     for (std::size_t f = 0; uniform and f < faces.size(); ++f)
         uniform = faces[f].size() == degree;
-    t.degree = uniform ? int(degree) : 0;
-    t.corner_vertex = storage<Index>(faces.vertices.size());
-    if (not uniform) {
-        t.face_corner = storage<Index>(faces.first);
-        t.corner_face = storage<Index>(faces.vertices.size());
-    }
+    t.allocate_faces(faces.size(), uniform ? int(degree) : 0, [&](std::size_t f) { return faces[f].size(); });
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const auto face = faces[f];
         const auto smallest = std::ranges::min_element(face) - face.begin();
         const auto out = t.corner_vertex.begin() + faces.first[f];
         std::ranges::rotate_copy(face, face.begin() + smallest, out);
-        if (not uniform)
-            std::fill_n(t.corner_face.begin() + faces.first[f], face.size(), Index(f));
     }
     return t;
 }

@@ -14,30 +14,6 @@ namespace kith {
 
 namespace detail {
 
-template <std::unsigned_integral Index>
-Index face_of_corner(const connectivity<Index>& t, Index c)
-{
-    return t.degree != 0 ? Index(c / t.degree) : t.corner_face[c];
-}
-
-template <std::unsigned_integral Index>
-Index next_corner(const connectivity<Index>& t, Index c)
-{
-    if (t.degree == 4) // spares a division
-        return (c & ~Index(3)) | ((c + 1) & 3);
-    const Index f = face_of_corner(t, c);
-    return c + 1 == t.first_corner(std::size_t(f) + 1) ? t.first_corner(f) : Index(c + 1);
-}
-
-template <std::unsigned_integral Index>
-Index prev_corner(const connectivity<Index>& t, Index c)
-{
-    if (t.degree == 4)
-        return (c & ~Index(3)) | ((c + 3) & 3);
-    const Index f = face_of_corner(t, c);
-    return c == t.first_corner(f) ? Index(t.first_corner(std::size_t(f) + 1) - 1) : Index(c - 1);
-}
-
 /// Numbers the edges in the order of (smaller vertex, larger vertex) and pairs their corners.
 template <std::unsigned_integral Index>
 void pair_corners(connectivity<Index>& t, mesh_report& report)
@@ -49,7 +25,7 @@ void pair_corners(connectivity<Index>& t, mesh_report& report)
     };
     const std::size_t corners = t.corners();
     std::vector<std::size_t> first(t.vertices + 2, 0); // the half-edges of each smaller vertex: a counting sort
-    const auto ends = [&](Index c) { return std::minmax(t.corner_vertex[c], t.corner_vertex[next_corner(t, c)]); };
+    const auto ends = [&](Index c) { return std::minmax({t.corner_vertex[c], t.target(c)}); };
     for (std::size_t c = 0; c < corners; ++c)
         ++first[ends(Index(c)).first + 2];
     for (std::size_t v = 2; v < first.size(); ++v)
@@ -76,14 +52,14 @@ void pair_corners(connectivity<Index>& t, mesh_report& report)
                 report.add(problem::nonmanifold_edge, [&] {
                     std::string faces;
                     for (auto h = run; h != run_end; ++h)
-                        faces += (h == run ? "" : ", ") + report.number(face_of_corner(t, h->corner));
+                        faces += (h == run ? "" : ", ") + report.number(t.face_of(h->corner));
                     return name() + ": " + std::to_string(size) + " faces (" + faces +
                            "); split the edge or remove faces so that at most two are left";
                 });
             } else if (size == 2 and forward(run[0]) == forward(run[1])) {
                 report.add(problem::turned_face, [&] {
-                    return name() + ": faces " + report.number(face_of_corner(t, run[0].corner)) + " and " +
-                           report.number(face_of_corner(t, run[1].corner)) +
+                    return name() + ": faces " + report.number(t.face_of(run[0].corner)) + " and " +
+                           report.number(t.face_of(run[1].corner)) +
                            " run through it in the same direction; turn one of them round";
                 });
             }
@@ -109,20 +85,14 @@ void start_fans(connectivity<Index>& t, mesh_report& report)
     constexpr Index none = connectivity<Index>::none;
     std::vector<Index> size(t.vertices, 0);
     t.vertex_corner = storage<Index>(t.vertices, none);
-    const auto across = [&](Index c) { return t.halfedge_corner[t.corner_halfedge[c] ^ 1]; };
-    const auto target = [&](Index c) { return t.corner_vertex[next_corner(t, c)]; };
     for (std::size_t i = 0; i < t.corners(); ++i) {
         const Index c = Index(i);
         const Index v = t.corner_vertex[c];
         Index& start = t.vertex_corner[v];
         ++size[v];
-        if (start == none or across(c) == none or (across(start) != none and target(c) < target(start)))
+        if (start == none or t.across(c) == none or (t.across(start) != none and t.target(c) < t.target(start)))
             start = c;
     }
-    const auto prev = [&](Index c) {
-        const Index first = t.first_corner(face_of_corner(t, c));
-        return c == first ? Index(t.first_corner(face_of_corner(t, c) + 1) - 1) : Index(c - 1);
-    };
     for (std::size_t v = 0; v < t.vertices; ++v) {
         const Index start = t.vertex_corner[v];
         if (start == none) {
@@ -133,7 +103,7 @@ void start_fans(connectivity<Index>& t, mesh_report& report)
         Index c = start;
         do {
             ++fan;
-            c = across(prev(c));
+            c = t.next_in_fan(c);
         } while (c != none and c != start and fan <= size[v]);
         if (fan != size[v])
             report.add_several_fans(v, size[v]);

@@ -98,12 +98,10 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
             corners = fine.faces * std::size_t(fine.degree);
             if (fine.degree == 0) {
                 fine.face_corner = storage<index>(fine.faces + 1);
-                fine.face_corner[0] = 0;
                 for_new_faces(coarse, ids, columns, [&](std::size_t id, const auto& degree) {
                     fine.face_corner[id + 1] = index(degree());
                 });
-                for (std::size_t id = 0; id < fine.faces; ++id)
-                    fine.face_corner[id + 1] = index(corners += fine.face_corner[id + 1]);
+                corners = fine.sum_degrees();
             }
         }
         // Where edges are matched there may be two half-edges for each corner.
@@ -128,7 +126,7 @@ void turn_boundary_fans(connectivity<Index>& fine)
 {
     for_parts(fine.edges(), true, [&](std::size_t begin, std::size_t end) {
         for (std::size_t e = begin; e < end; ++e)
-            if (fine.halfedge_corner[2 * e + 1] == fine.none) {
+            if (fine.is_boundary(e)) {
                 const Index c = fine.halfedge_corner[2 * e];
                 fine.vertex_corner[fine.corner_vertex[c]] = c;
             }
@@ -155,8 +153,8 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
         }
     for (std::size_t e = 0; e < fine.edges(); ++e) {
         const Index left = fine.halfedge_corner[2 * e], right = fine.halfedge_corner[2 * e + 1];
-        if (right != fine.none and (fine.corner_vertex[left] != fine.corner_vertex[next_corner(fine, right)] or
-                                    fine.corner_vertex[right] != fine.corner_vertex[next_corner(fine, left)])) {
+        if (right != fine.none and
+            (fine.corner_vertex[left] != fine.target(right) or fine.corner_vertex[right] != fine.target(left))) {
             const auto [kind, index] = ids.edges.origin(e);
             faults::refuse(coarse, kind, index, " -> E: its two sides do not join the same vertices");
         }

@@ -4,7 +4,6 @@
 #include "level_state.hpp"
 
 #include <kith/mesh/basic_mesh.hpp>
-#include <kith/mesh/match.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,7 +44,7 @@ void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
     std::vector<Index> fans(vertex_from.size(), 0);
     std::vector<Index> starts;
     for (std::size_t c = 0; c < fine.corners(); ++c)
-        if (fine.halfedge_corner[fine.corner_halfedge[c] ^ 1] == none) {
+        if (fine.across(Index(c)) == none) {
             ++fans[fine.corner_vertex[c]];
             starts.push_back(Index(c));
         }
@@ -68,7 +67,7 @@ void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
         while (fine.vertex_corner[v] != none)
             ++v;
         fine.vertex_corner[v] = start;
-        for (Index c = start; c != none; c = fine.halfedge_corner[fine.corner_halfedge[prev_corner(fine, c)] ^ 1])
+        for (Index c = start; c != none; c = fine.next_in_fan(c))
             fine.corner_vertex[c] = v;
     }
 }
@@ -106,12 +105,12 @@ public:
                         vertices.push_back(v);
                         Index c = t.vertex_corner[v];
                         do {
-                            const Index f = detail::face_of_corner(t, c);
+                            const Index f = t.face_of(c);
                             if (face_[f] == none) {
                                 face_[f] = 0;
                                 faces.push_back(f);
                             }
-                            c = t.halfedge_corner[t.corner_halfedge[detail::prev_corner(t, c)] ^ 1];
+                            c = t.next_in_fan(c);
                         } while (c != none and c != t.vertex_corner[v]);
                     }
         }
@@ -129,23 +128,13 @@ public:
         const auto& t = mesh_.topology();
         submesh<Point, Index> result;
         result.face_from.assign(faces.begin(), faces.end());
-        std::size_t corners = 0;
-        for (std::size_t i = 0; i < faces.size(); ++i) {
+        for (std::size_t i = 0; i < faces.size(); ++i)
             face_[faces[i]] = Index(i);
-            corners += mesh_.face(faces[i]).size();
-        }
         collect_elements(result);
 
         connectivity<Index> fine;
-        fine.faces = faces.size();
-        fine.degree = t.degree;
-        fine.corner_vertex = storage<Index>(corners);
-        fine.corner_halfedge = storage<Index>(corners);
-        fine.halfedge_corner = storage<Index>(2 * result.edge_from.size(), none);
-        if (fine.degree == 0) {
-            fine.face_corner = storage<Index>(faces.size() + 1);
-            fine.corner_face = storage<Index>(corners);
-        }
+        fine.allocate_faces(faces.size(), t.degree, [&](std::size_t i) { return mesh_.face(faces[i]).size(); });
+        fine.allocate_edges(result.edge_from.size());
         result.edge_is_turned.resize(result.edge_from.size());
         result.edge_is_new_rim.resize(result.edge_from.size());
         for (std::size_t e = 0; e < result.edge_from.size(); ++e) {
@@ -153,32 +142,24 @@ public:
             const bool left_is_here = is_here(t.halfedge_corner[side0]);
             const bool right_is_here = is_here(t.halfedge_corner[side0 + 1]);
             result.edge_is_turned[e] = not left_is_here;
-            result.edge_is_new_rim[e] = t.halfedge_corner[side0 + 1] != none and not(left_is_here and right_is_here);
+            result.edge_is_new_rim[e] = not t.is_boundary(side0 / 2) and not(left_is_here and right_is_here);
         }
         Index corner = 0;
         for (std::size_t i = 0; i < faces.size(); ++i) {
             const Index first = t.first_corner(faces[i]);
             const Index end = t.first_corner(std::size_t(faces[i]) + 1);
-            if (fine.degree == 0) {
-                fine.face_corner[i] = corner;
+            if (fine.degree == 0)
                 result.corners_from.push_back({first, Index(end - first)});
-            }
             for (Index c = first; c < end; ++c, ++corner) {
                 const Index e = edge_[t.corner_halfedge[c] >> 1];
-                const Index half = Index(2 * e + ((t.corner_halfedge[c] & 1) ^ result.edge_is_turned[e]));
-                fine.corner_halfedge[corner] = half;
-                fine.halfedge_corner[half] = corner;
+                fine.set_side(corner, Index(2 * e + ((t.corner_halfedge[c] & 1) ^ result.edge_is_turned[e])));
                 fine.corner_vertex[corner] = vertex_[t.corner_vertex[c]];
-                if (fine.degree == 0)
-                    fine.corner_face[corner] = Index(i);
             }
         }
-        if (fine.degree == 0)
-            fine.face_corner[faces.size()] = corner;
 
         detail::split_fans(fine, result.vertex_from);
         const auto first_of = [&](Index old) { // the corner here that is this corner there
-            const Index f = detail::face_of_corner(t, old);
+            const Index f = t.face_of(old);
             return Index(fine.first_corner(face_[f]) + (old - t.first_corner(f)));
         };
         for (std::size_t v = 0; v < fine.vertices; ++v)
@@ -203,7 +184,7 @@ private:
 
     [[nodiscard]] bool is_here(Index corner) const
     {
-        return corner != none and face_[detail::face_of_corner(mesh_.topology(), corner)] != none;
+        return corner != none and face_[mesh_.topology().face_of(corner)] != none;
     }
     /// Sorts what is marked: by looking at all marks where that is cheaper.
     static void put_in_order(std::vector<Index>& members, const std::vector<Index>& marks)

@@ -4,7 +4,6 @@
 #include <kith/association/columns.hpp>
 #include <kith/base/for_parts.hpp>
 #include <kith/mesh/basic_mesh.hpp>
-#include <kith/mesh/match.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -63,8 +62,8 @@ bool is_scattered(const connectivity<Index>& mesh)
     std::size_t far = 0;
     for (std::size_t e = 0; e < mesh.edges(); ++e)
         if (const Index right = mesh.halfedge_corner[2 * e + 1]; right != mesh.none) {
-            const std::size_t a = detail::face_of_corner(mesh, mesh.halfedge_corner[2 * e]);
-            const std::size_t b = detail::face_of_corner(mesh, right);
+            const std::size_t a = mesh.face_of(mesh.halfedge_corner[2 * e]);
+            const std::size_t b = mesh.face_of(right);
             far += std::max(a, b) - std::min(a, b) > faces_in_cache;
         }
     return far > mesh.edges() / 4;
@@ -94,8 +93,8 @@ storage<Index> surface_order(const connectivity<Index>& mesh)
         take(oldest < rim.size() ? rim[oldest] : lowest);
         for (; next < taken; ++next)
             for (Index c = mesh.first_corner(order[next]); c < mesh.first_corner(order[next] + std::size_t(1)); ++c)
-                if (const Index across = mesh.halfedge_corner[mesh.corner_halfedge[c] ^ 1]; across != mesh.none)
-                    if (const Index face = detail::face_of_corner(mesh, across); not is_taken[face]) {
+                if (const Index across = mesh.across(c); across != mesh.none)
+                    if (const Index face = mesh.face_of(across); not is_taken[face]) {
                         if (taken < full)
                             take(face);
                         else
@@ -116,24 +115,16 @@ ordered_mesh<Point, Index> in_surface_order(const basic_mesh<Point, Index>& give
     storage<Point> points(from.vertices);
     connectivity<Index> to;
     to.vertices = from.vertices;
-    to.faces = from.faces;
-    to.degree = from.degree;
-    to.corner_vertex = storage<Index>(from.corners());
-    to.corner_halfedge = storage<Index>(from.corners());
-    to.halfedge_corner = storage<Index>(2 * from.edges(), from.none);
+    to.allocate_faces(from.faces, from.degree, [&](std::size_t f) { return given.face(numbers.faces[f]).size(); });
+    to.allocate_edges(from.edges());
     to.vertex_corner = storage<Index>(from.vertices);
     const bool mixed = from.degree == 0;
-    if (mixed) {
-        to.face_corner = storage<Index>(from.faces + 1);
-        to.corner_face = storage<Index>(from.corners());
+    if (mixed)
         numbers.corners = storage<Index>(from.corners());
-    }
     storage<Index> new_vertex(from.vertices, from.none), new_edge(from.edges(), from.none);
     Index vertices = 0, edges = 0, corner = 0;
     for (std::size_t f = 0; f < from.faces; ++f) {
         const std::size_t face = numbers.faces[f];
-        if (mixed)
-            to.face_corner[f] = corner;
         for (Index c = from.first_corner(face); c < from.first_corner(face + 1); ++c, ++corner) {
             const Index v = from.corner_vertex[c], side = from.corner_halfedge[c] % 2, e = from.corner_halfedge[c] / 2;
             if (new_vertex[v] == from.none) {
@@ -146,18 +137,13 @@ ordered_mesh<Point, Index> in_surface_order(const basic_mesh<Point, Index>& give
                 new_edge[e] = edges++;
             }
             to.corner_vertex[corner] = new_vertex[v];
-            to.corner_halfedge[corner] = 2 * new_edge[e] + side;
-            to.halfedge_corner[2 * new_edge[e] + side] = corner;
+            to.set_side(corner, 2 * new_edge[e] + side);
             if (from.vertex_corner[v] == c)
                 to.vertex_corner[new_vertex[v]] = corner;
-            if (mixed) {
-                to.corner_face[corner] = Index(f);
+            if (mixed)
                 numbers.corners[corner] = c;
-            }
         }
     }
-    if (mixed)
-        to.face_corner[from.faces] = corner;
     return {{std::move(points), std::move(to), given.generation()}, std::move(numbers)};
 }
 
