@@ -65,10 +65,11 @@ Graph same_graph(const Source& source)
     const auto native = kith::lift(view_of(source));
     Graph result;
     kith::cgal::write_connectivity(result, native.topology(), false);
+    const auto points = get(CGAL::vertex_point, result);
     std::size_t i = 0;
     for (const auto v : vertices(result)) {
         const auto& [x, y, z] = native.point(i++);
-        put(CGAL::vertex_point, result, v, {x, y, z});
+        put(points, v, typename boost::property_traits<std::remove_const_t<decltype(points)>>::value_type(x, y, z));
     }
     return result;
 }

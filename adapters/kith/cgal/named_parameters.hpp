@@ -78,8 +78,10 @@ template <class Map>
 constexpr bool is_writable()
 {
     using traits = boost::property_traits<Map>;
-    return std::is_convertible_v<typename traits::category, boost::writable_property_map_tag> and
-           not std::is_const_v<std::remove_reference_t<typename traits::reference>>;
+    using category = typename traits::category;
+    constexpr bool refers_to_constants = std::is_convertible_v<category, boost::lvalue_property_map_tag> and
+                                         std::is_const_v<std::remove_reference_t<typename traits::reference>>;
+    return std::is_convertible_v<category, boost::writable_property_map_tag> and not refers_to_constants;
 }
 
 /// The parameter itself, where it was given by std::ref.
