@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/mask/large_rings.hpp>
+#include <kith/kernel/large_rings.hpp>
 
 #include "large_shapes.hpp"
 #include "native_shape.hpp"

@@ -3,7 +3,7 @@
 
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
-#include <kith/association/foreign_level.hpp>
+#include <kith/mesh/foreign_level.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 #pragma GCC diagnostic pop
 #endif
 
-#include <kith/association/foreign_level.hpp>
+#include <kith/mesh/foreign_level.hpp>
 #include <kith/base/large_blocks.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 

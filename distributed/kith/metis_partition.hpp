@@ -6,6 +6,7 @@
 
 #include <metis.h>
 
+#include <concepts>
 #include <limits>
 #include <new>
 
@@ -16,7 +17,7 @@ namespace kith {
 /// METIS gives the same partition. Parts may be empty. What METIS cannot take is cut into blocks: graphs whose arrays its
 /// 32-bit index cannot number, and parts of less than two faces.
 /// Errors: mesh_error for a mesh of face-vertex lists only, and when METIS reports one. Cost: about 150 bytes per face.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 partition metis_partition(const basic_mesh<Point, Index>& mesh, std::size_t parts)
 {
     detail::require_parts(parts, mesh.face_count());

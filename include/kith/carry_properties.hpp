@@ -108,7 +108,7 @@ concept can_be_averaged = requires(const T& value) { averaged_value<T>::template
 
 /// Calls f(handle) in the order of dense numbers. A half-edge stands for the corner at its target, as is usual for texture
 /// coordinates.
-template <class Handle, class M, class F>
+template <class Handle, mesh M, class F>
 void for_each_handle(const M& mesh, const F& f)
 {
     using traits = mesh_traits<M>;
@@ -135,7 +135,7 @@ void for_each_handle(const M& mesh, const F& f)
 
 /// The properties of elements of one kind: those to be averaged each by itself, the others by the number of the element that
 /// they inherit from, which is carried once.
-template <class Handle, class M, class Scheme>
+template <class Handle, mesh M, scheme Scheme>
 class property_carrier {
     using traits = mesh_traits<M>;
     using access = property_access<M>;
@@ -243,7 +243,7 @@ private:
 /// half-edges, corners that is, what can be averaged is linear in each face, with its seams.
 /// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without connectivity
 /// per property that is averaged, and one pass over the levels for the others of a kind.
-template <class... More, class M, class Scheme>
+template <class... More, mesh M, scheme Scheme>
 property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, int to, M& fine)
 {
     using traits = mesh_traits<M>;
@@ -269,7 +269,7 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
 
 /// `refine`, to the same points, with all properties that can be carried. Errors: as hierarchy::refine. Cost: that of both;
 /// keeps all levels meanwhile.
-template <class... More, class M, class Scheme>
+template <class... More, mesh M, scheme Scheme>
 std::pair<M, property_report> refine_with_properties(const M& mesh, const Scheme& scheme, int levels)
 {
     hierarchy<M, Scheme> all(mesh, scheme);

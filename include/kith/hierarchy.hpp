@@ -27,7 +27,7 @@ namespace kith {
 /// A surface with all its levels on the user's own mesh type, and the associations between them: down by `assoc`, up by
 /// `origin`, at any level, in handles of that mesh. Thesis 2.2: M(i) retained for all i.
 /// Reading may be done from several threads; refining may not.
-template <mesh M, class Scheme>
+template <mesh M, scheme Scheme>
 class hierarchy {
 public:
     using traits = mesh_traits<M>;
@@ -88,18 +88,17 @@ public:
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
     /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary, and on the
     /// last level; mesh_error for handles of no element of this level. Cost: O(1), O(valence) for pairs without their edge.
-    template <class X, class Target>
-        requires(not std::integral<X>)
+    template <handle_of<M> X, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const
     {
         return child(level, index_tuple(at(level, x)), target);
     }
-    template <class X, class Y, class Target>
+    template <handle_of<M> X, handle_of<M> Y, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, Target target) const
     {
         return child(level, index_tuple(at(level, x), at(level, y)), target);
     }
-    template <class X, class Y, class Z, class Target>
+    template <handle_of<M> X, handle_of<M> Y, handle_of<M> Z, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, const Z& z, Target target) const
     {
         return child(level, index_tuple(at(level, x), at(level, y), at(level, z)), target);
@@ -107,7 +106,7 @@ public:
 
     /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and for
     /// handles of no element of this level. Cost: O(1), O(log n) where the scheme leaves tuples of that kind out.
-    template <class X>
+    template <handle_of<M> X>
     [[nodiscard]] birth<M> origin(int level, const X& x) const
     {
         return birth_of(level, at(level, x));
@@ -118,7 +117,7 @@ public:
     /// has the element between the parents of its ends. An element of `level` itself is its own ancestor there.
     /// Errors: mesh_error unless coarser <= level, and for handles of no element of this level; association_error for an
     /// element that comes from no tuple of touching elements. Cost: that of `origin` per level.
-    template <class X>
+    template <handle_of<M> X>
     [[nodiscard]] ancestor_element<M> ancestor(int level, const X& x, int coarser) const
     {
         require_finer(level, coarser);
@@ -131,7 +130,7 @@ public:
     /// The elements of a finer level that have this element of `level` as their ancestor; those of different elements have none
     /// in common. Errors: mesh_error unless level <= finer, and for handles of no element of this level. Cost: O(their
     /// ranges), few per level; where edges are found by matching O(edges) per level.
-    template <class X>
+    template <handle_of<M> X>
     [[nodiscard]] descendant_elements<level_type> descendants(int level, const X& x, int finer) const
     {
         require_finer(finer, level);
@@ -276,7 +275,7 @@ private:
             all[traits::index(mesh, here.vertex_at(v))] = points[v];
     }
 
-    template <tuple_kind Kind, class Target>
+    template <tuple_kind Kind, target Target>
     [[nodiscard]] auto child(int level, tuple_index<Kind> tuple, Target to) const
     {
         if (level == depth())
@@ -295,7 +294,7 @@ private:
             no_tuple(level);
         return *found;
     }
-    template <class Element>
+    template <element Element>
     [[nodiscard]] birth<M> birth_of(int level, const Element& x) const
     {
         if (level == 0)

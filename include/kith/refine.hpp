@@ -6,6 +6,7 @@
 
 #include <kith/level/validate.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -27,7 +28,7 @@ struct refine_options {
 
 namespace detail {
 
-template <class Scheme>
+template <scheme Scheme>
 void require_levels(int levels)
 {
     if (levels < 0)
@@ -37,7 +38,7 @@ void require_levels(int levels)
 
 /// Refuses what cannot be numbered or does not fit and returns how many bytes are left; schemes that cannot say their
 /// counts are checked step by step.
-template <class Point, class Index, class Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::uint64_t require_room(const counts& control, const Scheme& scheme, int levels, int generation, bool keep_levels,
                            const refine_options& options)
 {
@@ -55,7 +56,7 @@ std::uint64_t require_room(const counts& control, const Scheme& scheme, int leve
 }
 
 /// The bytes that the numbers of another order take in the last step.
-template <class Index, countable_scheme Scheme>
+template <std::unsigned_integral Index, countable_scheme Scheme>
 std::uint64_t bytes_of_numbers(const counts& control, const Scheme& scheme, int levels, int generation)
 {
     const counts coarse = plan(control, scheme, levels - 1, generation).back().counts;
@@ -63,7 +64,7 @@ std::uint64_t bytes_of_numbers(const counts& control, const Scheme& scheme, int 
 }
 
 /// Refines with all connectivity and makes the scheme that of the last level.
-template <class Scheme, class Point, class Index>
+template <scheme Scheme, class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> refine_on(basic_mesh<Point, Index> mesh, Scheme& scheme, int levels)
 {
     numbering_of<Scheme, Index> ids;
@@ -76,7 +77,7 @@ basic_mesh<Point, Index> refine_on(basic_mesh<Point, Index> mesh, Scheme& scheme
 }
 
 /// Refuses what `refine` cannot do with a valid mesh and returns how many bytes are left.
-template <class Point, class Index, class Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                                 const refine_options& options)
 {
@@ -86,7 +87,7 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
 }
 
 /// A copy whose edges are known; a copy made with face-vertex lists only gets them by matching.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
 {
     if (not mesh.topology().faces_only())
@@ -106,7 +107,7 @@ basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
 /// Errors: mesh_error for everything `validate` finds, for faces the scheme does not take, for negative levels and for
 /// levels that no index can number or no memory holds; association_error for faults of the scheme.
 /// Cost: that of the last level, times 4/3 for a scheme that quadruples faces.
-template <class Point, class Index, scheme Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                                 const refine_options& options = {})
 {
@@ -142,14 +143,14 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
 }
 
 /// Takes what the others do not, to say in one sentence what the type lacks.
-template <class M, class Scheme>
+template <mesh M, scheme Scheme>
     requires(not scheme<Scheme>)
 const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
 {
     static_cast<void>(refused::scheme_columns<(sizeof(Scheme) > 0)>());
     return mesh;
 }
-template <class M, scheme Scheme>
+template <mesh M, scheme Scheme>
     requires(not refinable_mesh<M>)
 const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
 {

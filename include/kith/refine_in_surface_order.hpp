@@ -28,7 +28,7 @@ constexpr bool is_free_of_order(const std::tuple<Columns...>*, bool closed)
     return (column_is_free(static_cast<const Columns*>(nullptr), closed) and ...);
 }
 
-template <class Scheme>
+template <scheme Scheme>
 constexpr bool is_free_of_order(bool closed)
 {
     using columns = decltype(columns_of(std::declval<const Scheme&>(), 0));
@@ -50,7 +50,7 @@ concept orderable_scheme = is_trusted<Scheme> and countable_scheme<Scheme> and
 
 /// Whether a refinement to face-vertex lists gains by the order of the surface: the first level alone is not worth the
 /// sorting, and where edges are asked for, too, writing here and there costs what reading does not. Cost: O(edges).
-template <class Scheme, std::unsigned_integral Index>
+template <scheme Scheme, std::unsigned_integral Index>
     requires orderable_scheme<Scheme, Index>
 bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme, int levels)
 {
@@ -62,7 +62,7 @@ bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme,
 /// What `refine` makes of a mesh with `connect::faces`, to the bit, by way of the mesh in the order of its surface.
 /// Preconditions: levels > 1, and is_worth_ordering but for the part about scattered meshes; the mesh has its edges.
 /// Cost: that of the levels, and for each element of the last but one its number.
-template <class Point, class Index, class Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>
 basic_mesh<Point, Index> refine_in_surface_order(const basic_mesh<Point, Index>& control, Scheme scheme, int levels)
 {

@@ -5,6 +5,7 @@
 
 #include <kith/field/with_fields.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -15,7 +16,7 @@ namespace kith {
 namespace detail {
 
 /// Makes fields those of the next level, and the scheme, too.
-template <class Fields, class Scheme, class Level, class Numbering, class Fine>
+template <class Fields, scheme Scheme, level Level, level_numbering Numbering, class Fine>
 void advance_with_fields(Fields& fields, Scheme& scheme, const Level& coarse, int generation, const Numbering& ids,
                          const Fine& fine)
 {
@@ -25,7 +26,7 @@ void advance_with_fields(Fields& fields, Scheme& scheme, const Level& coarse, in
 }
 
 /// Refines a native mesh and makes scheme and fields those of the last level.
-template <class Point, class Index, class Scheme, class Fields>
+template <class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with(basic_mesh<Point, Index> mesh, Scheme& scheme, Fields& fields, int levels,
                                      connect last_level)
 {
@@ -41,7 +42,7 @@ basic_mesh<Point, Index> refine_with(basic_mesh<Point, Index> mesh, Scheme& sche
 }
 
 /// `refine` that makes scheme and fields those of the last level, as far as it got.
-template <class Point, class Index, class Scheme, class Fields>
+template <class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Scheme& scheme, Fields& fields, int levels,
                                      const refine_options& options)
 {
@@ -50,7 +51,7 @@ basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Schem
     require_refinable(control, scheme, levels, options);
     return refine_with(std::move(control), scheme, fields, levels, options.last_level);
 }
-template <class M, class Scheme, class Fields>
+template <mesh M, scheme Scheme, class Fields>
 M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const refine_options& options)
 {
     auto control = lift_valid(mesh);

@@ -11,7 +11,7 @@ namespace kith::io {
 creases creases_of(const mesh_tags& tags, const basic_mesh<>& mesh);
 
 /// The inverse: the sharpness of the edges and vertices of a level, by the numbers of its vertices.
-template <class Level>
+template <level Level>
 mesh_tags tags_of(const creases& sharpness, const Level& level)
 {
     mesh_tags result;

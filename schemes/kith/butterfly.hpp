@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
-#include <kith/level/irregular_rings.hpp>
+#include <kith/kernel/irregular_rings.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/triangle_split.hpp>
 #include <kith/step/rules.hpp>
@@ -46,7 +46,7 @@ struct butterfly {
     /// The same weights for n >= 5 by the angle from the other end of the edge.
     static constexpr wave_kernel ring_kernel(std::size_t) { return {1. / 4, 1. / 2, 1. / 4}; }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -79,7 +79,7 @@ struct butterfly {
 
 private:
     /// The vertex across the next edge of c; beyond the boundary the reflection of the triangle's own third vertex.
-    template <class Corner>
+    template <corner_element Corner>
     static auto wing(const Corner& c)
     {
         return choose(

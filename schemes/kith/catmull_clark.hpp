@@ -27,7 +27,7 @@ struct catmull_clark {
     }
     static constexpr auto columns() { return quad_split::columns(); }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;

@@ -55,7 +55,7 @@ struct doo_sabin {
         return j == 0 ? (l + 5) / (4 * l) : (3 + 2 * cos_turn(std::int64_t(j), std::int64_t(n))) / (4 * l);
     }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -87,7 +87,7 @@ struct doo_sabin {
 
 private:
     /// Calls use(mask) with the same weights by what they have in common.
-    template <class Masks, class Corner, class Use>
+    template <class Masks, corner_element Corner, class Use>
     void in_large_face(const Masks& masks, const Corner& c, const Use& use) const
     {
         if (weights == doo_sabin_weights::cosine)

@@ -24,7 +24,7 @@ struct four_eight {
     }
     static constexpr auto columns() { return bisection_split::columns(); }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -51,7 +51,7 @@ struct four_eight {
         subdivide(bisection_split(), r, midpoints, vertices);
     }
 
-    template <class Vertex>
+    template <vertex_element Vertex>
     static auto sides(const Vertex& v) // of the blocks at v, each side with the block to its left
     {
         return v.corners().only([](const auto& c) { return not bisection_split::is_first(c); });

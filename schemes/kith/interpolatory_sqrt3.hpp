@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
-#include <kith/level/irregular_rings.hpp>
+#include <kith/kernel/irregular_rings.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/sqrt3_split.hpp>
 #include <kith/step/rules.hpp>
@@ -59,7 +59,7 @@ struct interpolatory_sqrt3 {
         return n == 3 ? 8. / 9 : n == 4 ? 7. / 9 : 1 - a * a;
     }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;

@@ -16,7 +16,7 @@ struct linear {
     }
     static constexpr auto columns() { return quad_split::columns(); }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -40,7 +40,7 @@ struct linear_triangles {
     }
     static constexpr auto columns() { return triangle_split::columns(); }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;

@@ -41,7 +41,7 @@ struct loop {
         return weights == loop_weights::loop ? (5. / 8 - c * c) / double(n) : n == 3 ? 3. / 16 : 3. / (8. * double(n));
     }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         const sharp_rules sharp(r.coarse, sharpness, corners);

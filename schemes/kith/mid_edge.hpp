@@ -19,7 +19,7 @@ struct mid_edge {
     }
     static constexpr auto columns() { return mid_edge_split::columns(); }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/mask/large_rings.hpp>
+#include <kith/kernel/large_rings.hpp>
 #include <kith/nasri_hasbini/boundary.hpp>
 #include <kith/nasri_hasbini/polygons.hpp>
 #include <kith/split/require_faces.hpp>
@@ -26,7 +26,7 @@ struct nasri_hasbini {
     }
     static constexpr auto columns() { return ternary_split::columns(); }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -55,7 +55,7 @@ struct nasri_hasbini {
 
 private:
     /// docs/schemes.md, Nasri-Hasbini, inner vertices.
-    template <class Vertex, class Assoc, class Rows>
+    template <vertex_element Vertex, mask_evaluator Assoc, class Rows>
     static void make_inner(const Vertex& v, const Assoc& assoc, const Rows& rows)
     {
         using namespace targets;
@@ -72,7 +72,7 @@ private:
     }
 
     /// The same at a vertex with a large fan, by the waves of its ring.
-    template <class Vertex, class Assoc>
+    template <vertex_element Vertex, mask_evaluator Assoc>
     static void make_large_inner(const Vertex& v, const Assoc& assoc)
     {
         using namespace targets;

@@ -27,12 +27,12 @@ enum class library : unsigned char { kith, cgal, openmesh, opensubdiv, libigl };
 
 /// The scheme with the options that make it that of the library: `like<loop>(library::cgal)`.
 /// Errors: mesh_error when that library does not have the scheme.
-template <class Scheme>
+template <scheme Scheme>
 Scheme like(library) = delete;
 
 namespace detail {
 
-template <class Scheme>
+template <scheme Scheme>
 void require_preset(library wanted, std::initializer_list<library> present, const char* who_has_it)
 {
     if (std::ranges::find(present, wanted) == present.end())

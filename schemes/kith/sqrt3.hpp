@@ -42,7 +42,7 @@ struct sqrt3 {
     /// The weight that all neighbours of a vertex of valence n have together; Kobbelt 2000, eq. 5.
     static constexpr double alpha(std::size_t n) { return (4 - 2 * cos_turn(1, std::int64_t(n))) / 9; }
 
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;

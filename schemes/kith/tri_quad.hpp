@@ -18,7 +18,7 @@ namespace kith {
 /// A diagonal is the one with the quad's smallest vertex or, where another edge would join the same two vertices, the other
 /// one; diagonals, directions and starts of fans depend on the numbers of vertices, not on the order of faces.
 /// Errors: as `refine`, and mesh_error for quads that have no diagonals without such edges. Cost: O(corners log valence).
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh)
 {
     require_edges(mesh);
@@ -40,7 +40,7 @@ M tri_quad(const M& mesh)
 /// The same triangle mesh with these edges, given by their vertices, as the marked ones.
 /// Errors: mesh_error for other faces than triangles, for a mesh without edges, and for a face with no or several marked
 /// edges, which it names. Cost: O(corners log edges).
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::vector<std::pair<Index, Index>> marked)
 {
     for (auto& [a, b] : marked)

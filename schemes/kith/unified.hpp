@@ -38,7 +38,7 @@ struct unified {
                       quads(per_edge.when(not primal)),
                       per_vertex.when(not primal).of_degree(faces_around)));
     }
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;

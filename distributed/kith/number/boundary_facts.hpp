@@ -6,7 +6,7 @@
 
 #include <kith/association/column_numbers.hpp>
 #include <kith/level/lift.hpp>
-#include <kith/part/tile.hpp>
+#include <kith/part/tile_like.hpp>
 
 #include <compare>
 #include <cstddef>
@@ -28,22 +28,22 @@ struct boundary_fact {
 
 namespace detail {
 
-template <class Tile, class Level>
+template <tile_like Tile, level Level>
 bool is_owned(const Tile& rim, const vertex<Level>& v)
 {
     return rim.owns_vertex(v.index());
 }
-template <class Tile, class Level>
+template <tile_like Tile, level Level>
 bool is_owned(const Tile& rim, const edge<Level>& e)
 {
     return rim.owns_edge(e.index());
 }
-template <class Tile, class Level>
+template <tile_like Tile, level Level>
 bool is_owned(const Tile& rim, const face<Level>& f)
 {
     return rim.owns_face(f.index());
 }
-template <class Tile, class Level>
+template <tile_like Tile, level Level>
 bool is_owned(const Tile& rim, const corner<Level>& c)
 {
     return rim.owns_face(c.f().index());
@@ -51,7 +51,7 @@ bool is_owned(const Tile& rim, const corner<Level>& c)
 
 /// Calls f with the number, in the tile, of each tuple at the boundary of the whole mesh. At a vertex, an edge or a
 /// corner that the tile owns its own boundary edges are those of the whole mesh.
-template <tuple_kind Kind, class Tile, class Level, class F>
+template <tuple_kind Kind, tile_like Tile, level Level, class F>
 void for_boundary_tuples(const Tile& rim, const Level& level, const F& f)
 {
     for (std::size_t tuple = 0; tuple < tuple_count(level, Kind); ++tuple) {
@@ -61,7 +61,7 @@ void for_boundary_tuples(const Tile& rim, const Level& level, const F& f)
     }
 }
 
-template <tuple_kind Kind, class Where, class Degree, class Tile, class Level>
+template <tuple_kind Kind, class Where, class Degree, tile_like Tile, level Level>
 void add_boundary_facts(const column<Kind, Where, Degree>& c, std::uint64_t i, const Tile& part, const Level& level,
                         std::vector<boundary_fact>& facts)
 {
@@ -81,10 +81,10 @@ void add_boundary_facts(const column<Kind, Where, Degree>& c, std::uint64_t i, c
 
 /// What a tile knows of the columns of one kind of new elements: the facts of the boundary that it owns.
 /// Precondition: it has a ring of shadows. Cost: O(elements).
-template <template <class...> class List, class... Columns, class Tile>
+template <template <class...> class List, class... Columns, tile_like Tile>
 std::vector<boundary_fact> boundary_facts(const List<Columns...>& columns, const Tile& part)
 {
-    const level_of<decltype(part.mesh)> level(part.mesh);
+    const level_of<basic_mesh<typename Tile::point_type, typename Tile::index_type>> level(part.mesh);
     std::vector<boundary_fact> facts;
     std::uint64_t i = 0;
     std::apply([&](const auto&... column) { (detail::add_boundary_facts(column, i++, part, level, facts), ...); },

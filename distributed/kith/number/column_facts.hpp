@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/step/scheme.hpp>
 #include <kith/association/columns.hpp>
 #include <kith/association/numbering.hpp>
 #include <kith/part/tile.hpp>
@@ -11,7 +12,7 @@
 namespace kith {
 
 /// The columns of a scheme.
-template <class Scheme>
+template <scheme Scheme>
 using columns_type = decltype(columns_of(std::declval<const Scheme&>(), 0));
 
 namespace detail {
@@ -38,18 +39,18 @@ struct column_facts<List<C...>> {
 } // namespace detail
 
 /// A scheme whose tiles need `tile::corners_before`: Doo-Sabin, mid-edge.
-template <class Scheme>
+template <scheme Scheme>
 inline constexpr bool numbers_corners_at_vertices =
     detail::column_facts<decltype(columns_type<Scheme>::faces)>::any_of_faces_at_vertex;
 
 /// A scheme that tells marked edges from others, by `is_marked(edge)` of its traits(), and whose tiles need `tile::marked_before`: 4-8. Its
 /// first column of edges has to be that of the unmarked ones, which are the marked ones of the next level. So marks are
 /// counted on level 0 only, where tiles are cut; from then on the marked edges are those that come first.
-template <class Scheme>
+template <scheme Scheme>
 inline constexpr bool marks_edges = detail::column_facts<decltype(columns_type<Scheme>::vertices)>::any_by_marks;
 
 /// A scheme whose numbers depend on the boundary of the whole mesh.
-template <class Scheme>
+template <scheme Scheme>
 inline constexpr bool numbers_boundary =
     numbers_corners_at_vertices<Scheme> or
     detail::column_facts<decltype(columns_type<Scheme>::vertices)>::any_at_boundary or

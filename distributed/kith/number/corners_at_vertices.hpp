@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/level/lift.hpp>
-#include <kith/part/tile.hpp>
+#include <kith/part/tile_like.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,7 +22,7 @@ public:
     };
 
     /// From a tile that owns all vertices at the boundary.
-    template <class Tile>
+    template <tile_like Tile>
     explicit corners_at_vertices(const Tile& rim) : corners_at_vertices(owned_at_boundary(rim))
     {
     }
@@ -37,10 +37,10 @@ public:
         }
     }
     /// Those that a tile owns.
-    template <class Tile>
+    template <tile_like Tile>
     static std::vector<boundary_vertex> owned_at_boundary(const Tile& part)
     {
-        const level_of<decltype(part.mesh)> level(part.mesh);
+        const level_of<basic_mesh<typename Tile::point_type, typename Tile::index_type>> level(part.mesh);
         std::vector<boundary_vertex> result;
         for (const auto v : level.vertices())
             if (v.is_boundary() and part.owns_vertex(v.index()))
@@ -54,7 +54,7 @@ public:
         return 4 * vertex - global_id(n == 0 ? 0 : fewer_[std::size_t(n - 1)]);
     }
     /// Gives all vertices of a tile these numbers.
-    template <class Tile>
+    template <tile_like Tile>
     void number(Tile& tile) const
     {
         tile.corners_before = storage<global_id>(tile.vertex_ids.size());

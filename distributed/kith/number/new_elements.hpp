@@ -5,7 +5,7 @@
 #include "whole_numbering.hpp"
 #include "whole_tuple.hpp"
 
-#include <kith/part/tile.hpp>
+#include <kith/part/tile_like.hpp>
 #include <kith/step/step.hpp>
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace kith::detail {
 /// A new face belongs to whom the coarse face belongs that it came from. So does a vertex or an edge that a face, or a
 /// corner of it, gave birth to; every other one belongs to the first of the new faces around it. They are all here when
 /// all old ones around the tuple are.
-template <class Tile, class Scheme>
+template <tile_like Tile, scheme Scheme>
 class new_elements {
     using index = typename Tile::index_type;
     using numbers = numbering_of<Scheme, index>;

@@ -3,7 +3,7 @@
 
 #include <kith/association/columns.hpp>
 #include <kith/level/lift.hpp>
-#include <kith/part/tile.hpp>
+#include <kith/part/tile_like.hpp>
 #include <kith/step/children.hpp>
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace kith::detail {
 
 /// Where a tuple belongs in a tile: to whom, and to which face.
-template <class Tile>
+template <tile_like Tile>
 class tuple_facts {
 public:
     using level_type = level_of<basic_mesh<typename Tile::point_type, typename Tile::index_type>>;

@@ -173,7 +173,7 @@ private:
 };
 
 /// The ids of all new elements of one step in the whole mesh.
-template <class Columns>
+template <declared_columns Columns>
 struct whole_numbering {
     whole_column_ids<decltype(Columns::vertices)> vertices;
     whole_column_ids<decltype(Columns::edges)> edges;
@@ -181,7 +181,7 @@ struct whole_numbering {
 
     whole_numbering() = default;
     /// From a tile of the coarse level that owns all faces at the boundary and has a ring of shadows.
-    template <class Tile>
+    template <tile_like Tile>
     whole_numbering(const whole_counts& whole, const Columns& columns, const Tile& rim)
         : whole_numbering(whole, columns, facts_at_boundary(columns, rim))
     {
@@ -193,7 +193,7 @@ struct whole_numbering {
         , faces(whole, columns.faces, std::move(facts[2]))
     {
     }
-    template <class Tile>
+    template <tile_like Tile>
     static std::array<std::vector<boundary_fact>, 3> facts_at_boundary(const Columns& columns, const Tile& part)
     {
         return {boundary_facts(columns.vertices, part),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/association/columns.hpp>
-#include <kith/part/tile.hpp>
+#include <kith/part/tile_like.hpp>
 
 #include <cstddef>
 
@@ -18,7 +18,7 @@ struct whole_tuple {
 
 namespace detail {
 
-template <class Tile, class Level>
+template <tile_like Tile, level Level>
 whole_tuple in_whole(const Tile& tile, const Level& level, tuple_kind kind, std::size_t tuple)
 {
     const auto marked = [&](std::size_t e) {

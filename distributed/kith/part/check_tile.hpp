@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tile.hpp"
+#include "tile_like.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <ranges>
 #include <type_traits>
 
 namespace kith::detail {
@@ -14,7 +15,7 @@ namespace kith::detail {
 /// are about, they point at elements that are there, and elements are in the order of their numbers in the whole mesh.
 /// In another order masks would be evaluated in another order, too. What is not seen is a face that starts at another of
 /// its corners, which is as good a tile of another mesh. Cost: O(elements).
-template <class Topology, class Tile>
+template <class Topology, tile_like Tile>
 const char* fault_of_tile(const Topology& t, std::size_t points, const Tile& part)
 {
     const std::size_t vertices = part.vertex_ids.size(), edges = part.edge_ids.size(), faces = part.face_ids.size();
@@ -33,7 +34,7 @@ const char* fault_of_tile(const Topology& t, std::size_t points, const Tile& par
         return "has arrays of the wrong sizes";
 
     const auto below = [](const auto& array, std::size_t end, bool or_none = false) {
-        using value = typename std::remove_cvref_t<decltype(array)>::value_type;
+        using value = std::ranges::range_value_t<decltype(array)>;
         return std::ranges::all_of(array, [=](value x) { return x < end or (or_none and x == value(~value(0))); });
     };
     if (not(below(t.corner_vertex, vertices) and below(t.corner_halfedge, 2 * edges) and

@@ -5,6 +5,7 @@
 
 #include <kith/mask/hash_value.hpp>
 
+#include <concepts>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -51,8 +52,8 @@ void add_place(word_hash& hash, const Point& point)
         hash.add(word);
 }
 
-template <class Mesh, class VertexId>
-mesh_checksum checksum_of_face(const Mesh& mesh, std::size_t face, global_id face_id, const VertexId& vertex_id)
+template <class Point, std::unsigned_integral Index, std::invocable<Index> VertexId>
+mesh_checksum checksum_of_face(const basic_mesh<Point, Index>& mesh, std::size_t face, global_id face_id, const VertexId& vertex_id)
 {
     word_hash hash(face_id);
     for (const auto v : mesh.face(face)) {
@@ -65,7 +66,7 @@ mesh_checksum checksum_of_face(const Mesh& mesh, std::size_t face, global_id fac
 } // namespace detail
 
 /// Of a whole mesh. Cost: O(corners).
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 mesh_checksum checksum(const basic_mesh<Point, Index>& mesh)
 {
     mesh_checksum sum;
@@ -76,7 +77,7 @@ mesh_checksum checksum(const basic_mesh<Point, Index>& mesh)
 
 /// Of the faces that a tile owns, for each of its `roots` what has become of that. It does not depend on the tile that a
 /// root is in, so one tile is verified by refining some of its roots in another. Local. Cost: O(corners).
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 std::vector<mesh_checksum> checksums_of_roots(const tile<Point, Index>& part)
 {
     std::vector<mesh_checksum> sums(part.roots.size());
@@ -88,7 +89,7 @@ std::vector<mesh_checksum> checksums_of_roots(const tile<Point, Index>& part)
 }
 
 /// Of the faces that a tile owns. Local. Cost: O(corners).
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 mesh_checksum checksum(const tile<Point, Index>& part)
 {
     mesh_checksum sum;

@@ -4,6 +4,7 @@
 #include <kith/base/error.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +44,7 @@ inline std::size_t block_of(std::uint64_t first, std::size_t degree, std::uint64
 
 /// Runs of faces in the order of their numbers, of as many corners each as can be: polygons make a child per corner.
 /// Errors: mesh_error for no parts, and for more than 2^20 that are more than there are faces. Cost: O(faces).
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 partition block_partition(const basic_mesh<Point, Index>& mesh, std::size_t parts)
 {
     detail::require_parts(parts, mesh.face_count());
@@ -56,7 +57,7 @@ partition block_partition(const basic_mesh<Point, Index>& mesh, std::size_t part
 
 /// One number per face, below the number of faces, as METIS's programs write them. Parts may be empty. Errors: mesh_error
 /// for anything else.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 partition read_partition(std::istream& in, const basic_mesh<Point, Index>& mesh)
 {
     partition result;

@@ -26,7 +26,7 @@ public:
     /// Collective. `tiles` are those that lie on this rank, none or several, of one level; each has its edges
     /// (connect::everything). Errors: phase_error when nobody owns an element that a tile sees, so that tiles are missing.
     /// Cost: four messages at most to each rank; O(tiles) work, messages and memory of what lies near the cuts.
-    template <class Tile>
+    template <tile_like Tile>
     field_exchange(communicator& comm, std::span<const numbered_tile<Tile>> tiles, element_kind kind) : comm_(comm)
     {
         const auto ranks = std::size_t(comm.size());
@@ -155,7 +155,7 @@ private:
     }
 
     /// The owned elements that a tile with so many rings of shadows may see: those of the faces so near to a cut.
-    template <class Tile>
+    template <tile_like Tile>
     static std::vector<unsigned char> seen_by_others(const Tile& part, element_kind kind, int rings)
     {
         using index = typename Tile::index_type;

@@ -8,6 +8,7 @@
 #include <kith/tile/numbered_tile.hpp>
 #include <kith/tile/pack.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -25,7 +26,7 @@ namespace kith::mpi {
 namespace detail {
 
 /// What a tile has to tell of the faces it owns.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 std::vector<std::byte> pack_owned(const tile<Point, Index>& part)
 {
     std::vector<global_id> vertex_ids, faces; // of each face its number, its first corner, its degree, its vertices
@@ -45,7 +46,7 @@ std::vector<std::byte> pack_owned(const tile<Point, Index>& part)
 }
 
 /// A mesh of face-vertex lists that is filled tile by tile.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 class gathered_mesh {
 public:
     gathered_mesh(const whole_counts& counts, int degree) : points_(counts.vertices)
@@ -95,7 +96,7 @@ private:
 /// It is asked for by name and refused when it needs more than `memory_limit` bytes there, before anything is allocated.
 /// Errors: phase_error for that, for more elements than Index can number, and when tiles are missing.
 /// Cost: rank 0 receives tile by tile, so it holds the mesh and one tile.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_tile<tile<Point, Index>>> tiles,
                                 const whole_counts& counts, std::uint64_t memory_limit)
 {

@@ -8,6 +8,7 @@
 #include <kith/tile/pack.hpp>
 #include <kith/tile/tile_patch.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -23,7 +24,7 @@ namespace kith::mpi {
 namespace detail {
 
 /// Of a tile that has grown, what it owned before.
-template <class Tile>
+template <tile_like Tile>
 void keep_owned(const Tile& before, Tile& grown)
 {
     const auto keep = [](const auto& old_ids, const auto& old_marks, const auto& ids, auto& marks) {
@@ -67,7 +68,7 @@ public:
     };
 
     /// Collective. Tells of the faces that tiles may ask for which are to have so many rings of shadows.
-    template <class Tile>
+    template <tile_like Tile>
     faces_at_vertices(communicator& comm, std::span<const numbered_tile<Tile>> tiles, int rings) : comm_(comm)
     {
         using index = typename Tile::index_type;
@@ -115,7 +116,7 @@ private:
 };
 
 /// What owners answer: faces, and the state that their schemes have there.
-template <class Point, class Scheme>
+template <class Point, scheme Scheme>
 struct fetched_faces {
     tile_patch<Point> patch;
     std::vector<kith::detail::known_state<Scheme>> states;
@@ -123,7 +124,7 @@ struct fetched_faces {
 
 /// Collective: asks owners for faces. `wanted[r]` lie on rank r; the result has them in that order. `schemes` are those of the
 /// tiles, in their order.
-template <class Tile, class Scheme>
+template <tile_like Tile, scheme Scheme>
 std::vector<fetched_faces<typename Tile::point_type, Scheme>>
 fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std::span<const Scheme> schemes,
             const std::vector<std::vector<faces_at_vertices::place>>& wanted)
@@ -169,7 +170,7 @@ fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std:
 /// fetched, too; what they own stays.
 /// Preconditions: each has its edges and a ring of shadows. Marks of edges on level 0 are not carried.
 /// Errors: mpi::error. Cost: four messages at most to each rank per ring, and building each tile anew.
-template <class Point, class Index, class Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, std::span<Scheme> schemes,
                   int rings)
 {
@@ -241,7 +242,7 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
     }
 }
 /// The same for tiles of a scheme without state.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, int rings)
 {
     struct no_state {};

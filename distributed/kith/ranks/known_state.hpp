@@ -4,6 +4,7 @@
 #include <kith/tile/pack.hpp>
 #include <kith/tile/tile_job.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -19,14 +20,14 @@ struct whole_elements {
     std::vector<std::uint64_t> degrees; ///< of the faces
 };
 /// Where the corners of a face of a tile are.
-template <class Tile, class Face>
+template <tile_like Tile, face_element Face>
 auto corners_of(const Tile& part, Face f)
 {
     using index = typename Tile::index_type;
     return typename part_numbers<index>::face_corners{index(part.mesh.topology().first_corner(f)),
                                                       index(part.mesh.face(f).size())};
 }
-template <class Tile>
+template <tile_like Tile>
 whole_elements elements_of(const Tile& part)
 {
     const auto list = [](const auto& ids) { return std::vector<global_id>(ids.begin(), ids.end()); };
@@ -37,14 +38,14 @@ whole_elements elements_of(const Tile& part)
 }
 
 /// A scheme with what its state says of some elements, whose numbers in it are their places in these lists.
-template <class Scheme>
+template <scheme Scheme>
 struct known_state {
     Scheme scheme;
     whole_elements elements;
 };
 
 /// What the scheme of a tile knows of some of its faces, their edges and their vertices.
-template <class Tile, class Scheme, class Index>
+template <tile_like Tile, scheme Scheme, std::unsigned_integral Index>
 known_state<Scheme> state_at_faces(const Tile& part, const Scheme& scheme, std::vector<Index> faces)
 {
     const auto& t = part.mesh.topology();
@@ -74,7 +75,7 @@ known_state<Scheme> state_at_faces(const Tile& part, const Scheme& scheme, std::
             {ids(vertices, part.vertex_ids), ids(edges, part.edge_ids), ids(faces, part.face_ids), std::move(degrees)}};
 }
 
-template <class Scheme>
+template <scheme Scheme>
 void pack_known_state(packer& out, const known_state<Scheme>& known)
 {
     out.add_array(known.elements.vertices).add_array(known.elements.edges).add_array(known.elements.faces);
@@ -82,7 +83,7 @@ void pack_known_state(packer& out, const known_state<Scheme>& known)
     pack_state(out, known.scheme);
 }
 /// The inverse; `scheme` has the options of the one that was packed, and any state.
-template <class Scheme>
+template <scheme Scheme>
 known_state<Scheme> unpack_known_state(unpacker& in, Scheme scheme)
 {
     using ids = std::vector<global_id>;
@@ -97,7 +98,7 @@ known_state<Scheme> unpack_known_state(unpacker& in, Scheme scheme)
 
 /// Lets the scheme of a tile take over what another of its kind knows of elements that the tile has.
 /// Cost: O(elements log of them).
-template <class Scheme, class Tile>
+template <scheme Scheme, tile_like Tile>
 void take_over(Scheme& scheme, const Tile& part, const Scheme& other, const whole_elements& known)
 {
     using index = typename Tile::index_type;

@@ -7,6 +7,7 @@
 #include <kith/tile/numbered_tile.hpp>
 #include <kith/tile/pack.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +22,7 @@ namespace kith::mpi {
 
 /// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile that
 /// is not there, or there twice.
-template <class Tile>
+template <tile_like Tile>
 std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
                                        std::uint64_t all_tiles)
 {
@@ -69,7 +70,7 @@ inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_t
 /// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory where
 /// messages are made and taken apart; mpi::error, and std::bad_alloc in between, which no other rank hears of.
 /// Cost: a message per pair of ranks; the tiles of this rank are in memory twice meanwhile.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 std::vector<numbered_tile<tile<Point, Index>>>
 repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> tiles, std::span<const int> rank_of)
 {

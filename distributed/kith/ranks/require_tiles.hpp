@@ -14,7 +14,7 @@ namespace kith {
 
 /// What require_input asks of a control mesh, asked of its tiles. Their rims look like boundaries, so a scheme for closed
 /// meshes has to be refused before. Errors: mesh_error.
-template <scheme Scheme, class Tile>
+template <scheme Scheme, tile_like Tile>
 void require_tiles(const std::vector<numbered_tile<Tile>>& tiles)
 {
     static_assert(not needs_closed<Scheme>, "a tile has a rim, so a scheme for closed meshes cannot refine it");

@@ -11,7 +11,7 @@
 namespace kith::mpi {
 
 /// Collective. The generation that all tiles of a level have, on ranks without tiles, too. Errors: mpi::error.
-template <class Tile>
+template <tile_like Tile>
 int generation_of_tiles(communicator& comm, const std::vector<numbered_tile<Tile>>& tiles)
 {
     double generation = 0;

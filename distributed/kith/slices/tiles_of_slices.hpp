@@ -10,6 +10,7 @@
 #include <kith/ranks/grow_shadows.hpp>
 #include <kith/tile/tile_patch.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -22,7 +23,7 @@
 namespace kith::mpi {
 
 /// The tiles of a control mesh that no rank holds as a whole: one per rank, its number is that of the rank.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 struct sliced_mesh {
     std::vector<numbered_tile<tile<Point, Index>>> tiles; ///< of this rank
     whole_counts counts;
@@ -32,7 +33,7 @@ struct sliced_mesh {
 namespace detail {
 
 /// The owned faces of a rank and what touches them, as a tile with one ring of shadows.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& slice, slice_links<Point>& links)
 {
     auto patch = links.own_patch();
@@ -57,7 +58,7 @@ tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& sl
 }
 
 /// Whoever owns the smallest face of an element owns it. Precondition: a ring of shadows around faces [first, end).
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
 {
     const auto& t = part.mesh.topology();
@@ -88,7 +89,7 @@ void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
 /// Errors: phase_error for a file that cannot be read so, and for what is not a manifold.
 /// Cost: O(file / ranks) memory and work on each rank, and of the shadows, but O(n^2) work for a vertex of n faces; about
 /// twenty messages at most to each rank.
-template <class Index = std::uint32_t>
+template <std::unsigned_integral Index = std::uint32_t>
 sliced_mesh<std::array<double, 3>, Index> read_tiles(communicator& comm, const std::string& path, int rings)
 {
     using point = std::array<double, 3>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/part/tile.hpp>
+#include <kith/part/tile_like.hpp>
 #include <kith/step/children.hpp>
 #include <kith/step/submesh.hpp>
 
@@ -14,14 +14,14 @@
 namespace kith {
 
 /// A tile, and which one it is of all tiles of a level, wherever they lie.
-template <class Tile>
+template <tile_like Tile>
 struct numbered_tile {
     std::uint64_t number = 0;
     Tile part;
 };
 
 /// The numbers in the whole mesh of all elements of one kind, and their marks.
-template <class Tile>
+template <tile_like Tile>
 std::span<const global_id> ids_of(const Tile& part, element_kind kind)
 {
     const auto& ids = kind == element_kind::vertex ? part.vertex_ids
@@ -29,7 +29,7 @@ std::span<const global_id> ids_of(const Tile& part, element_kind kind)
                                                    : part.face_ids;
     return {ids.data(), ids.size()};
 }
-template <class Tile>
+template <tile_like Tile>
 std::span<const unsigned char> marks_of(const Tile& part, element_kind kind)
 {
     const auto& marks = kind == element_kind::vertex ? part.vertex_marks
@@ -40,7 +40,7 @@ std::span<const unsigned char> marks_of(const Tile& part, element_kind kind)
 
 /// How many rings of shadows a tile has around the faces it owns. Precondition: the tile has its edges.
 /// Cost: O(elements) per ring.
-template <class Tile>
+template <tile_like Tile>
 int rings_of_shadows(const Tile& part)
 {
     using index = typename Tile::index_type;
@@ -59,7 +59,7 @@ int rings_of_shadows(const Tile& part)
 }
 
 /// Per vertex, whether it has faces in the whole mesh that are not here. Precondition: the tile has its edges.
-template <class Tile>
+template <tile_like Tile>
 std::vector<unsigned char> incomplete_vertices(const Tile& part)
 {
     const auto& t = part.mesh.topology();
@@ -73,7 +73,7 @@ std::vector<unsigned char> incomplete_vertices(const Tile& part)
 
 /// The faces that another tile may see: the shadows, and those at a vertex that has faces elsewhere.
 /// Precondition: the tile has its edges.
-template <class Tile>
+template <tile_like Tile>
 std::vector<typename Tile::index_type> faces_at_cuts(const Tile& part)
 {
     using index = typename Tile::index_type;

@@ -6,6 +6,7 @@
 #include <kith/mask/hash_value.hpp>
 #include <kith/part/check_tile.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -98,7 +99,7 @@ private:
 
 namespace detail {
 
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 constexpr std::uint64_t kind_of_message()
 {
     constexpr std::uint64_t version = 3;
@@ -118,7 +119,7 @@ constexpr bool can_be_packed()
         "kith::packer and read it from a kith::unpacker, to be sent to other ranks");
     return can;
 }
-template <class Scheme>
+template <scheme Scheme>
 void pack_state(packer& out, const Scheme& scheme)
 {
     for_each_state(scheme, [&]<class State>(const State& state) {
@@ -126,7 +127,7 @@ void pack_state(packer& out, const Scheme& scheme)
             state.pack(out);
     });
 }
-template <class Scheme>
+template <scheme Scheme>
 void unpack_state(unpacker& in, Scheme& scheme)
 {
     for_each_state(scheme, [&]<class State>(State& state) {
@@ -148,7 +149,7 @@ inline std::uint64_t checksum_of_bytes(std::span<const std::byte> bytes)
 }
 
 /// All arrays of a tile but its points, in the order of a message. `t` is the topology of its mesh.
-template <class Topology, class Tile, class F>
+template <class Topology, tile_like Tile, class F>
 void for_each_array(Topology& t, Tile& part, const F& f)
 {
     f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner), f(t.vertex_corner);
@@ -161,7 +162,7 @@ void for_each_array(Topology& t, Tile& part, const F& f)
 } // namespace detail
 
 /// A tile and the state of its scheme as one message. Cost: O(elements).
-template <class Point, class Index, class Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
 {
     static_assert(std::is_trivially_copyable_v<Point>, "points that are plain bytes can be sent, others not");
@@ -183,7 +184,7 @@ std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
 /// The inverse; `scheme` is the scheme with the options of the job, which messages do not carry, and any state.
 /// Errors: pack_error for bytes that are damaged or not such a message, and for a tile whose elements are not in the order
 /// of their numbers in the whole mesh.
-template <class Point, class Index, class Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Scheme scheme)
 {
     std::uint64_t sum = 0;

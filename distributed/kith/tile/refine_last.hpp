@@ -6,6 +6,7 @@
 #include <kith/number/new_elements.hpp>
 #include <kith/step/step.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -15,7 +16,7 @@ namespace kith {
 
 /// The last step of all: the faces that the tile owns and their vertices, without edges and shadows, in half of the memory.
 /// Errors and cost: as refine_once.
-template <class Point, class Index, reaching_scheme Scheme>
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& scheme, int level,
                                const whole_levels<Scheme>& whole)
 {

@@ -8,6 +8,7 @@
 
 #include <kith/refine.hpp>
 
+#include <concepts>
 #include <utility>
 
 namespace kith {
@@ -15,7 +16,7 @@ namespace kith {
 /// Refines a tile of level `level` once: by the unchanged scheme, over its shadows; what lies beyond the rings that the
 /// levels to come need is cut off. `scheme` is that of this tile and becomes that of the next. No communication.
 /// The result has the bits of the whole mesh's next level. Errors: as `refine`. Cost: that of the step.
-template <class Point, class Index, reaching_scheme Scheme>
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme, int level,
                                const whole_levels<Scheme>& whole)
 {
@@ -29,7 +30,7 @@ tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme,
 /// Refines a tile of level 0 through all levels that `whole` was made for, and its scheme with it. `connect::faces` gives the
 /// last level without edges and shadows, and the scheme of the level before. `each(tile)` is called with every level but the
 /// first.
-template <class Tile, reaching_scheme Scheme, class Each>
+template <tile_like Tile, reaching_scheme Scheme, class Each>
 void refine(tile_job<Tile, Scheme>& job, const whole_levels<Scheme>& whole, connect last, const Each& each)
 {
     for (int level = 0; level < whole.levels(); ++level) {
@@ -39,7 +40,7 @@ void refine(tile_job<Tile, Scheme>& job, const whole_levels<Scheme>& whole, conn
         each(std::as_const(job.part));
     }
 }
-template <class Point, class Index, reaching_scheme Scheme, class Each>
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme, class Each>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole, connect last,
                           const Each& each)
 {
@@ -47,7 +48,7 @@ tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_le
     refine(job, whole, last, each);
     return std::move(job.part);
 }
-template <class Point, class Index, reaching_scheme Scheme>
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole,
                           connect last = connect::everything)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/part/tile.hpp>
+#include <kith/part/tile_like.hpp>
 #include <kith/step/level_state.hpp>
 #include <kith/step/step.hpp>
 
@@ -14,7 +14,7 @@
 namespace kith {
 
 /// A tile of level 0 and the scheme for it, whose state (creases) is numbered as the tile is.
-template <class Tile, class Scheme>
+template <tile_like Tile, scheme Scheme>
 struct tile_job {
     Tile part;
     Scheme scheme;
@@ -23,7 +23,7 @@ struct tile_job {
 namespace detail {
 
 /// The scheme of a tile of level 0: the same, with its state, which is that of the whole mesh, for the part.
-template <class Scheme, class Tile>
+template <scheme Scheme, tile_like Tile>
 Scheme scheme_of_tile(const Scheme& scheme, const Tile& part)
 {
     using part_type = part_numbers<global_id>;
@@ -40,7 +40,7 @@ Scheme scheme_of_tile(const Scheme& scheme, const Tile& part)
 }
 
 /// Makes a scheme that refines no element here the scheme of the next level: its state may count levels.
-template <class Mesh, class Scheme>
+template <mesh Mesh, scheme Scheme>
 void advance_without_elements(Scheme& scheme, int generation)
 {
     if constexpr (has_state<Scheme>) {

@@ -4,6 +4,7 @@
 #include <kith/part/tile.hpp>
 #include <kith/step/submesh.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -56,7 +57,7 @@ struct tile_patch {
 };
 
 /// These faces of a tile that has its edges. Where all of a vertex's faces are in the tile its fan's start is known.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 tile_patch<Point> patch_of(const tile<Point, Index>& part, std::span<const Index> faces)
 {
     constexpr global_id unknown = ~global_id(0);
@@ -85,7 +86,7 @@ tile_patch<Point> patch_of(const tile<Point, Index>& part, std::span<const Index
 namespace detail {
 
 /// A tile from a patch, but for who owns what.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 class patch_builder {
     using patch = tile_patch<Point>;
     static constexpr Index none = connectivity<Index>::none;
@@ -219,7 +220,7 @@ private:
 /// The tile that a patch makes, of which nothing is owned yet. `degree` is that of all faces, or 0 when they are of many.
 /// Precondition: wherever all faces of an inner vertex are there, one says where its fan starts.
 /// Cost: O(elements log of them).
-template <class Index, class Point>
+template <std::unsigned_integral Index, class Point>
 tile<Point, Index> tile_of_patch(tile_patch<Point> patch, int degree, int generation, bool with_corners_before)
 {
     return detail::patch_builder<Point, Index>(std::move(patch)).build(degree, generation, with_corners_before);

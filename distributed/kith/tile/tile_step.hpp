@@ -16,7 +16,7 @@
 namespace kith::detail {
 
 /// A refined tile before it is trimmed: too large by what the shadows made, wrong at its rim.
-template <class Tile, class Scheme>
+template <tile_like Tile, scheme Scheme>
 class tile_step {
     using point = typename Tile::point_type;
     using index = typename Tile::index_type;

@@ -33,7 +33,7 @@ public:
     /// or the numbers do not depend on the boundary (numbers_boundary); its generation is that of the control mesh all the same.
     /// Errors: mesh_error when there are more elements than global_id can number.
     /// Cost: that of refining the boundary.
-    template <class Tile>
+    template <tile_like Tile>
     whole_levels(const whole_counts& control, Tile rim, Scheme scheme, int levels, int last_rings = 0)
         : rings_(ring_schedule(scheme, levels, last_rings)), counts_{control}
     {

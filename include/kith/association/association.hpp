@@ -4,6 +4,7 @@
 #include "tuples.hpp"
 
 #include <kith/base/refused.hpp>
+#include <kith/mesh/level_sink.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -27,20 +28,13 @@ concept target = std::same_as<T, targets::to_vertex> or std::same_as<T, targets:
                  std::same_as<T, targets::to_face>;
 
 /// One side of a new edge, as a half-edge number of the new level.
-template <class Index>
+template <std::unsigned_integral Index>
 struct new_side {
     Index halfedge;
 };
 
-/// One line of a new face: a vertex and the side by which the boundary of the face leaves it.
-template <class Index>
-struct face_line {
-    Index vertex;
-    Index halfedge;
-};
-
 /// A vertex of the new level, as the start of a line of a face.
-template <class Index>
+template <std::unsigned_integral Index>
 struct new_vertex {
     Index id;
 
@@ -49,7 +43,7 @@ struct new_vertex {
 
 /// The association (tuple, E). A new edge has two sides; an edge that can end up at the boundary must have its face
 /// on the left one.
-template <class Space, tuple_kind Kind>
+template <mask_evaluator Space, tuple_kind Kind>
 class edge_association {
 public:
     using index = typename Space::index_type;
@@ -66,7 +60,7 @@ public:
     [[nodiscard]] new_side<index> left() const { return {index(2 * id())}; }
     [[nodiscard]] new_side<index> right() const { return {index(2 * id() + 1)}; }
     /// The side on which a new face lies that runs along a piece of `e` on the side from which `e` is seen.
-    template <class Level>
+    template <level Level>
     [[nodiscard]] new_side<index> along(const edge<Level>& e) const
     {
         return {index(2 * id() + (e.seen_from().halfedge() & 1))};
@@ -79,7 +73,7 @@ private:
 
 /// The association (tuple, V): assigned a mask it makes the vertex, read it is the operand of a mask, `>>` starts a
 /// line of a new face with it.
-template <class Space, tuple_kind Kind>
+template <mask_evaluator Space, tuple_kind Kind>
 class vertex_association : public mask_base {
 public:
     using index = typename Space::index_type;
@@ -101,7 +95,7 @@ public:
     }
 
     [[nodiscard]] index id() const { return space_->template vertex_id<Kind>(tuple_); }
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values&) const
     {
         return space_->template vertex_value<Kind>(tuple_);
@@ -118,14 +112,8 @@ private:
     std::size_t tuple_;
 };
 
-template <class T>
-concept face_lines = requires(const T& lines) {
-    (*lines.begin()).vertex;
-    (*lines.begin()).halfedge;
-};
-
 /// The association (tuple, F): assigned the lines of a face it makes the face.
-template <class Space, tuple_kind Kind>
+template <mask_evaluator Space, tuple_kind Kind>
 class face_association {
 public:
     using index = typename Space::index_type;
@@ -155,7 +143,7 @@ private:
 /// A vertex of the new level that belongs to two elements of one kind, to elements which do not touch, or to a tuple for
 /// which the scheme declares no column. Two neighbours are their edge; everything else is kept in a dictionary: general,
 /// slower, and not to be written in for_each: what is made there has no order, and so no numbers. Errors: association_error.
-template <class Space>
+template <mask_evaluator Space>
 class dictionary_association : public mask_base {
 public:
     using index = typename Space::index_type;
@@ -195,7 +183,7 @@ public:
                 return space_->template vertex_id<tuple_kind::e>(edge_);
         return space_->dictionary_.find(tuple_);
     }
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values&) const
     {
         if constexpr (has_edge_column)

@@ -33,7 +33,7 @@ inline constexpr std::array<named_column, 7> columns_by_letters{{{"v", "per_vert
 {
     throw association_error("assoc" + to_string(tuple) + why);
 }
-template <class Level>
+template <level Level>
 [[noreturn, gnu::noinline]] void refuse(const Level& level, tuple_kind kind, std::size_t tuple, const char* why)
 {
     refuse(list_tuple(level, kind, tuple), why);
@@ -44,14 +44,14 @@ template <element... X>
 {
     refuse(list_tuple(x...), std::string(" -> ") + target + ": the elements do not touch");
 }
-template <class Level>
+template <level Level>
 [[noreturn, gnu::noinline]] void wrong_degree(const Level& level, tuple_kind kind, std::size_t tuple, std::size_t has,
                                               std::size_t declared)
 {
     refuse(list_tuple(level, kind, tuple),
            " -> F has " + std::to_string(has) + " vertices, its column says " + std::to_string(declared));
 }
-template <class Level>
+template <level Level>
 [[noreturn, gnu::noinline]] void taken_side(const Level& level, tuple_kind kind, std::size_t tuple,
                                             std::size_t halfedge)
 {
@@ -108,7 +108,7 @@ namespace kith {
 
 /// Which elements of the next level a scheme has made so far, and where it let the fans of its vertices start; vertices and faces
 /// may be asked for and made on several threads. Only spaces that check their scheme keep it.
-template <class Index>
+template <std::unsigned_integral Index>
 class made_elements {
 public:
     made_elements() = default;

@@ -14,13 +14,14 @@
 
 namespace kith {
 
-template <class Level, class Numbering, class Values, bool Checked> class pass_space;
+template <level Level, level_numbering Numbering, values_of_step<Level> Values, bool Checked> class pass_space;
 
 /// The association space of one refinement step: `assoc(f, V)`, `assoc(v, e, E)`, `assoc(c, F)`. Thesis 4.1.
 /// A tuple is an index, and the new element's id is the base of its column plus that index; a table is needed only where a
 /// column leaves tuples out here and there. What is written goes straight into the arrays of the new level, native or not.
-template <class Level, class Numbering, class Values, connect Connect, bool Checked,
+template <level Level, level_numbering Numbering, values_of_step<Level> Values, connect Connect, bool Checked,
           class Fine = connectivity<typename Numbering::index_type>>
+    requires level_sink<Fine> or std::same_as<Fine, connectivity<typename Numbering::index_type>>
 class association_space {
 public:
     using index_type = typename Numbering::index_type;
@@ -95,10 +96,10 @@ protected:
     }
 
 private:
-    template <class, tuple_kind> friend class vertex_association;
-    template <class, tuple_kind> friend class edge_association;
-    template <class, tuple_kind> friend class face_association;
-    template <class> friend class dictionary_association;
+    template <mask_evaluator, tuple_kind> friend class vertex_association;
+    template <mask_evaluator, tuple_kind> friend class edge_association;
+    template <mask_evaluator, tuple_kind> friend class face_association;
+    template <mask_evaluator> friend class dictionary_association;
 
     static constexpr bool is_foreign = not std::same_as<Fine, connectivity<index_type>>;
 
@@ -148,7 +149,7 @@ private:
     // What associations do.
 
     /// The id of a tuple, which its column may leave out unless the scheme is trusted not to ask then.
-    template <tuple_kind Kind, class Ids>
+    template <tuple_kind Kind, element_ids Ids>
     index_type present(const Ids& ids, std::size_t tuple, const char* absent) const
     {
         if constexpr (Checked and not Ids::template is_full<Kind>)
@@ -171,7 +172,7 @@ private:
                 faults::refuse(*coarse_, Kind, tuple, faults::vertex_read_early);
         return values_->fine(id);
     }
-    template <tuple_kind Kind, class Mask>
+    template <tuple_kind Kind, mask Mask>
     void make_vertex(std::size_t tuple, const Mask& mask) const
     {
         const index_type id = vertex_id<Kind>(tuple);
@@ -199,7 +200,7 @@ private:
     {
         return present<Kind>(ids_.faces, tuple, faults::absent_face);
     }
-    template <tuple_kind Kind, class Lines>
+    template <tuple_kind Kind, face_lines Lines>
     void make_face(std::size_t tuple, const Lines& lines) const
     {
         if constexpr (Connect != connect::nothing) {
@@ -215,7 +216,7 @@ private:
             }
         }
     }
-    template <tuple_kind Kind, class Lines>
+    template <tuple_kind Kind, face_lines Lines>
     void write_face(std::size_t tuple, index_type id, const Lines& lines) const
     {
         const index_type first = first_corner(id);
@@ -260,7 +261,7 @@ private:
 
     // The dictionary.
 
-    template <class Mask>
+    template <mask Mask>
     [[gnu::noinline]] void make_listed_vertex(const tuple_elements& tuple, const Mask& mask) const
     {
         if constexpr (Numbering::has_edges) {

@@ -6,6 +6,7 @@
 #include <kith/base/storage.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -16,7 +17,7 @@ namespace kith {
 namespace detail {
 
 /// The tuples of a column that a pass over the elements of a level has found: a run, or the rank of each element.
-template <class Index>
+template <std::unsigned_integral Index>
 class found_tuples {
 public:
     found_tuples() = default;
@@ -48,7 +49,7 @@ private:
 };
 
 /// Cost: one pass over the elements, a second one where those that are picked do not follow one another.
-template <class Index, tuple_kind Kind, class Level, class Keep>
+template <std::unsigned_integral Index, tuple_kind Kind, level Level, class Keep>
 found_tuples<Index> find_tuples(const Level& level, const Keep& keep)
 {
     constexpr std::size_t each = tuples_per_element(Kind);
@@ -74,9 +75,25 @@ found_tuples<Index> find_tuples(const Level& level, const Keep& keep)
 
 } // namespace detail
 
-/// The ids of the new elements of one kind: column_numbers over a level that is at hand, so that which tuples conditions
-/// pick is found by looking.
-template <class Index, class... Columns>
+/// The ids of the new elements of one kind, and where they come from.
+template <class I>
+concept element_ids = requires(const I& ids, std::size_t n) {
+    // Some tuples of a kind give birth to elements; all of them do, on any mesh.
+    { I::template has<tuple_kind::v> } -> std::convertible_to<bool>;
+    { I::template is_full<tuple_kind::v> } -> std::convertible_to<bool>;
+    // How many elements there are.
+    { ids.total() } -> std::convertible_to<std::size_t>;
+    // The element that a tuple of a kind with elements gave birth to, `none` if that one did not.
+    { ids.template id<tuple_kind::v>(n) } -> std::convertible_to<std::size_t>;
+    { I::none } -> std::convertible_to<std::size_t>;
+    // The same for a tuple that did.
+    { ids.template known_id<tuple_kind::v>(n) } -> std::convertible_to<std::size_t>;
+    // The tuple that gave birth to an element.
+    { ids.origin(n) } -> std::convertible_to<std::pair<tuple_kind, std::size_t>>;
+};
+
+/// The same by column_numbers over a level that is at hand, so that which tuples conditions pick is found by looking.
+template <std::unsigned_integral Index, class... Columns>
 class column_ids {
     using numbers = column_numbers<Index, detail::found_tuples<Index>, Columns...>;
 
@@ -87,7 +104,7 @@ public:
 
     column_ids() = default;
     /// Cost: O(1), and one pass over the tuples of each column with a condition.
-    template <class Level>
+    template <level Level>
     column_ids(const Level& level, const std::tuple<Columns...>& list)
         : numbers_(count_elements(level), list,
                    [&]<tuple_kind Kind, class Where, class Degree>(std::size_t, const column<Kind, Where, Degree>& c,

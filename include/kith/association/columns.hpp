@@ -4,9 +4,11 @@
 #include <kith/base/counts.hpp>
 #include <kith/level/level_elements.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 
 namespace kith {
 
@@ -19,7 +21,15 @@ enum class tuple_kind : unsigned char { v, e, f, vf, ve, ef, vfe };
 struct element_counts {
     std::uint64_t vertices = 0, edges = 0, faces = 0, corners = 0;
 };
-template <class Level>
+/// A level, or a part of one, that tells the same.
+template <class L>
+concept counts_elements = requires(const L& level) {
+    { level.vertex_count() } -> std::convertible_to<std::size_t>;
+    { level.edge_count() } -> std::convertible_to<std::size_t>;
+    { level.face_count() } -> std::convertible_to<std::size_t>;
+    { level.corner_count() } -> std::convertible_to<std::size_t>;
+};
+template <counts_elements Level>
 element_counts count_elements(const Level& level)
 {
     return {level.vertex_count(), level.edge_count(), level.face_count(), level.corner_count()};
@@ -37,7 +47,7 @@ constexpr std::uint64_t tuple_count(const element_counts& level, tuple_kind kind
     default: return level.corners;
     }
 }
-template <class Level>
+template <counts_elements Level>
 std::size_t tuple_count(const Level& level, tuple_kind kind)
 {
     return tuple_count(count_elements(level), kind);
@@ -45,7 +55,7 @@ std::size_t tuple_count(const Level& level, tuple_kind kind)
 
 /// The elements by which conditions and degrees of a column speak of tuples: the vertex, edge or face itself, the corner
 /// of (v,f), (e,f) and (v,f,e), the edge of (v,e).
-template <tuple_kind Kind, class Level>
+template <tuple_kind Kind, level Level>
 auto tuple_elements_of(const Level& level)
 {
     if constexpr (Kind == tuple_kind::v)
@@ -64,7 +74,7 @@ constexpr std::size_t tuples_per_element(tuple_kind kind)
     return kind == tuple_kind::ve or kind == tuple_kind::vfe ? 2 : 1;
 }
 
-template <tuple_kind Kind, class Level>
+template <tuple_kind Kind, level Level>
 auto tuple_element(const Level& level, std::size_t index)
 {
     return tuple_elements_of<Kind>(level)[index / tuples_per_element(Kind)];
@@ -169,7 +179,7 @@ template <std::size_t N>
 struct fixed_degree {
     static constexpr std::size_t value = N;
 
-    template <class Element>
+    template <class Element> // whatever is asked about
     constexpr std::size_t operator()(const Element&) const
     {
         return N;
@@ -177,7 +187,7 @@ struct fixed_degree {
 };
 /// The degree of the face that a new one comes from.
 struct same_degree {
-    template <class Face>
+    template <face_element Face>
     constexpr std::size_t operator()(const Face& f) const
     {
         return f.degree();
@@ -234,6 +244,14 @@ struct columns {
         return columns<Vertices, Edges, Faces, Of>(vertices, edges, faces, of);
     }
 };
+/// What a scheme declares: `columns`.
+template <class C>
+concept declared_columns = requires(const C& columns) {
+    std::tuple_size<std::remove_cvref_t<decltype(columns.vertices.list)>>::value; // of new vertices
+    std::tuple_size<std::remove_cvref_t<decltype(columns.edges.list)>>::value; // of new edges; none: they are matched
+    std::tuple_size<std::remove_cvref_t<decltype(columns.faces.list)>>::value; // of new faces, each with its degree
+};
+
 template <class Vertices, class Faces>
 columns(Vertices, Faces) -> columns<Vertices, new_edges<>, Faces>;
 

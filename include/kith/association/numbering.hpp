@@ -12,6 +12,7 @@
 #include <limits>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace kith {
@@ -30,7 +31,7 @@ constexpr auto columns_of(const Scheme& scheme, [[maybe_unused]] int generation)
 namespace detail {
 
 /// Errors: mesh_error if Index cannot number so many elements with so many numbers each.
-template <class Index>
+template <std::unsigned_integral Index>
 void require_numbers(std::size_t total, std::size_t numbers_of_each, const char* what)
 {
     if (total >= std::numeric_limits<Index>::max() / numbers_of_each)
@@ -61,9 +62,23 @@ constexpr std::size_t common_degree(const std::tuple<Columns...>*)
 
 } // namespace detail
 
+/// The numbers of a step: the ids of all elements of the next level.
+template <class N>
+concept level_numbering = requires(const N& ids) {
+    requires std::unsigned_integral<typename N::index_type>;
+    requires declared_columns<typename N::columns_type>;
+    requires element_ids<std::remove_cvref_t<decltype(ids.vertices)>>;
+    requires element_ids<std::remove_cvref_t<decltype(ids.edges)>>;
+    requires element_ids<std::remove_cvref_t<decltype(ids.faces)>>;
+    // The columns declare edges; without them they are matched.
+    { N::has_edges } -> std::convertible_to<bool>;
+    // How many corners all new faces have, where that is known while compiling, else 0.
+    { N::common_degree } -> std::convertible_to<std::size_t>;
+};
+
 /// The ids of all elements of the next level, in closed form from the columns. It is all that remains of an association
 /// space once the level is made: which element belongs to a tuple, and, by `origin`, which tuple to an element.
-template <class Columns, std::unsigned_integral Index>
+template <declared_columns Columns, std::unsigned_integral Index>
 class numbering {
     template <class List>
     struct ids_of;
@@ -86,7 +101,7 @@ public:
 
     numbering() = default;
     /// Errors: mesh_error if the next level has more elements than Index can number; nothing is allocated for it then.
-    template <class Level>
+    template <level Level>
     numbering(const Level& coarse, const Columns& columns)
         : vertices(coarse, columns.vertices.list), edges(coarse, columns.edges.list), faces(coarse, columns.faces.list)
     {

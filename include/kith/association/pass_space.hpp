@@ -8,7 +8,7 @@ namespace kith {
 namespace detail {
 
 /// What a pass has of its own; a base, so that it is there before the space that refers to it.
-template <class Numbering, class Values>
+template <level_numbering Numbering, value_space Values>
 struct pass_parts {
     Numbering ids;
     Values values;
@@ -19,7 +19,7 @@ struct pass_parts {
 
 /// The association space of one of the passes of a step; thesis 4.1, chained. Its vertices are of no level: they are set
 /// and read as others are and go with it.
-template <class Level, class Numbering, class Values, bool Checked>
+template <level Level, level_numbering Numbering, values_of_step<Level> Values, bool Checked>
 class pass_space : detail::pass_parts<Numbering, Values>,
                    public association_space<Level, Numbering, Values, connect::nothing, Checked> {
     using parts = detail::pass_parts<Numbering, Values>;

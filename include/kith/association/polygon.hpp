@@ -3,12 +3,13 @@
 
 #include "association.hpp"
 
+#include <concepts>
 #include <array>
 
 namespace kith {
 
 namespace detail {
-template <class Index>
+template <std::unsigned_integral Index>
 Index index_of_line(const face_line<Index>&);
 template <class Association>
 typename Association::index index_of_line(const Association&);

@@ -22,43 +22,30 @@ struct tuple_index {
     std::size_t value;
 };
 
-template <class T>
-inline constexpr char element_letter = '?';
-template <class L>
-inline constexpr char element_letter<vertex<L>> = 'v';
-template <class L>
-inline constexpr char element_letter<edge<L>> = 'e';
-template <class L>
-inline constexpr char element_letter<face<L>> = 'f';
-template <class L>
-inline constexpr char element_letter<corner<L>> = 'c';
-template <class T>
-concept element = element_letter<std::remove_cvref_t<T>> != '?';
-
 /// The index of a tuple. `Touch`: its elements are known to be incident, so the last way in which they may be is not
 /// looked at; a branch that is never taken would keep the compiler from moving what a loop reads out of the loop.
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::v> index_tuple(const vertex<L>& v)
 {
     return {v.index()};
 }
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::e> index_tuple(const edge<L>& e)
 {
     return {e.index()};
 }
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::f> index_tuple(const face<L>& f)
 {
     return {f.index()};
 }
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::vf> index_tuple(const corner<L>& c)
 {
     return {c.index()};
 }
 /// Cost: O(degree of f), for faces of many corners O(the smaller of degree and valence).
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::vf> index_tuple(const vertex<L>& v, const face<L>& f)
 {
     const auto first = f.first_corner();
@@ -79,7 +66,7 @@ tuple_index<tuple_kind::vf> index_tuple(const vertex<L>& v, const face<L>& f)
             return {corner.index()};
     return {tuple_index<tuple_kind::vf>::not_incident};
 }
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::ve> index_tuple(const vertex<L>& v, const edge<L>& e)
 {
     const corner<L> c = e.seen_from();
@@ -89,7 +76,7 @@ tuple_index<tuple_kind::ve> index_tuple(const vertex<L>& v, const edge<L>& e)
         return {c.halfedge() ^ 1};
     return {tuple_index<tuple_kind::ve>::not_incident};
 }
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::ef> index_tuple(const edge<L>& e, const face<L>& f)
 {
     const corner<L> c = e.seen_from();
@@ -100,7 +87,7 @@ tuple_index<tuple_kind::ef> index_tuple(const edge<L>& e, const face<L>& f)
     return {tuple_index<tuple_kind::ef>::not_incident};
 }
 /// Side 0 of a corner is its next edge, side 1 its previous one.
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::vfe> index_tuple(const corner<L>& c, const edge<L>& e)
 {
     if (c.next_edge() == e)
@@ -109,7 +96,7 @@ tuple_index<tuple_kind::vfe> index_tuple(const corner<L>& c, const edge<L>& e)
         return {2 * c.index() + 1};
     return {tuple_index<tuple_kind::vfe>::not_incident};
 }
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::vfe> index_tuple(const vertex<L>& v, const face<L>& f, const edge<L>& e)
 {
     // The edge says where the vertex is in a face that has both.
@@ -126,7 +113,7 @@ tuple_index<tuple_kind::vfe> index_tuple(const vertex<L>& v, const face<L>& f, c
     return {tuple_index<tuple_kind::vfe>::not_incident};
 }
 /// Two neighbours are an edge; any two vertices may be asked for. Cost: O(valence).
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
 {
     for (const auto& e : a.edges())
@@ -136,7 +123,7 @@ tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
 }
 /// Two faces with a common edge are that edge, the first one in a's order if they share several; any two faces may be asked
 /// for. Cost: O(degree).
-template <bool Touch = false, class L>
+template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::e> index_tuple(const face<L>& a, const face<L>& b)
 {
     for (const auto& c : a.corners())
@@ -185,7 +172,7 @@ template <element... X>
 }
 
 /// The elements of the tuple with this kind and index: the inverse of index_tuple.
-template <class Level>
+template <level Level>
 [[gnu::noinline]] tuple_elements list_tuple(const Level& level, tuple_kind kind, std::size_t index)
 {
     switch (kind) {

@@ -5,12 +5,13 @@
 
 #include <kith/base/for_parts.hpp>
 
+#include <concepts>
 #include <map>
 
 namespace kith {
 
 /// New vertices by tuples that are in no column, such as elements that do not touch. Cost: O(log n) each.
-template <class Index>
+template <std::unsigned_integral Index>
 class vertex_dictionary {
 public:
     /// Errors: association_error for a tuple that it has already, and in loops whose order is not promised.

@@ -56,8 +56,10 @@ struct affine<Scalar> {
 template <class T>
 using scalar_of = typename affine<T>::scalar;
 
+/// A value that masks combine, and that arrays hold.
 template <class T>
 concept affine_value = requires(const T& value, typename affine<T>::sum total, typename affine<T>::scalar weight) {
+    requires std::copyable<T> and std::default_initializable<T>;
     { affine<T>::load(value) } -> std::convertible_to<typename affine<T>::sum>;
     { affine<T>::store(total) } -> std::convertible_to<T>;
     affine<T>::add(total, total);

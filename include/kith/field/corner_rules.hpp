@@ -17,7 +17,7 @@ namespace kith {
 namespace detail {
 
 /// The values at the corners of a level, extended linearly to the tuples of its elements.
-template <class T, class Step>
+template <class T, finished_step Step>
 class linear_in_level {
     using masks = linear_masks_of<T, std::remove_cvref_t<decltype(std::declval<const Step&>().ids.vertices)>>;
 
@@ -65,18 +65,18 @@ public:
 
 private:
     [[nodiscard]] const auto& level() const { return step_.coarse; }
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] const T& here(const Corner& c) const
     {
         return values_[c.index()];
     }
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] const T& mean(const Corner& c) const
     {
         return means_[c.f().index()];
     }
     /// The mean over those sides of an edge that lie in the face that gave birth; if none does, over all.
-    template <class Edge, class F>
+    template <edge_element Edge, class F>
     [[nodiscard]] T of_edge(std::pair<tuple_kind, std::size_t> face, const Edge& e, const F& in_face) const
     {
         const auto left = e.lcorner();
@@ -89,7 +89,7 @@ private:
     }
     /// The value at a vertex in the face that gave birth; if there is none, or the vertex is not in it, the mean over the
     /// faces of the edge that did, and else over all around the vertex.
-    template <class Vertex>
+    template <vertex_element Vertex>
     [[nodiscard]] T at_vertex(std::pair<tuple_kind, std::size_t> face, const Vertex& v) const
     {
         const auto [kind, i] = face;
@@ -115,7 +115,7 @@ private:
             sum.add(here(*c));
         return sum.over(count);
     }
-    template <class Face>
+    template <face_element Face>
     [[nodiscard]] bool is_parent(std::pair<tuple_kind, std::size_t> face, const Face& f) const
     {
         return parent_kind(face.first) == element_kind::face and parent(level(), face.first, face.second) == f.index();
@@ -134,7 +134,7 @@ private:
 /// one comes, or in its own where its tuple has one; where neither has one the mean over the old faces at its edge or vertex.
 /// Corners at vertices of the dictionary have T(). Cost: O(corners).
 struct linear_in_faces {
-    template <affine_value T, class Step>
+    template <affine_value T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         const auto fine = step.fine();

@@ -16,7 +16,7 @@ namespace kith {
 namespace detail {
 
 /// Whether a vertex of the next level was born on an edge: by it, by one of its ends, or by both.
-template <class Step, class Edge>
+template <finished_step Step, edge_element Edge>
 bool is_born_on(const Step& step, std::size_t vertex, const Edge& e)
 {
     if (vertex >= step.ids.vertices.total())
@@ -37,7 +37,7 @@ struct along_edges {
     [[no_unique_address]] Inherit inherit{};
     [[no_unique_address]] Born born{};
 
-    template <class T, class Step>
+    template <class T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         static_assert(

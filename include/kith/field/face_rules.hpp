@@ -20,7 +20,7 @@ struct from_parent {
     [[no_unique_address]] Inherit inherit{};
     [[no_unique_address]] Born born{};
 
-    template <class T, class Step>
+    template <class T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         storage<T> result(step.ids.faces.total());

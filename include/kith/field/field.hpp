@@ -9,6 +9,7 @@
 #include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -54,7 +55,7 @@ public:
     [[nodiscard]] const Rule& rule() const { return *rule_; }
 
     /// That of the next level.
-    template <class Step>
+    template <finished_step Step>
     [[nodiscard]] field after(const Step& step) const
     {
         field result(rule());
@@ -67,7 +68,7 @@ public:
         return result;
     }
     /// That of a part of the level.
-    template <class Index>
+    template <std::unsigned_integral Index>
     [[nodiscard]] field of_part(const part_numbers<Index>& part) const
     {
         field result(rule());
@@ -83,7 +84,7 @@ public:
         return result;
     }
     /// Takes over the values of a part.
-    template <class Index>
+    template <std::unsigned_integral Index>
     void add_part(const field& more, const part_numbers<Index>& part)
     {
         if (more.empty())
@@ -126,7 +127,7 @@ private:
         return are;
     }
     /// Of a level or of a part of one.
-    template <class Level>
+    template <counts_elements Level>
     static std::size_t count_on(const Level& level)
     {
         if constexpr (Where == field_on::vertices)
@@ -139,7 +140,7 @@ private:
             return level.corner_count();
     }
     /// Calls f(number in the part, number in the level).
-    template <class Index, class F>
+    template <std::unsigned_integral Index, class F>
     static void for_each_in(const part_numbers<Index>& part, const F& f)
     {
         const auto in_list = [&](std::span<const Index> list) {

@@ -25,7 +25,7 @@ namespace detail {
 
 /// What an element without an heir's right is born with: a value, or that of a function of the element that gave birth to it
 /// and of the values of the level.
-template <class T, class Born, class Element>
+template <class T, class Born, element Element>
 T born_value(const Born& born, const Element& element, std::span<const T> values)
 {
     if constexpr (std::same_as<Born, no_value>)
@@ -65,7 +65,7 @@ private:
 };
 
 /// Calls f.operator()<kind>(id, tuple) for each new element that has a column in `list`, on threads.
-template <class Level, class Ids, class... Columns, class F>
+template <level Level, element_ids Ids, class... Columns, class F>
 void for_new_elements(const Level& coarse, const Ids& ids, const std::tuple<Columns...>& list, const F& f)
 {
     const auto in_column = [&]<tuple_kind K, class W, class D>(const column<K, W, D>&) {
@@ -77,7 +77,7 @@ void for_new_elements(const Level& coarse, const Ids& ids, const std::tuple<Colu
     };
     std::apply([&](const auto&... c) { (in_column(c), ...); }, list);
 }
-template <class Step>
+template <finished_step Step>
 auto columns_of_step(const Step& step)
 {
     return columns_of(step.scheme, step.generation);
@@ -121,7 +121,7 @@ struct linear_masks {
     {
         return blend<T>(vertex).add(edge).add(face).over(3);
     }
-    template <class Face, class At>
+    template <face_element Face, class At>
     [[nodiscard]] static T mean(const Face& f, const At& at)
     {
         const auto first = f.first_corner();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -45,7 +46,7 @@ public:
     void sort() { std::ranges::stable_sort(list_, {}, &entry::first); }
 
     /// Those of a part, whose elements have these numbers, which increase. Cost: O(entries + elements of the part).
-    template <class Index>
+    template <std::unsigned_integral Index>
     [[nodiscard]] sparse_values of_part(std::span<const Index> numbers) const
     {
         sparse_values result;
@@ -59,7 +60,7 @@ public:
         return result;
     }
     /// Takes over those of a part; of an element that both have the value here stays. Cost: O(entries log of them).
-    template <class Index>
+    template <std::unsigned_integral Index>
     void add_part(const sparse_values& part, std::span<const Index> numbers)
     {
         for (const auto& [element, value] : part.list_)

@@ -16,7 +16,7 @@ namespace kith {
 namespace detail {
 
 /// Room for the values at the vertices of the next level; those of the dictionary have T().
-template <class T, class Step>
+template <class T, finished_step Step>
 storage<T> values_at_new_vertices(const Step& step)
 {
     storage<T> result(step.fine_vertices());
@@ -29,7 +29,7 @@ storage<T> values_at_new_vertices(const Step& step)
 /// The linear rule of values at vertices: a new vertex has the mean of the elements of its tuple, where an edge has the mean
 /// of its ends and a face that of its vertices; on edges that are cut in three the thirds. Cost: O(corners).
 struct linear_values {
-    template <affine_value T, class Step>
+    template <affine_value T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         using masks = detail::linear_masks_of<T, decltype(step.ids.vertices)>;
@@ -71,7 +71,7 @@ struct linear_values {
     }
 
 private:
-    template <class Ids>
+    template <element_ids Ids>
     static constexpr bool needs_means = Ids::template has<tuple_kind::vf> or Ids::template has<tuple_kind::ef> or
                                         Ids::template has<tuple_kind::vfe>;
 };
@@ -84,7 +84,7 @@ struct from_vertex {
     [[no_unique_address]] Inherit inherit{};
     [[no_unique_address]] Born born{};
 
-    template <class T, class Step>
+    template <class T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         auto result = detail::values_at_new_vertices<T>(step);
@@ -105,7 +105,7 @@ struct from_vertex {
 /// The rule of values at vertices that are as smooth as the surface: the scheme's own masks. Cost: that of the step without
 /// its connectivity.
 struct by_mask {
-    template <affine_value T, class Step>
+    template <affine_value T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         attribute_values<T> run(values);

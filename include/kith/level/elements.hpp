@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "values_over.hpp"
 #include "walk.hpp"
 
 #include <kith/mask/mask.hpp>
@@ -10,7 +11,7 @@
 namespace kith {
 
 /// A vertex in a face, and the half-edge that leaves the vertex inside the face. Thesis 4.1: the tuple (v, f).
-template <class Level>
+template <walkable_level Level>
 class corner {
 public:
     using handle_type = typename Level::corner_handle;
@@ -60,7 +61,7 @@ private:
 };
 
 /// An edge; `lface` lies to the left of org -> dst. A boundary edge has its face on the left.
-template <class Level>
+template <walkable_level Level>
 class edge {
 public:
     using handle_type = typename Level::edge_handle;
@@ -101,7 +102,7 @@ private:
 };
 
 /// A vertex. Its fan is the cycle of its corners, counter-clockwise; at the boundary from boundary edge to boundary edge.
-template <class Level>
+template <walkable_level Level>
 class vertex : public mask_base {
 public:
     using handle_type = typename Level::vertex_handle;
@@ -161,7 +162,7 @@ public:
     [[nodiscard]] vertex first_rim() const { return first_corner().next().v(); }
     [[nodiscard]] vertex last_rim() const { return last_corner().prev().v(); }
 
-    template <class Values>
+    template <values_over<Level> Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         return values.coarse(*this);
@@ -177,7 +178,7 @@ private:
 };
 
 /// A face; its corners and vertices are counter-clockwise from the first corner.
-template <class Level>
+template <walkable_level Level>
 class face {
 public:
     using handle_type = typename Level::face_handle;

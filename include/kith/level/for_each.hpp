@@ -23,19 +23,19 @@ concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level
     level.for_edges_of(0, 0, g);
 };
 
-template <class Level, class Element>
+template <walkable_level Level, element Element>
 inline constexpr bool met_by_faces = ordered_by_faces<Level> and
                                      (std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>);
 
 /// Whether a mask is worth being inlined into the loop as a whole: it is a tree of small functions, and one that stays a
 /// call in the innermost loop costs more than the arithmetic. Not for the walks through the traits of other meshes, nor
 /// for numbers that are classes with memory of their own, which would make very large functions.
-template <class Level>
+template <walkable_level Level>
 inline constexpr bool inlines_masks = ordered_by_faces<Level> and
                                       std::is_trivially_copyable_v<typename Level::point_type>;
 
 /// Calls f on the elements with these numbers.
-template <class Level, class Element, class F>
+template <walkable_level Level, element Element, class F>
 void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
 {
     for (std::size_t i = begin; i < end; ++i)
@@ -43,7 +43,7 @@ void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, s
 }
 
 /// The same with all that f calls inlined.
-template <class Level, class Element, class F>
+template <walkable_level Level, element Element, class F>
 [[gnu::flatten]] void for_numbers_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
                                           const F& f)
 {
@@ -51,7 +51,7 @@ template <class Level, class Element, class F>
 }
 
 /// Calls f on the elements that belong to the faces [begin, end).
-template <class Level, class Element, class F>
+template <walkable_level Level, element Element, class F>
 void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
 {
     const Level& level = range.level();
@@ -62,7 +62,7 @@ void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std
 }
 
 /// The same with all that f calls inlined.
-template <class Level, class Element, class F>
+template <walkable_level Level, element Element, class F>
 [[gnu::flatten]] void for_faces_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
                                         const F& f)
 {
@@ -72,14 +72,14 @@ template <class Level, class Element, class F>
 } // namespace detail
 
 /// Calls f(element) out of the loop that meets the element: what is rare would cost the loop registers.
-template <class F, class Element>
+template <class F, element Element>
 [[gnu::noinline]] void rarely(const F& f, Element element)
 {
     f(element);
 }
 
 /// The same with all that f calls inlined.
-template <class F, class Element>
+template <class F, element Element>
 [[gnu::noinline, gnu::flatten]] void rarely_inlined(const F& f, Element element)
 {
     f(element);
@@ -87,7 +87,7 @@ template <class F, class Element>
 
 /// The same as for_each, in the order of the numbers on each thread: for bodies that look at their own element only and
 /// write what lies in that order, too.
-template <class Level, class Element, class F>
+template <walkable_level Level, element Element, class F>
 void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 {
     detail::for_parts(range.size(), Level::parallel, [&](std::size_t begin, std::size_t end) {
@@ -102,7 +102,7 @@ void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 /// Calls f on every element of a range such as `coarse.faces()`. The order is not promised: bodies must write only what
 /// belongs to their own element, as associations do. Vertices under tuples without a column do not: the number of each
 /// would be that of its turn. Errors: association_error for them.
-template <class Level, class Element, class F>
+template <walkable_level Level, element Element, class F>
 void for_each(const all_elements<Level, Element>& range, const F& f)
 {
     if constexpr (detail::met_by_faces<Level, Element>)

@@ -9,7 +9,7 @@
 namespace kith {
 
 /// All elements of one kind of a level, for loops: `for (auto v : coarse.vertices())` or `for_each`.
-template <class Level, class Element>
+template <walkable_level Level, element Element>
 class all_elements {
 public:
     class iterator {
@@ -57,24 +57,22 @@ private:
 };
 
 /// A level with its element ranges: what a scheme calls `coarse`.
-template <class Level>
+template <walkable_level Level>
 class level_elements : public Level {
 public:
     using Level::Level;
-    using vertex_type = vertex<level_elements>;
-    using edge_type = edge<level_elements>;
-    using face_type = face<level_elements>;
-    using corner_type = corner<level_elements>;
 
-    [[nodiscard]] auto vertices() const
+    // Elements are those of a level that is complete, which it is when these are called, not where their types are told.
+    [[nodiscard]] auto vertices() const { return all<vertex<level_elements>>(this->vertex_count()); }
+    [[nodiscard]] auto edges() const { return all<edge<level_elements>>(this->edge_count()); }
+    [[nodiscard]] auto faces() const { return all<face<level_elements>>(this->face_count()); }
+    [[nodiscard]] auto corners() const { return all<corner<level_elements>>(this->corner_count()); }
+
+private:
+    template <element Element>
+    [[nodiscard]] auto all(std::size_t size) const
     {
-        return all_elements<level_elements, vertex_type>(*this, this->vertex_count());
-    }
-    [[nodiscard]] auto edges() const { return all_elements<level_elements, edge_type>(*this, this->edge_count()); }
-    [[nodiscard]] auto faces() const { return all_elements<level_elements, face_type>(*this, this->face_count()); }
-    [[nodiscard]] auto corners() const
-    {
-        return all_elements<level_elements, corner_type>(*this, this->corner_count());
+        return all_elements<level_elements, Element>(*this, size);
     }
 };
 

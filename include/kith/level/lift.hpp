@@ -18,15 +18,15 @@
 namespace kith {
 
 /// The levels that schemes walk on: any mesh through its traits, the native mesh directly.
-template <class M>
+template <mesh M>
 struct level_view {
     using type = level_elements<mesh_level<M>>;
 };
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 struct level_view<basic_mesh<Point, Index>> {
     using type = level_elements<native_level<Point, Index, 0>>;
 };
-template <class M>
+template <mesh M>
 using level_of = typename level_view<M>::type;
 
 /// Errors: mesh_error for a native mesh of face-vertex lists only, whose edges nobody knows.

@@ -89,7 +89,7 @@ auto lift_valid(const M& mesh)
 }
 
 /// The native mesh cannot be made with bad connectivity, so only its points and loose vertices are looked at.
-template <class Point, class Index>
+template <class Point, std::unsigned_integral Index>
 mesh_report validate(const basic_mesh<Point, Index>& mesh)
 {
     mesh_report report;

@@ -67,13 +67,13 @@ private:
 };
 
 /// The points of the meshes themselves.
-template <class Level>
+template <level Level>
 class point_values : public fine_values<typename Level::point_type> {
 public:
     /// Empty ones over the same coarse level, for another pass of a step.
     [[nodiscard]] point_values another() const { return {}; }
 
-    template <class L>
+    template <walkable_level L>
     [[nodiscard]] decltype(auto) coarse(const vertex<L>& v) const
     {
         return affine<typename Level::point_type>::load(v.point());
@@ -89,7 +89,7 @@ public:
     /// Empty ones over the same coarse level, for another pass of a step.
     [[nodiscard]] attribute_values another() const { return attribute_values(coarse_); }
 
-    template <class L>
+    template <walkable_level L>
     [[nodiscard]] decltype(auto) coarse(const vertex<L>& v) const
     {
         return affine<T>::load(coarse_[v.index()]);

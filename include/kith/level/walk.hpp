@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "level.hpp"
+
 #include <cstddef>
 #include <utility>
 
 namespace kith {
 
-template <class Level> class vertex;
-template <class Level> class edge;
-template <class Level> class face;
-template <class Level> class corner;
-
 namespace detail {
 
 /// A step goes from element to element of a walk until it is done().
-template <class Level>
+template <walkable_level Level>
 struct fan_step {
     typename Level::corner_handle first;
     typename Level::corner_handle here = first;
@@ -29,7 +26,7 @@ struct fan_step {
     [[nodiscard]] corner<Level> get(const Level& level) const { return {level, here}; }
 };
 
-template <class Level>
+template <walkable_level Level>
 struct spoke_step {
     typename Level::corner_handle first;
     typename Level::corner_handle here = first;
@@ -63,13 +60,13 @@ struct spoke_step {
 };
 
 /// The number of corners that all faces of a level have when it is known while compiling, else 0.
-template <class Level>
+template <walkable_level Level>
 inline constexpr std::size_t degree_of_all_faces = 0;
-template <class Level>
+template <walkable_level Level>
     requires requires { Level::face_degree; }
 inline constexpr std::size_t degree_of_all_faces<Level> = Level::face_degree;
 
-template <class Level>
+template <walkable_level Level>
 struct face_step {
     typename Level::corner_handle first;
     typename Level::corner_handle here = first;
@@ -84,7 +81,7 @@ struct face_step {
     [[nodiscard]] corner<Level> get(const Level& level) const { return {level, here}; }
 };
 /// Counts, so that the loop over a face is unrolled.
-template <class Level>
+template <walkable_level Level>
     requires(degree_of_all_faces<Level> != 0)
 struct face_step<Level> {
     typename Level::corner_handle here;
@@ -104,25 +101,25 @@ struct filtered_step {
     Step step;
     Keep keep;
 
-    template <class Level>
+    template <walkable_level Level>
     filtered_step(const Level& level, Step first, Keep keep_step) : step(first), keep(keep_step)
     {
         settle(level);
     }
-    template <class Level>
+    template <walkable_level Level>
     void advance(const Level& level)
     {
         step.advance(level);
         settle(level);
     }
-    template <class Level>
+    template <walkable_level Level>
     void settle(const Level& level)
     {
         while (not step.done() and not keep(level, step))
             step.advance(level);
     }
     [[nodiscard]] bool done() const { return step.done(); }
-    template <class Level>
+    template <walkable_level Level>
     [[nodiscard]] auto get(const Level& level) const
     {
         return step.get(level);
@@ -140,7 +137,7 @@ struct identity {
 } // namespace detail
 
 /// A lazy range over neighbouring elements: a step and a map, no storage.
-template <class Level, class Step, class Map>
+template <walkable_level Level, class Step, class Map>
 class mapped_walk {
 public:
     struct sentinel {};
@@ -193,7 +190,7 @@ private:
 };
 
 /// A walk that gives what its step gives.
-template <class Level, class Step>
+template <walkable_level Level, class Step>
 class walk : public mapped_walk<Level, Step, detail::identity> {
 public:
     walk(const Level& level, Step step) : mapped_walk<Level, Step, detail::identity>(level, step, {}) {}

@@ -25,7 +25,7 @@ namespace detail {
 
 /// The element between two others, one of them where the other lies on it: of vertices the edge that joins them, of edges the
 /// face on which both lie, of faces the edge that they share. Nothing if they do not touch.
-template <class Level>
+template <level Level>
 std::optional<numbered_element> element_between(const Level& level, numbered_element a, numbered_element b)
 {
     using enum element_kind;
@@ -75,7 +75,7 @@ numbered_element numbered(const X& x)
 /// element between the parents of its ends, which is what its split would have said. Nothing for vertices of the
 /// dictionary, and for edges whose ends have no parents that touch. Cost: that of `origin`; for edges that were found by
 /// matching O(valence + degree) more.
-template <class Level, class Numbering, class Fine>
+template <level Level, level_numbering Numbering, level Fine>
 std::optional<numbered_element> parent_of(const Level& coarse, const Numbering& ids, const Fine& fine,
                                           const numbered_element& x)
 {
@@ -108,7 +108,7 @@ inline element_ranges only(const numbered_element& x)
 
 /// The children of elements of a level, with edges that were found by matching. Cost: O(ranges); O(edges of the next level)
 /// where edges were found by matching.
-template <class Level, class Numbering, class Fine>
+template <level Level, level_numbering Numbering, level Fine>
 element_ranges children(const Level& coarse, const Numbering& ids, const Fine& fine, const element_ranges& parents)
 {
     auto result = children(coarse, ids, parents);

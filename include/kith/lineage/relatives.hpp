@@ -13,7 +13,7 @@
 namespace kith {
 
 /// The elements, on the level below, that gave birth to an element; those of its tuple are set.
-template <class M>
+template <mesh M>
 struct birth {
     tuple_kind kind;
     std::optional<typename mesh_traits<M>::vertex> v;
@@ -22,7 +22,7 @@ struct birth {
 };
 
 /// The one element of a level from which another descends, of whatever kind: the one that is set.
-template <class M>
+template <mesh M>
 struct ancestor_element {
     element_kind kind;
     std::optional<typename mesh_traits<M>::vertex> v;
@@ -30,7 +30,7 @@ struct ancestor_element {
     std::optional<typename mesh_traits<M>::face> f;
 
     /// Of the level that is given, of M.
-    template <class Level>
+    template <level Level>
     ancestor_element(const Level& level, const numbered_element& x) : kind(x.kind)
     {
         switch (kind) {
@@ -44,7 +44,7 @@ struct ancestor_element {
 
 /// What gave birth to an element of the next level. Of an edge that was found by matching it is the element between the
 /// parents of its ends, as (e) or (f). Nothing for vertices of the dictionary and edges at them. Cost: that of parent_of.
-template <class M, class Level, class Numbering, class Fine, class X>
+template <mesh M, level Level, level_numbering Numbering, level Fine, element X>
 std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, const X& x)
 {
     const auto from_tuple = [&](const auto& of_kind) -> std::optional<birth<M>> {
@@ -79,7 +79,7 @@ std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, cons
 
 /// The elements of a level that descend from one of a coarser level: as ranges of numbers, and in handles of the mesh. It may
 /// be used as long as the hierarchy has this level.
-template <class Level>
+template <level Level>
 class descendant_elements {
 public:
     descendant_elements(const Level& level, element_ranges numbers) : level_(&level), numbers_(std::move(numbers)) {}

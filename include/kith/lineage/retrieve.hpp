@@ -17,7 +17,7 @@ namespace kith {
 
 /// The element of the next level that belongs to a tuple, by the numbering of the step alone; nothing where the scheme
 /// made none under it. Cost: O(1).
-template <tuple_kind Kind, class Numbering, class Fine, class Target>
+template <tuple_kind Kind, level_numbering Numbering, level Fine, target Target>
 auto retrieve(const Numbering& ids, const Fine& fine, tuple_index<Kind> tuple, Target)
 {
     const auto find = [&](const auto& column_ids, const auto& at) -> std::optional<decltype(at(0))> {
@@ -36,7 +36,7 @@ auto retrieve(const Numbering& ids, const Fine& fine, tuple_index<Kind> tuple, T
 }
 
 /// The level, if it has the element with this handle. Errors: mesh_error for all other handles.
-template <mesh M, class Level, class Handle>
+template <mesh M, level Level, element_handle Handle>
 const Level& require_element(const Level& here, const M& mesh, Handle x, int level)
 {
     using traits = mesh_traits<M>;

@@ -40,7 +40,7 @@ private:
 };
 
 /// A weight that depends on a valence, in the scalar type of a refinement: `by_valence(r, [](std::size_t n) { return ...; })`.
-template <class Refinement>
+template <has_scalar Refinement>
 [[nodiscard]] auto by_valence(const Refinement&, std::function<double(std::size_t)> weight)
 {
     return weights_by_valence<typename Refinement::scalar>(std::move(weight));

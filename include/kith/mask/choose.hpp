@@ -20,7 +20,7 @@ struct mask_choice : mask_base {
     {
     }
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         if (condition)

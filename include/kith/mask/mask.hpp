@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mask_expressions.hpp"
+#include "value_space.hpp"
 
 #include <kith/base/affine.hpp>
 #include <kith/base/refused.hpp>
@@ -29,7 +30,7 @@ namespace refused {
 
 /// In place of a mask that is none.
 struct any_mask : mask_base {
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values&) const
     {
         return {};
@@ -45,6 +46,13 @@ concept of_meshes = of_a_mesh<T> or requires(const T& range) {
 } or requires(const T& range) { typename decltype(*range.begin())::handle_type; };
 
 } // namespace refused
+
+/// What has masks evaluated over values that it knows: an association space.
+template <class S>
+concept mask_evaluator = requires(const S& space, const refused::any_mask& mask) {
+    requires weight_number<typename S::scalar> and std::copyable<typename S::sum>; // of its values
+    { space.evaluate(mask) } -> std::convertible_to<typename S::sum>;              // of any mask
+};
 
 template <mask A, mask B>
 [[nodiscard]] auto operator+(const A& a, const B& b)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "value_space.hpp"
+
 #include <concepts>
 #include <cstddef>
 #include <utility>
@@ -43,7 +45,7 @@ struct mask_sum : mask_base {
 
     mask_sum(A a, B b) : a(std::move(a)), b(std::move(b)) {}
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         auto total = a.evaluate(values);
@@ -70,7 +72,7 @@ struct mask_scaled : mask_base {
 
     mask_scaled(A a, Weight weight) : a(std::move(a)), weight(std::move(weight)) {}
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         if constexpr (std::same_as<Weight, one_over>)
@@ -87,13 +89,13 @@ struct mask_range_sum : mask_base {
 
     explicit mask_range_sum(Range range) : range(std::move(range)) {}
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         std::size_t count = 0;
         return evaluate(values, count);
     }
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values, std::size_t& count) const
     {
         return detail::sum_of_terms<Values>(range, [&](const auto& operand) {
@@ -109,7 +111,7 @@ struct mask_average : mask_base {
 
     explicit mask_average(Range range) : total(std::move(range)) {}
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         std::size_t count = 0;
@@ -127,7 +129,7 @@ struct mask_weighted_sum : mask_base {
 
     mask_weighted_sum(Range range, WeightOf weight_of) : range(std::move(range)), weight_of(std::move(weight_of)) {}
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         std::size_t count = 0;
@@ -143,7 +145,7 @@ struct mask_list_sum : mask_base {
 
     explicit mask_list_sum(const List& list) : list(&list) {}
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         return detail::sum_of_terms<Values>(
@@ -158,7 +160,7 @@ struct mask_of_sum : mask_base {
 
     explicit mask_of_sum(const Sum& total) : total(&total) {}
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] Sum evaluate(const Values&) const
     {
         return *total;
@@ -181,7 +183,7 @@ struct mask_ring : mask_base {
     {
     }
 
-    template <class Values>
+    template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         std::size_t count = 0;

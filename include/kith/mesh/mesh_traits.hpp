@@ -96,6 +96,12 @@ concept mesh = std::regular<typename T::vertex> and std::regular<typename T::edg
                    { T::point_of(m, v) } -> std::convertible_to<typename T::point>;
                };
 
+/// The handle of a vertex, an edge or a face of M.
+template <class H, class M>
+concept handle_of = std::convertible_to<H, typename mesh_traits<M>::vertex> or
+                    std::convertible_to<H, typename mesh_traits<M>::edge> or
+                    std::convertible_to<H, typename mesh_traits<M>::face>;
+
 /// A mesh whose vertices kith can move.
 template <class M, class T = mesh_traits<M>>
 concept movable_mesh = mesh<M, T> and requires(M& m) {

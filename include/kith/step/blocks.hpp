@@ -8,7 +8,7 @@
 namespace kith {
 
 /// The elements of one kind of a block: part `number` of `count`.
-template <class Level, class Element>
+template <level Level, element Element>
 struct block_elements {
     all_elements<Level, Element> all;
     std::size_t number, count;
@@ -19,7 +19,7 @@ struct block_elements {
 };
 
 /// Part `number` of `count` of a level: some consecutive faces, the vertices and edges that belong to them, and so on.
-template <class Level>
+template <level Level>
 class block_of_level {
 public:
     block_of_level(const Level& level, std::size_t number, std::size_t count)
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool is_closed() const { return level_->is_closed(); }
 
 private:
-    template <class Element>
+    template <element Element>
     [[nodiscard]] auto part(const all_elements<Level, Element>& all) const
     {
         return block_elements<Level, Element>{all, number_, count_};
@@ -46,13 +46,13 @@ private:
 };
 
 /// for_each and for_each_by_number over the elements of a block.
-template <class Level, class Element, class F>
+template <level Level, element Element, class F>
 void for_each_by_number(const block_elements<Level, Element>& range, const F& f)
 {
     const std::size_t size = range.all.size();
     detail::for_numbers_inlined(range.all, range.begin(size), range.end(size), f);
 }
-template <class Level, class Element, class F>
+template <level Level, element Element, class F>
 void for_each(const block_elements<Level, Element>& range, const F& f)
 {
     if constexpr (detail::met_by_faces<Level, Element>) {
@@ -66,7 +66,7 @@ void for_each(const block_elements<Level, Element>& range, const F& f)
 /// Calls body(part of r) for parts of the coarse level that fit the cache, so that what one loop of the body fetches is
 /// still there for the next. The loops of the body must not read what they make: only the coarse level and what was made
 /// before. Each thread of OpenMP takes consecutive parts. Errors: as for_each.
-template <class Level, class Space, class Scalar, class Body>
+template <level Level, mask_evaluator Space, class Scalar, class Body>
 void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
 {
     if constexpr (detail::ordered_by_faces<Level>) {

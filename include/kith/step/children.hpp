@@ -3,6 +3,7 @@
 
 #include "next_counts.hpp"
 
+#include <kith/association/numbering.hpp>
 #include <kith/association/column_ids.hpp>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ constexpr element_kind parent_kind(tuple_kind kind)
 }
 
 /// The number of the parent of a tuple. Cost: O(1).
-template <class Level>
+template <level Level>
 std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
 {
     switch (kind) {
@@ -44,7 +45,7 @@ std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
 
 /// The face that what a tuple gives birth to comes from: its parent or, where that is an edge or a vertex, the face with
 /// the smallest number there. Cost: O(faces at it).
-template <class Level>
+template <level Level>
 std::size_t parent_face(const Level& level, tuple_kind kind, std::size_t tuple)
 {
     const std::size_t x = parent(level, kind, tuple);
@@ -83,7 +84,7 @@ constexpr std::vector<number_range> element_ranges::* of_kind(element_kind kind)
 namespace detail {
 
 /// The tuples of a kind that have these parents follow one another, as ends of edges and corners of faces do.
-template <class Level>
+template <level Level>
 number_range tuples_of(const Level& level, tuple_kind kind, const number_range& parents)
 {
     const auto corner = [&](std::size_t face) {
@@ -99,7 +100,7 @@ number_range tuples_of(const Level& level, tuple_kind kind, const number_range& 
     }
 }
 
-template <class Level, class Ids>
+template <level Level, element_ids Ids>
 std::vector<number_range> children_among(const Level& level, const Ids& ids, const element_ranges& parents)
 {
     std::vector<number_range> result;
@@ -122,7 +123,7 @@ std::vector<number_range> children_among(const Level& level, const Ids& ids, con
 /// elements, and those of two elements have none in common; so over several levels descendants are children of children.
 /// Preconditions: `ids` is the numbering of the step from `level`; ranges increase and do not overlap.
 /// Cost: O(ranges).
-template <class Level, class Numbering>
+template <level Level, level_numbering Numbering>
 element_ranges children(const Level& level, const Numbering& ids, const element_ranges& parents)
 {
     return {detail::children_among(level, ids.vertices, parents),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scheme_traits.hpp"
+#include "scheme.hpp"
 
 #include <kith/level/lift.hpp>
 #include <kith/mesh/mesh_traits.hpp>
@@ -18,7 +18,7 @@ namespace kith {
 
 /// The elements that make up a part of a level: of its vertices, edges and faces the numbers in the level, in the order of the
 /// part. They increase; a vertex whose faces in the part form several fans is there once per fan.
-template <class Index>
+template <std::unsigned_integral Index>
 struct part_numbers {
     /// The corners of a face in the level: its first one, and how many.
     struct face_corners {
@@ -56,7 +56,7 @@ struct part_numbers {
 };
 
 /// A step that has been made, as state of a level sees it.
-template <class Scheme, class Level, class Numbering, class Fine>
+template <scheme Scheme, level Level, level_numbering Numbering, mesh Fine>
 struct made_step {
     using numbering_type = Numbering;
 
@@ -79,6 +79,17 @@ struct made_step {
     }
 };
 
+/// A step that has been made, as rules of fields see it: made_step.
+template <class S>
+concept finished_step = requires(const S& step) {
+    requires scheme<std::remove_cvref_t<decltype(step.scheme)>>;       // with its state of the coarse level
+    requires level<std::remove_cvref_t<decltype(step.coarse)>>;        // the coarse level
+    { step.generation } -> std::convertible_to<int>;                   // of the coarse level
+    requires level_numbering<std::remove_cvref_t<decltype(step.ids)>>; // of the next level
+    requires level<std::remove_cvref_t<decltype(step.fine())>>;        // the next level
+    { step.fine_vertices() } -> std::convertible_to<std::size_t>;      // with those of the dictionary
+};
+
 /// State of a level is what a scheme keeps by the numbers of a level's elements, such as creases. The scheme names it in its
 /// traits(), `.state`: one object, a std::tie of several, or a scheme of which this one is made. Its class has
 ///
@@ -93,7 +104,7 @@ struct made_step {
 ///   void unpack(in)                      in.get<T>(), in.get_array<std::vector<T>>(): the same values in the same order
 ///
 /// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
-template <class Scheme>
+template <scheme Scheme>
 inline constexpr bool has_state = detail::is_said<decltype(traits_of<Scheme>.state)>;
 
 namespace detail {
@@ -103,7 +114,7 @@ inline constexpr bool is_tie = false;
 template <class... T>
 inline constexpr bool is_tie<std::tuple<T&...>> = true;
 
-template <class Fact, class Scheme>
+template <class Fact, scheme Scheme>
 constexpr bool names_state()
 {
     if constexpr (std::invocable<const Fact&, Scheme&>) {
@@ -115,7 +126,7 @@ constexpr bool names_state()
 }
 
 /// All state of a scheme, and of the schemes of which it is made: std::tuple<State&...>.
-template <class Scheme>
+template <scheme Scheme>
 constexpr auto states_of([[maybe_unused]] Scheme& scheme)
 {
     using plain = std::remove_const_t<Scheme>;
@@ -145,13 +156,13 @@ constexpr auto states_of([[maybe_unused]] Scheme& scheme)
         return std::tuple<>();
     }
 }
-template <class Scheme, class F>
+template <scheme Scheme, class F>
 void for_each_state(Scheme& scheme, const F& f)
 {
     std::apply([&](auto&... state) { (f(state), ...); }, states_of(scheme));
 }
 /// Calls f with each state of one and the same of another scheme of that type.
-template <class Scheme, class F>
+template <scheme Scheme, class F>
 void for_each_state(Scheme& scheme, const Scheme& other, const F& f)
 {
     const auto ours = states_of(scheme);
@@ -165,7 +176,7 @@ void for_each_state(Scheme& scheme, const Scheme& other, const F& f)
 
 namespace detail {
 
-template <class State, class Step>
+template <class State, finished_step Step>
 State next_state(const State& state, const Step& step)
 {
     constexpr bool by_numbering = requires {
@@ -190,7 +201,7 @@ State next_state(const State& state, const Step& step)
 
 /// Makes a scheme the scheme of the next level, which a step has made of a level of this generation with this numbering: its
 /// state becomes that of the level.
-template <class Scheme, class Level, class Numbering, class Fine>
+template <scheme Scheme, level Level, level_numbering Numbering, mesh Fine>
 void advance(Scheme& scheme, const Level& coarse, int generation, const Numbering& ids, const Fine& fine)
 {
     if constexpr (has_state<Scheme>) {
@@ -208,7 +219,7 @@ void advance(Scheme& scheme, const Level& coarse, int generation, const Numberin
 namespace detail {
 
 /// The scheme of a part of a level: the same, with the state of that part.
-template <class Scheme, class Index>
+template <scheme Scheme, std::unsigned_integral Index>
 Scheme scheme_of_part(Scheme scheme, const part_numbers<Index>& part)
 {
     for_each_state(scheme, [&]<class State>(State& state) {

@@ -102,7 +102,7 @@ concept countable_columns = std::tuple_size_v<decltype(Columns::edges.list)> != 
                                            std::invocable<decltype(Columns::boundary), const counts&>));
 
 /// The counts of the next level. Precondition: the level is closed if `Closed`. Cost: O(1).
-template <bool Closed, class Columns>
+template <bool Closed, declared_columns Columns>
     requires countable_columns<Columns, Closed>
 counts next_counts(const Columns& columns, const counts& c, int generation)
 {

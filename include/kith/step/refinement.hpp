@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/association/foreign_level.hpp>
+#include "scheme.hpp"
+
 #include <kith/association/pass_space.hpp>
 #include <kith/association/polygon.hpp>
+#include <kith/association/running_step.hpp>
 #include <kith/base/for_parts.hpp>
 #include <kith/level/for_each.hpp>
 #include <kith/level/values.hpp>
@@ -22,7 +24,7 @@
 namespace kith {
 
 /// One refinement step as a scheme sees it: `auto& [coarse, assoc, generation] = r;`
-template <class Level, class Space, class Scalar>
+template <level_or_block Level, mask_evaluator Space, weight_number Scalar>
 struct refinement {
     using scalar = Scalar;
 
@@ -32,13 +34,13 @@ struct refinement {
 };
 
 /// The type in which a scheme forms its weights.
-template <class Refinement>
+template <has_scalar Refinement>
 using scalar_type = typename Refinement::scalar;
 
 namespace detail {
 
 /// Calls f(id, degree) for each new face, on threads; `degree()` says how many corners it will have.
-template <class Level, class Numbering, class Columns, class F>
+template <level Level, level_numbering Numbering, declared_columns Columns, class F>
 void for_new_faces(const Level& coarse, const Numbering& ids, const Columns& columns, const F& f)
 {
     const auto in_column = [&]<tuple_kind K, class W, class D>(const column<K, W, D>& c) {
@@ -53,7 +55,7 @@ void for_new_faces(const Level& coarse, const Numbering& ids, const Columns& col
 }
 
 /// 3 or 4 if all new faces have so many corners, else 0.
-template <class Level, class Numbering, class Columns>
+template <level Level, level_numbering Numbering, declared_columns Columns>
 int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& columns)
 {
     constexpr std::size_t unknown = 0, mixed = std::numeric_limits<std::size_t>::max();
@@ -72,7 +74,7 @@ int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& colu
 }
 
 /// As many `none`, written by all threads.
-template <class Index>
+template <std::unsigned_integral Index>
 storage<Index> none_yet(std::size_t size)
 {
     storage<Index> result(size);
@@ -83,7 +85,7 @@ storage<Index> none_yet(std::size_t size)
 }
 
 /// Allocates the connectivity of the next level as far as its numbering tells it.
-template <connect Connect, bool Checked, class Level, class Numbering, class Columns>
+template <connect Connect, bool Checked, level Level, level_numbering Numbering, declared_columns Columns>
 auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& columns)
 {
     using index = typename Numbering::index_type;
@@ -121,7 +123,7 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
 }
 
 /// At the boundary a fan has to start where nothing lies clockwise: behind the boundary edge that leaves the vertex.
-template <class Index>
+template <std::unsigned_integral Index>
 void turn_boundary_fans(connectivity<Index>& fine)
 {
     for_parts(fine.edges(), true, [&](std::size_t begin, std::size_t end) {
@@ -134,7 +136,7 @@ void turn_boundary_fans(connectivity<Index>& fine)
 }
 
 /// What cannot be seen while a scheme runs: elements that were never made, and faces that form no manifold.
-template <class Level, class Numbering, class Index>
+template <level Level, level_numbering Numbering, std::unsigned_integral Index>
 void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine, const made_elements<Index>& made)
 {
     const auto require_all = [&](const auto& column_ids, const auto& is_set, const char* why) {
@@ -178,8 +180,8 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
         }
 }
 
-/// One step of a scheme.
-template <class Scheme, class Refinement>
+/// One step of a scheme. What is no function of a step is told in one sentence, so no concept asks for it before.
+template <class Scheme, running_step Refinement>
 void call(const Scheme& scheme, const Refinement& r)
 {
     if constexpr (std::invocable<const Scheme&, const Refinement&>)
@@ -191,8 +193,10 @@ void call(const Scheme& scheme, const Refinement& r)
 } // namespace detail
 
 /// Runs a scheme once: fills `values` with the values of the next level and returns its connectivity, as far as
-/// `Connect` asks. Errors: association_error for faults of the scheme. Cost: that of the scheme.
-template <connect Connect, bool Checked, class Level, class Scheme, class Numbering, class Columns, class Values>
+/// `Connect` asks. Of the scheme only its call operator is needed here: a function of a running_step is as good.
+/// Errors: association_error for faults of the scheme. Cost: that of the scheme.
+template <connect Connect, bool Checked, level Level, class Scheme, level_numbering Numbering, declared_columns Columns,
+          values_of_step<Level> Values>
 auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids, const Columns& columns,
                 Values& values)
 {
@@ -220,23 +224,17 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     return fine;
 }
 
-/// The same with the next level written straight into a mesh of another library, with the attributes of `source`.
-/// Precondition: the scheme is trusted and declares its edges.
-template <fillable_mesh M, class Level, class Scheme, class Numbering>
-M run_scheme_into(const M& source, const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
+/// The same with the next level written into a sink. Precondition: the scheme is trusted and declares its edges.
+template <level_sink Sink, level Level, scheme Scheme, level_numbering Numbering>
+void run_scheme_into(Sink& fine, const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
 {
-    M result; // not moved from here on: meshes of OpenMesh copy instead
-    foreign_level<M> fine(
-        result, ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed(), &source);
     point_values<Level> values;
     values.allocate_at(fine.points());
-    using space =
-        association_space<Level, Numbering, point_values<Level>, connect::everything, false, foreign_level<M>>;
+    using space = association_space<Level, Numbering, point_values<Level>, connect::everything, false, Sink>;
     const space assoc(coarse, ids, values, fine);
     const detail::loop_body outside(false);
     detail::call(scheme, refinement<Level, space, typename point_values<Level>::scalar>{coarse, assoc, generation});
     fine.finish(generation + 1);
-    return result;
 }
 
 } // namespace kith

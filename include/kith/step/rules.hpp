@@ -24,7 +24,7 @@ public:
     [[nodiscard]] rule when(bool condition) const { return rule(elements_, body_, applies_ and condition); }
 
     /// On the elements of a level or a part of it.
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         if (not applies_)
@@ -69,7 +69,7 @@ template <class Body>
 /// Makes the points of the next level by these rules and connects them by the split, in the order and in the parts that suit
 /// the machine: no rule may read what the others make. What they all read is made before, in a loop of its own.
 /// Errors: as for_each. Cost: that of the rules.
-template <class Split, class R, class... Rules>
+template <class Split, running_step R, class... Rules>
 void subdivide(const Split& split, const R& r, const Rules&... rules)
 {
     in_blocks(r, [&](const auto& part) {

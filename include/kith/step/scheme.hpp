@@ -23,7 +23,10 @@ namespace kith {
 ///
 /// and, if it has more to say, `static constexpr auto traits()`: scheme_traits.
 template <class S>
-concept scheme = requires(const S& s) { columns_of(s, 0); };
+concept scheme = requires(const S& s) {
+    requires std::copy_constructible<S>; // each level has its own
+    { columns_of(s, 0) } -> declared_columns;
+};
 
 /// A scheme whose levels can be counted before they are made; a scheme that takes closed meshes only need say nothing of
 /// the boundary.
@@ -39,7 +42,7 @@ counts next_counts(const S& scheme, const counts& coarse, int generation)
 }
 
 /// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh, or its boundary.
-template <class S, class Level>
+template <class S, level Level>
 void require_input(const Level& level, [[maybe_unused]] int generation = 0)
 {
     if constexpr (needs_triangles<S> or needs_quads<S>)

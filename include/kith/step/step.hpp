@@ -7,6 +7,7 @@
 
 #include <kith/base/large_blocks.hpp>
 #include <kith/level/lift.hpp>
+#include <kith/mesh/foreign_level.hpp>
 
 #include <concepts>
 #include <type_traits>
@@ -15,16 +16,15 @@
 namespace kith {
 
 /// The numbering that one step of a scheme leaves behind.
-template <class Scheme, class Index>
+template <scheme Scheme, std::unsigned_integral Index>
 using numbering_of = numbering<decltype(columns_of(std::declval<const Scheme&>(), 0)), Index>;
 
 /// One step over the points of a level: the next level as a native mesh, and its numbering.
 /// Errors: mesh_error for more elements than the index can number, association_error for faults of the scheme.
-template <connect Connect, class Level, class Scheme>
+template <connect Connect, level Level, scheme Scheme>
 auto refine_level(const Level& coarse, const Scheme& scheme, int generation,
                   numbering_of<Scheme, typename Level::index_type>& ids)
 {
-    static_assert(kith::scheme<Scheme>, "a scheme needs columns() and a call operator that takes a refinement");
     const auto columns = columns_of(scheme, generation);
     ids = {coarse, columns};
     point_values<Level> values;
@@ -34,7 +34,7 @@ auto refine_level(const Level& coarse, const Scheme& scheme, int generation,
 }
 
 /// Calls f with the native mesh as the level that fits its faces best: quads, triangles or any.
-template <class Scheme, class Point, class Index, class F>
+template <scheme Scheme, class Point, std::unsigned_integral Index, class F>
 decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& f)
 {
     KITH_ASSERT(not mesh.topology().faces_only());
@@ -55,7 +55,7 @@ decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& 
 
 /// One step from a native mesh. Precondition: it has its edges. Errors: as `refine_level`, and for faces that the scheme
 /// does not take.
-template <connect Connect, class Scheme, class Point, class Index>
+template <connect Connect, scheme Scheme, class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                      numbering_of<Scheme, Index>& ids)
 {
@@ -65,13 +65,17 @@ basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const
 
 /// One step to a mesh of the type of `source`, from which it was refined: written straight into it where it is fillable and
 /// the scheme is trusted and declares its edges. Errors: as `refine_level`, and those of `make_room` or `build`.
-template <class M, class Level, class Scheme>
+template <mesh M, level Level, scheme Scheme>
 M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, int generation,
                     numbering_of<Scheme, typename Level::index_type>& ids)
 {
     if constexpr (fillable_mesh<M> and is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
         ids = {coarse, columns_of(scheme, generation)};
-        return run_scheme_into(source, coarse, scheme, generation, ids);
+        M result; // not moved from here on: meshes of OpenMesh copy instead
+        foreign_level<M> fine(
+            result, ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed(), &source);
+        run_scheme_into(fine, coarse, scheme, generation, ids);
+        return result;
     } else {
         auto fine = refine_level<connect::everything>(coarse, scheme, generation, ids);
         shared_blocks.give_back(); // the other library takes its memory elsewhere

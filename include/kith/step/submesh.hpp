@@ -5,6 +5,7 @@
 
 #include <kith/mesh/basic_mesh.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -37,7 +38,7 @@ namespace detail {
 
 /// Starts the fans that have a rim, and gives every fan a vertex of its own; `vertex_from` tells what each comes from and
 /// grows with them. Fans without a rim stay to be started.
-template <class Index, class From>
+template <std::unsigned_integral Index, class From>
 void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
 {
     constexpr Index none = connectivity<Index>::none;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/association/numbering.hpp>
 #include <kith/association/columns.hpp>
 #include <kith/base/for_parts.hpp>
 #include <kith/mesh/basic_mesh.hpp>
@@ -150,7 +151,7 @@ ordered_mesh<Point, Index> in_surface_order(const basic_mesh<Point, Index>& give
 namespace detail {
 
 /// Of the new elements of one kind.
-template <class Index, class Level, class Ids, class... Columns>
+template <std::unsigned_integral Index, level Level, element_ids Ids, class... Columns>
 storage<Index> numbers_of_children(const element_numbers<Index>& numbers, const Level& coarse, const Ids& ids,
                                    const std::tuple<Columns...>& list)
 {
@@ -170,7 +171,7 @@ storage<Index> numbers_of_children(const element_numbers<Index>& numbers, const 
 
 /// The numbers of the elements of the next level, which a step has just made with these ids. Precondition: its columns do
 /// not leave tuples out here and there, and all new faces have one degree. Cost: O(elements).
-template <class Index, class Level, class Numbering, class Columns>
+template <std::unsigned_integral Index, level Level, level_numbering Numbering, declared_columns Columns>
 element_numbers<Index> after(const element_numbers<Index>& numbers, const Level& coarse, const Numbering& ids,
                              const Columns& columns)
 {

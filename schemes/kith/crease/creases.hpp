@@ -7,6 +7,7 @@
 #include <kith/step/level_state.hpp>
 #include <kith/step/refinement.hpp>
 
+#include <concepts>
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -46,7 +47,7 @@ public:
     [[nodiscard]] int reach(int rings) const { return (method == crease_method::chaikin ? rings + 1 : rings) / 2 + 1; }
 
     /// Boundary edges are sharp by nature.
-    template <class Edge>
+    template <edge_element Edge>
     [[nodiscard]] double sharpness(const Edge& e) const
     {
         return e.is_boundary() ? infinitely_sharp : of_edge(e.index());
@@ -58,7 +59,7 @@ public:
         double total; ///< of their sharpness
     };
     /// Those at the ends of sharp edges, by vertex; none for a method that does not ask. Cost: O(edges around these ends).
-    template <class Level>
+    template <level Level>
     [[nodiscard]] std::vector<large_fan> large_fans(const Level& level) const
     {
         std::vector<large_fan> result;
@@ -85,7 +86,7 @@ public:
     }
 
     /// The sharpness of the piece of e that ends at v on the next level; `large` is that of large_fans.
-    template <class Vertex, class Edge>
+    template <vertex_element Vertex, edge_element Edge>
     [[nodiscard]] double child_sharpness(const Vertex& v, const Edge& e, std::span<const large_fan> large = {}) const
     {
         const double s = sharpness(e);
@@ -105,7 +106,7 @@ public:
     }
 
     /// The sharp elements of the next level, from the numbering of the step. Cost: O(sharp elements log of them).
-    template <class Level, class Numbering>
+    template <level Level, level_numbering Numbering>
     [[nodiscard]] creases after(const Level& coarse, const Numbering& ids) const
     {
         creases result(method);
@@ -124,7 +125,7 @@ public:
     }
 
     /// The creases of a part of the level.
-    template <class Index>
+    template <std::unsigned_integral Index>
     [[nodiscard]] creases of_part(const part_numbers<Index>& part) const
     {
         creases result(method);
@@ -133,7 +134,7 @@ public:
         return result;
     }
     /// Takes over the creases of a part. Cost: O(sharp elements log of them).
-    template <class Index>
+    template <std::unsigned_integral Index>
     void add_part(const creases& sharp, const part_numbers<Index>& part)
     {
         vertices_.add_part(sharp.vertices_, part.vertices);

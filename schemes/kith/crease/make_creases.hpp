@@ -19,7 +19,7 @@ namespace kith {
 namespace detail {
 
 /// What a function, a property map (`get(map, handle)`) or an array by handles says of an element.
-template <class Source, class Element>
+template <class Source, element Element>
 double sharpness_from(const Source& source, const Element& x, const char* kind)
 {
     const auto given = [&]() -> decltype(auto) {

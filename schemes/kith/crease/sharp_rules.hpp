@@ -16,7 +16,7 @@ namespace kith {
 
 /// The rules of Catmull-Clark and Loop where a mesh is not smooth: at boundaries, creases, corners and darts, with the
 /// blend of semi-sharp ones. DeRose, Kass & Truong 1998, section 3; case by case as in OpenSubdiv; docs/schemes.md.
-template <class Level>
+template <level Level>
 class sharp_rules {
 public:
     /// Errors: mesh_error for sharp elements that the level does not have.
@@ -105,7 +105,7 @@ private:
     }
 
     /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every time.
-    template <class Range, class Space, class Smooth>
+    template <class Range, mask_evaluator Space, class Smooth>
     void make_all(const Range& range, const Space& assoc, const Smooth& smooth_mask) const
     {
         const Smooth smooth = smooth_mask; // a copy is known to be nobody else's

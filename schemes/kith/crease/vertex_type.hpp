@@ -26,7 +26,7 @@ enum class vertex_type : unsigned char {
 };
 
 /// The type of a vertex of a level with these creases. Cost: O(valence log sharp elements).
-template <class Level>
+template <level Level>
 vertex_type type_of(const vertex<Level>& v, const creases& sharp, boundary_corner corners = boundary_corner::kept)
 {
     std::size_t sharp_inner_edges = 0;
@@ -63,7 +63,7 @@ std::vector<vertex_type> vertex_types(const M& mesh, const creases& sharp,
 /// sharpness of v and of its other inner edges back, which may change the types of their other ends.
 /// Precondition: sharpness > 0. Errors: mesh_error when v cannot be of this type; the creases are as they were then.
 /// Cost: O(valence log sharp elements), O(sharp elements) where one is new.
-template <class Level>
+template <level Level>
 void set_type(creases& sharp, const vertex<Level>& v, vertex_type type, std::initializer_list<edge<Level>> along = {},
               double sharpness = infinitely_sharp, boundary_corner corners = boundary_corner::kept)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/level/elements.hpp>
-#include <kith/mask/large_rings.hpp>
+#include "large_rings.hpp"
+
+#include <kith/association/running_step.hpp>
 
 #include <array>
 #include <cstddef>
@@ -14,14 +15,14 @@ namespace kith {
 
 /// Weights around faces, for rules that make a point of each corner of a face: rows for the degrees that occur, waves for
 /// larger ones.
-template <class Space, class Real>
+template <mask_evaluator Space, class Real>
 class face_masks {
     using waves = ring_waves<Space, 1>;
 
 public:
     /// weight(j, n): of the j-th corner of a face of degree n, counted from the one that the point belongs to.
     /// Cost: O(corners).
-    template <class R, class Weight>
+    template <running_step R, class Weight>
     face_masks(const R& r, const Weight& weight)
         : large_(r.coarse, [&r](const auto& f, std::size_t n) { return waves(r.assoc, f.vertices(), n); })
     {
@@ -42,13 +43,13 @@ public:
     }
 
     /// The sum over the corners of a face of degree n, from c on. Precondition: n <= longest_row.
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] auto sum_from(const Corner& c, std::size_t n) const
     {
         return sum(c.vertices_from_here(), rows_[n].data());
     }
     /// The same by a kernel. Precondition: the face of c has more than longest_row corners.
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] auto sum_in_large(const Corner& c, const wave_kernel& kernel) const
     {
         return large_.of(c.f()).mask(kernel, 2 * step_in_face(c));
@@ -59,13 +60,13 @@ private:
     large_faces<waves> large_;
 };
 
-template <class R, class Weight>
+template <running_step R, class Weight>
 face_masks(const R&, const Weight&)
     -> face_masks<std::remove_cvref_t<decltype(std::declval<const R&>().assoc)>, typename R::scalar>;
 
 /// The weights of the corners of a quad at the boundary, from c on: the tensor product of the clamped quadratic B-spline, in
 /// each direction all of the weight for a point on the boundary, half of it beside a boundary, else 3/4. docs/schemes.md.
-template <class Real, class Corner>
+template <class Real, corner_element Corner>
 std::array<Real, 4> clamped_quad_weights(const Corner& c)
 {
     const auto d = c.next().next();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/level/irregular_rings.hpp>
+#include "irregular_rings.hpp"
 
 #include <cstddef>
 #include <type_traits>
@@ -13,13 +13,13 @@ namespace kith {
 /// The points that continue the lines of a quad mesh beyond their vertices, for rules along four points of a line. Beyond a
 /// regular vertex that is the next vertex, beyond an extraordinary one Kobbelt's virtual point, in which `gamma` weighs the
 /// vertices opposite it, and beyond a boundary a reflection. Kobbelt 1996; docs/schemes.md.
-template <class Space, class Scalar>
+template <mask_evaluator Space, class Scalar>
 class virtual_points {
     using waves = ring_waves<Space, 0>;
 
 public:
     /// Cost: O(corners), those of large fans times their logarithm.
-    template <class R>
+    template <running_step R>
     virtual_points(const R& r, double gamma)
         : gamma_(gamma)
         , kinds_(fan_kinds(r.coarse, 4, fan_kind::irregular))
@@ -32,7 +32,7 @@ public:
     }
 
     /// Calls use(l, r) with the points that continue an edge beyond its ends.
-    template <class Edge, class Use>
+    template <edge_element Edge, class Use>
     void beyond_ends(const Edge& e, const Use& use) const
     {
         if (is_regular(e.org()) and is_regular(e.dst()))
@@ -42,18 +42,18 @@ public:
     }
 
 private:
-    template <class Vertex>
+    template <vertex_element Vertex>
     [[nodiscard]] bool is_regular(const Vertex& v) const
     {
         return kinds_[v.index()] == fan_kind::regular;
     }
     /// The vertex that continues the edge of c beyond c's own vertex, which is inside and has valence 4.
-    template <class Corner>
+    template <corner_element Corner>
     static auto straight_on(const Corner& c)
     {
         return c.prev().across().prev().across().next().v();
     }
-    template <class Edge, class Use>
+    template <edge_element Edge, class Use>
     void beyond_irregular_ends(const Edge& e, const Use& use) const
     {
         if (not e.is_boundary())
@@ -66,7 +66,7 @@ private:
         use(along(x, y, x.last_rim()), along(y, x, y.first_rim()));
     }
     /// Beyond the vertex of c, along the edge of c.
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] auto beyond(const Corner& c) const
     {
         const auto v = c.v();
@@ -85,7 +85,7 @@ private:
         return choose(v.is_boundary(), [c, v] { return 2. * v - c.next().v(); }, inside);
     }
     /// 4/n sum l_j - (l_-1 + l_0 + l_1) + gamma (k_-2 + k_-1 + k_0 + k_1 - 4/n sum k_j), the sums being there.
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] auto beyond_large_fan(const Corner& c) const
     {
         const auto& [neighbors, opposites] = large_.at(c).sums;
@@ -120,7 +120,7 @@ private:
     large_fans<std::pair<waves, waves>> large_;
 };
 
-template <class R>
+template <running_step R>
 virtual_points(const R&, double)
     -> virtual_points<std::remove_cvref_t<decltype(std::declval<const R&>().assoc)>, typename R::scalar>;
 

@@ -36,7 +36,7 @@ struct any_masks {
     void operator()(const Masks&...) const;
 };
 
-template <class Scheme, class Level>
+template <scheme Scheme, level Level>
 using limit_rules_argument = decltype(limit_rules<Scheme>::on(std::declval<const Scheme&>(),
                                                               std::declval<const Level&>()));
 
@@ -54,7 +54,7 @@ concept has_limit_tangents = requires(const detail::limit_rules_argument<Scheme,
 
 namespace detail {
 
-template <class T, class Level, class Element, class Scheme, class Values>
+template <class T, level Level, element Element, scheme Scheme, value_space Values>
 auto limits(const all_elements<Level, Element>& elements, const Scheme& scheme, const Values& values)
 {
     static_assert(has_limit_positions<Scheme, Element, Level>,
@@ -68,7 +68,7 @@ auto limits(const all_elements<Level, Element>& elements, const Scheme& scheme, 
 }
 
 /// Points times a factor.
-template <class Level>
+template <level Level>
 class scaled_points {
     using number = affine<typename Level::point_type>;
 
@@ -92,7 +92,7 @@ private:
 
 /// The unit normal that two tangent masks give; nothing where they give none. Where their sums overflow, or are so small that
 /// digits are lost, they are formed once more of scaled points.
-template <class Level, class First, class Second>
+template <level Level, class First, class Second>
 std::optional<normal_vector> normal_of(const First& first, const Second& second)
 {
     const auto over = [&](const auto& values) {
@@ -120,12 +120,12 @@ std::optional<normal_vector> normal_of(const First& first, const Second& second)
 /// (faces that the first step splits, darts, semi-sharp creases that still decay): limit_surface finds those, too.
 /// `level` is mesh.elements(i) of a hierarchy, `scheme` its scheme(i). Instead of the level, its vertices() or, where the
 /// scheme has masks for them, its faces() may be given: of Doo-Sabin, level.faces(). Cost: O(corners).
-template <class Level, class Element, class Scheme>
+template <level Level, element Element, scheme Scheme>
 auto limit_positions(const all_elements<Level, Element>& elements, const Scheme& scheme)
 {
     return detail::limits<typename Level::point_type>(elements, scheme, point_values<Level>());
 }
-template <class Level, class Scheme>
+template <level Level, scheme Scheme>
 auto limit_positions(const Level& level, const Scheme& scheme)
 {
     return limit_positions(level.vertices(), scheme);
@@ -133,12 +133,12 @@ auto limit_positions(const Level& level, const Scheme& scheme)
 
 /// Any values of the vertices of a level, carried to the limit by the same masks: colours, or stencil rows for a matrix.
 /// Precondition: one value per vertex.
-template <class Level, class Element, class Scheme, affine_value T>
+template <level Level, element Element, scheme Scheme, affine_value T>
 auto limit_values(const all_elements<Level, Element>& elements, const Scheme& scheme, std::span<const T> values)
 {
     return detail::limits<T>(elements, scheme, attribute_values<T>(values));
 }
-template <class Level, class Scheme, affine_value T>
+template <level Level, scheme Scheme, affine_value T>
 auto limit_values(const Level& level, const Scheme& scheme, std::span<const T> values)
 {
     return limit_values(level.vertices(), scheme, values);
@@ -146,7 +146,7 @@ auto limit_values(const Level& level, const Scheme& scheme, std::span<const T> v
 
 /// The unit normals of the limit surface at the same places, outward for counter-clockwise faces; nothing where no mask is
 /// known or the surface has none (corners with several faces, creases). For points of three coordinates.
-template <class Level, class Element, class Scheme>
+template <level Level, element Element, scheme Scheme>
 auto limit_normals(const all_elements<Level, Element>& elements, const Scheme& scheme)
 {
     static_assert(has_limit_tangents<Scheme, Element, Level>,
@@ -159,7 +159,7 @@ auto limit_normals(const all_elements<Level, Element>& elements, const Scheme& s
         });
     return result;
 }
-template <class Level, class Scheme>
+template <level Level, scheme Scheme>
 auto limit_normals(const Level& level, const Scheme& scheme)
 {
     return limit_normals(level.vertices(), scheme);

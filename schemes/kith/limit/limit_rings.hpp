@@ -23,7 +23,7 @@ namespace detail {
 /// The rings that have to be kept around what is looked for, at each of the virtual steps.
 class limit_rings {
 public:
-    template <class Scheme>
+    template <scheme Scheme>
     limit_rings(const Scheme& scheme, int steps) : rings_{limit_rules<Scheme>::rings(scheme)}, steps_(steps)
     {
         while (int(rings_.size()) <= steps and not is_bounded_) {

@@ -25,7 +25,7 @@ namespace detail {
 
 /// Looks for the limits of vertices that have no closed mask: refines what lies around them, and nothing else, until what has
 /// become of them has a mask or is one point. What is found depends on the neighbourhood of the vertex alone.
-template <class Point, std::unsigned_integral Index, class Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 class limit_search {
 public:
     using mesh_type = basic_mesh<Point, Index>;
@@ -172,7 +172,7 @@ private:
             s.element = Index(std::ranges::lower_bound(from, s.element) - from.begin());
         }
     }
-    template <class Ids>
+    template <level_numbering Ids>
     static bool to_child(seeker& s, const Ids& ids)
     {
         const auto child = [&]<tuple_kind Kind>(const auto& column_ids) -> std::optional<Index> {
@@ -216,7 +216,7 @@ private:
                 s.known_at = step;
         }
     }
-    template <class Element>
+    template <element Element>
     static Point center(const Element& f)
     {
         return number::store(average(f.vertices()).evaluate(point_values<level_type>()));
@@ -240,7 +240,7 @@ private:
 
 public:
     /// What the closed masks of a scheme say of an element, where nothing is known of it yet.
-    template <class Element>
+    template <element Element>
     static void take(const Element& x, const limit_rules_argument<Scheme, level_type>& rules, found& limit, int step)
     {
         if constexpr (has_limit_positions<Scheme, Element, level_type>)

@@ -106,7 +106,7 @@ limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, cons
 namespace detail {
 
 /// A level of a hierarchy as a native mesh: itself, or a copy.
-template <mesh M, class Scheme>
+template <mesh M, scheme Scheme>
 decltype(auto) native_of(const hierarchy<M, Scheme>& levels, int level)
 {
     if constexpr (requires { levels[level].topology(); })
@@ -118,7 +118,7 @@ decltype(auto) native_of(const hierarchy<M, Scheme>& levels, int level)
 } // namespace detail
 
 /// The same of a level of a hierarchy, on any kind of mesh. Precondition: 0 <= level <= depth.
-template <class M, searchable_scheme Scheme>
+template <mesh M, searchable_scheme Scheme>
 auto limit_surface_of(const hierarchy<M, Scheme>& levels, int level)
 {
     return limit_surface_of(detail::native_of(levels, level), levels.scheme(level));

@@ -15,7 +15,7 @@ namespace kith {
 /// irregular vertex the cosines of the ring, around a regular one those of two rings. docs/schemes.md.
 template <>
 struct limit_rules<butterfly> : interpolating_limits {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const butterfly&, const vertex<Level>& v, const Use& use)
     {
         if (v.is_boundary())

@@ -16,7 +16,7 @@ namespace kith {
 /// Halstead, Kass & DeRose 1993, where all faces at a vertex are quads.
 template <>
 struct limit_rules<catmull_clark> : crease_limits {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const creased_scheme<catmull_clark, Level>& s, const vertex<Level>& v, const Use& use)
     {
         if (not s.sharp.is_smooth(v))
@@ -27,7 +27,7 @@ struct limit_rules<catmull_clark> : crease_limits {
         use((n * n * v + 4. * sum(v.neighbors()) + sum(v.opposites())) / (n * (n + 5)));
     }
     /// Inside Halstead et al.; along a boundary the left eigenvectors of the plain rule, docs/schemes.md.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const creased_scheme<catmull_clark, Level>& s, const vertex<Level>& v, const Use& use)
     {
         if (not has_quads_only(v))

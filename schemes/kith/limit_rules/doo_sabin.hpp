@@ -18,13 +18,13 @@ namespace kith {
 /// or with what its middle edge becomes.
 template <>
 struct limit_rules<doo_sabin> : limit_defaults {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const doo_sabin& s, const face<Level>& f, const Use& use)
     {
         if (not has_boundary_rule(s, f))
             use(average(f.vertices()));
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const doo_sabin& s, const face<Level>& f, const Use& use)
     {
         if (not has_boundary_rule(s, f))
@@ -32,7 +32,7 @@ struct limit_rules<doo_sabin> : limit_defaults {
                 use(sum(f.vertices(), cosine), sum(f.vertices(), sine));
             });
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const doo_sabin& s, const vertex<Level>& v, const Use& use)
     {
         if (not v.is_boundary())
@@ -46,7 +46,7 @@ struct limit_rules<doo_sabin> : limit_defaults {
         else
             position_on_clamped_curve(v, use);
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const doo_sabin& s, const vertex<Level>& v, const Use& use)
     {
         if (not v.is_boundary())
@@ -57,7 +57,7 @@ struct limit_rules<doo_sabin> : limit_defaults {
     }
 
 private:
-    template <class Level>
+    template <level Level>
     static bool has_boundary_rule(const doo_sabin& s, const face<Level>& f)
     {
         return s.boundary != doo_sabin_boundary::drop and f.is_boundary();
@@ -69,12 +69,12 @@ private:
             [n](std::size_t j) { return sin_turn(std::int64_t(j), n); });
     }
     /// The point that a step makes of a corner, unless a boundary rule decides about it.
-    template <class Corner>
+    template <corner_element Corner>
     static auto point_of(const doo_sabin& s, const Corner& c)
     {
         return sum(c.vertices_from_here(), [&s, l = c.f().degree()](std::size_t j) { return s.weight(j, l); });
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position_without_rule(const doo_sabin& s, const vertex<Level>& v, const Use& use)
     {
         auto c = v.first_corner(); // of the middle face, or before the middle edge
@@ -87,7 +87,7 @@ private:
                  (point_of(s, c.prev().across()) + point_of(s, c.prev().across().next()))) /
                 4);
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position_on_clamped_curve(const vertex<Level>& v, const Use& use)
     {
         const auto a = v.first_corner(), z = v.last_corner();
@@ -100,7 +100,7 @@ private:
     }
     /// The points that the next step makes around an inner vertex, unless a boundary rule decides about one of them,
     /// or they are long: all vertices of a large face would take the square of its degree.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void with_points(const doo_sabin& s, const vertex<Level>& v, const Use& use)
     {
         for (const auto f : v.faces())

@@ -15,7 +15,7 @@ template <>
 struct limit_rules<four_eight> : limit_defaults {
     /// With the blocks of two triangles seen as quads, which both kinds of steps do alike, a mask over two rings of them,
     /// where v's first ring is regular and inside; docs/schemes.md. On the boundary that of the cubic B-spline curve.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const four_eight&, const vertex<Level>& v, const Use& use)
     {
         if (v.is_boundary()) {
@@ -32,7 +32,7 @@ struct limit_rules<four_eight> : limit_defaults {
         }
     }
     /// Two tangents, counter-clockwise, inside, over the same two rings; docs/schemes.md.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const four_eight&, const vertex<Level>& v, const Use& use)
     {
         const auto n = std::int64_t(block_count(v));
@@ -76,7 +76,7 @@ struct limit_rules<four_eight> : limit_defaults {
     }
 
 private:
-    template <class Vertex>
+    template <vertex_element Vertex>
     static std::size_t block_count(const Vertex& v)
     {
         std::size_t result = 0;
@@ -84,7 +84,7 @@ private:
             ++result;
         return result;
     }
-    template <class Vertex>
+    template <vertex_element Vertex>
     static bool is_inside(const Vertex& v) // with all triangles in blocks
     {
         for (const auto c : v.corners())
@@ -96,7 +96,7 @@ private:
     /// Calls use(e, d, h, p, q) with the vertices around v: block j lies between the neighbours e_j and e_j+1, d_j is
     /// opposite v in it, h_j lies behind e_j, and p_j and q_j beside d_j in the second ring, p_j nearer to e_j. Not unless
     /// all e and d lie inside and have four blocks.
-    template <class Vertex, class Use>
+    template <vertex_element Vertex, class Use>
     static void with_two_rings(const Vertex& v, const Use& use)
     {
         const auto next = [](const auto& c) { return bisection_split::block_next(c); };

@@ -10,7 +10,7 @@ namespace kith {
 
 /// Of schemes that move no vertex.
 struct interpolating_limits : limit_defaults {
-    template <class Scheme, class Level, class Use>
+    template <scheme Scheme, level Level, class Use>
     static void position(const Scheme&, const vertex<Level>& v, const Use& use)
     {
         use(sum(v));

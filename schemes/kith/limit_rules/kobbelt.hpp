@@ -10,7 +10,7 @@ namespace kith {
 /// The tangents of the two four-point curves through v where v and its neighbours are regular and inside. docs/schemes.md.
 template <>
 struct limit_rules<kobbelt> : interpolating_limits {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const kobbelt& s, const vertex<Level>& v, const Use& use)
     {
         const auto is_regular = [](const vertex<Level>& x) { return not x.is_boundary() and x.has_valence(4); };

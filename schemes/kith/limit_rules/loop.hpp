@@ -14,7 +14,7 @@ namespace kith {
 /// The left eigenvectors of the vertex's own matrix.
 template <>
 struct limit_rules<loop> : crease_limits {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const creased_scheme<loop, Level>& s, const vertex<Level>& v, const Use& use)
     {
         if (not s.sharp.is_smooth(v))
@@ -25,7 +25,7 @@ struct limit_rules<loop> : crease_limits {
     }
     /// Hoppe et al. 1994; at boundary vertices with other than three faces the left eigenvector of the plain rule,
     /// docs/schemes.md.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const creased_scheme<loop, Level>& s, const vertex<Level>& v, const Use& use)
     {
         const std::size_t k = v.face_count();

@@ -15,7 +15,7 @@ namespace kith {
 /// boundary too; one with a single face goes with that.
 template <>
 struct limit_rules<mid_edge> : limit_defaults {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const mid_edge&, const vertex<Level>& v, const Use& use)
     {
         if (v.is_boundary() and v.face_count() == 1)
@@ -23,13 +23,13 @@ struct limit_rules<mid_edge> : limit_defaults {
         else
             use(1. / 2 * v + 1. / 2 * average(v.neighbors()));
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const mid_edge&, const face<Level>& f, const Use& use)
     {
         use(average(f.vertices()));
     }
     /// Inside and but for three faces, whose triangle shrinks as fast as all around it.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const mid_edge&, const vertex<Level>& v, const Use& use)
     {
         const auto n = std::int64_t(v.valence());

@@ -16,7 +16,7 @@ namespace kith {
 /// docs/schemes.md.
 template <>
 struct limit_rules<nasri_hasbini> : limit_defaults {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const nasri_hasbini&, const vertex<Level>& v, const Use& use)
     {
         if (v.is_boundary() and v.face_count() == 1)
@@ -26,7 +26,7 @@ struct limit_rules<nasri_hasbini> : limit_defaults {
         else if (has_quads_only(v))
             use((4. * v + 4. * average(v.neighbors()) + average(v.opposites())) / 9);
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const nasri_hasbini&, const vertex<Level>& v, const Use& use)
     {
         const auto n = std::int64_t(v.valence());

@@ -11,19 +11,19 @@ namespace kith {
 /// What limit_rules say unless they say something else.
 struct limit_defaults {
     /// The first argument of position and tangents: the scheme, or what it needs to know of a level as a whole.
-    template <class Scheme, class Level>
+    template <scheme Scheme, level Level>
     static const Scheme& on(const Scheme& scheme, const Level&)
     {
         return scheme;
     }
     /// How many rings of faces around a vertex's own the masks ask about.
-    template <class Scheme>
+    template <scheme Scheme>
     static constexpr int rings(const Scheme&)
     {
         return 2;
     }
     /// The rings that a step uses up, for the search of limits without a mask: those of tiles.
-    template <class Scheme>
+    template <scheme Scheme>
         requires detail::says_reach<Scheme, traits_type<Scheme>>
     static constexpr int reach(const Scheme& scheme, int rings)
     {
@@ -46,16 +46,16 @@ struct limit_defaults {
 ///
 /// and of face<Level> where faces go to one point of it, too; tangents are two there, counter-clockwise. One without
 /// them has its limits found by refining (limit_surface). Precondition: specialised before limits are asked for.
-template <class Scheme>
+template <scheme Scheme>
 struct limit_rules : limit_defaults {
     static_assert(not detail::has_limit_position<Scheme>(),
                   "a scheme has a member limit_position, which nobody looks at; specialise kith::limit_rules for it");
 };
 
 /// With fields beside it a scheme has the limits that it has without.
-template <class Scheme, class... Fields>
+template <scheme Scheme, class... Fields>
 struct limit_rules<with_fields<Scheme, Fields...>> : limit_rules<Scheme> {
-    template <class Level>
+    template <level Level>
     static decltype(auto) on(const with_fields<Scheme, Fields...>& scheme, const Level& level)
     {
         return limit_rules<Scheme>::on(scheme.plain(), level);
@@ -63,7 +63,7 @@ struct limit_rules<with_fields<Scheme, Fields...>> : limit_rules<Scheme> {
 };
 
 /// A scheme with creases, and what they are on a level.
-template <class Scheme, class Level>
+template <scheme Scheme, level Level>
 struct creased_scheme {
     const Scheme& scheme;
     sharp_rules<Level> sharp;
@@ -71,7 +71,7 @@ struct creased_scheme {
 
 /// The limit rules of schemes that have the members `sharpness` and `corners`; position and tangents take a creased_scheme.
 struct crease_limits : limit_defaults {
-    template <class Scheme, class Level>
+    template <scheme Scheme, level Level>
     static creased_scheme<Scheme, Level> on(const Scheme& scheme, const Level& level)
     {
         boundary_curve curve = boundary_curve::cubic;
@@ -80,7 +80,7 @@ struct crease_limits : limit_defaults {
         return {scheme, sharp_rules(level, scheme.sharpness, scheme.corners, curve)};
     }
     /// The limit at corners, and along boundaries and creases: 1/6, 2/3, 1/6, where a cubic B-spline curve ends up.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position_on_curve(const sharp_rules<Level>& sharp, const vertex<Level>& v, const Use& use)
     {
         using kinds = typename sharp_rules<Level>::limit_kind;
@@ -92,7 +92,7 @@ struct crease_limits : limit_defaults {
     }
     /// A corner with one face lies in the plane of its two edges; at other corners and along creases each side has a plane
     /// of its own, and none is given.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents_at_corner(const sharp_rules<Level>& sharp, const vertex<Level>& v, const Use& use)
     {
         using kinds = typename sharp_rules<Level>::limit_kind;

@@ -15,7 +15,7 @@ namespace kith {
 /// whose rings the odd steps cut.
 template <>
 struct limit_rules<sqrt3> : limit_defaults {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const sqrt3& s, const vertex<Level>& v, const Use& use)
     {
         if (v.is_boundary())
@@ -26,7 +26,7 @@ struct limit_rules<sqrt3> : limit_defaults {
         use((1 - b) * v + b * average(v.neighbors()));
     }
     /// Inside.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const sqrt3&, const vertex<Level>& v, const Use& use)
     {
         const auto n = std::int64_t(v.valence());
@@ -36,7 +36,7 @@ struct limit_rules<sqrt3> : limit_defaults {
     }
 
 private:
-    template <class Vertex>
+    template <vertex_element Vertex>
     static bool touches_boundary_face(const Vertex& v)
     {
         for (const auto f : v.faces())

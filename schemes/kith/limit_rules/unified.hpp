@@ -54,7 +54,7 @@ inline constexpr auto spline_values_by_degree = []<std::size_t... D>(std::index_
 /// Calls f(i, j, vertex) for the vertices to the left of the straight line that starts with half-edge u: i = 1, ..., `steps`
 /// along the line, then j = 0, ..., `steps` to the left. Tells whether all faces there are quads and all vertices but the
 /// outermost regular. Precondition: no boundary.
-template <class Corner, class F>
+template <corner_element Corner, class F>
 bool walk_sector(Corner u, int steps, const F& f)
 {
     const auto straight_on = [](const Corner& c) { return c.next().across().next(); };
@@ -76,7 +76,7 @@ bool walk_sector(Corner u, int steps, const F& f)
 
 /// The vertices around an element among quads, seen as n sectors of a lattice: `use(sector, x, y, vertex)` with the place
 /// in the sector in half steps, the element being at 0, 0. False where the lattice is not regular.
-template <class Level, class Use>
+template <level Level, class Use>
 bool walk_lattice(const vertex<Level>& v, int degree, const Use& use)
 {
     use(0, 0, 0, v);
@@ -88,7 +88,7 @@ bool walk_lattice(const vertex<Level>& v, int degree, const Use& use)
     }
     return true;
 }
-template <class Level, class Use>
+template <level Level, class Use>
 bool walk_lattice(const face<Level>& f, int degree, const Use& use)
 {
     const int steps = degree / 2 - 1; // beyond the face's own corners
@@ -118,7 +118,7 @@ bool walk_lattice(const face<Level>& f, int degree, const Use& use)
 
 /// The limit mask of the family of Zorin & Schroeder at an element with n sectors: averaging does to the mean of the sectors
 /// what it does to four alike, whatever n is, so the weights are those of the tensor B-spline, shared out among n sectors.
-template <class Element, class Use>
+template <element Element, class Use>
 void use_spline_position(const Element& x, std::size_t sectors, int degree, const Use& use)
 {
     using entry = std::pair<std::remove_cvref_t<decltype(x.first_corner().v())>, double>;
@@ -131,7 +131,7 @@ void use_spline_position(const Element& x, std::size_t sectors, int degree, cons
         use(weighted(row));
 }
 /// The two derivatives, where there are four sectors.
-template <class Element, class Use>
+template <element Element, class Use>
 void use_spline_tangents(const Element& x, int degree, const Use& use)
 {
     using entry = std::pair<std::remove_cvref_t<decltype(x.first_corner().v())>, double>;
@@ -156,7 +156,7 @@ namespace kith {
 /// At vertices and, of even degrees, faces with regular quads around; not where there are others so near. docs/schemes.md.
 template <>
 struct limit_rules<unified> : limit_defaults {
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const unified& s, const vertex<Level>& v, const Use& use)
     {
         if (s.degree == 1)
@@ -164,20 +164,20 @@ struct limit_rules<unified> : limit_defaults {
         else
             detail::use_spline_position(v, v.face_count(), s.degree, use);
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void position(const unified& s, const face<Level>& f, const Use& use)
     {
         if (not s.is_primal())
             detail::use_spline_position(f, f.degree(), s.degree, use);
     }
     /// The derivatives of the B-spline, at vertices and faces that are regular themselves.
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const unified& s, const vertex<Level>& v, const Use& use)
     {
         if (s.degree > 1 and v.valence() == 4)
             detail::use_spline_tangents(v, s.degree, use);
     }
-    template <class Level, class Use>
+    template <level Level, class Use>
     static void tangents(const unified& s, const face<Level>& f, const Use& use)
     {
         if (not s.is_primal() and f.degree() == 4)

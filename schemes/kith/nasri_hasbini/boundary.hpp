@@ -10,7 +10,7 @@
 namespace kith::detail {
 
 /// The boundary curve is the ternary cubic B-spline; a vertex with one face is a corner. docs/schemes.md.
-template <class Vertex, class Assoc, class LargeFaces>
+template <vertex_element Vertex, mask_evaluator Assoc, class LargeFaces>
 void make_ternary_boundary(const Vertex& v, const Assoc& assoc, const LargeFaces& large)
 {
     using namespace targets;

@@ -5,7 +5,7 @@
 
 #include <kith/association/association.hpp>
 #include <kith/mask/choose.hpp>
-#include <kith/mask/large_rings.hpp>
+#include <kith/kernel/large_rings.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 namespace kith::detail {
 
 /// The vertex opposite that of c in its face; in a face that is not a quad a point that stands for it.
-template <class Corner, class LargeFaces>
+template <corner_element Corner, class LargeFaces>
 auto diagonal(const Corner& c, const LargeFaces& large)
 {
     const std::size_t m = c.f().degree();
@@ -35,7 +35,7 @@ auto diagonal(const Corner& c, const LargeFaces& large)
 /// The points of an inner vertex beside faces that are not quads; docs/schemes.md, Nasri-Hasbini. The ring weights of the quad
 /// rule are redistributed: what belongs to a special face (one that holds the new point) is spent on the corners of that
 /// face by its own kernel. Cost: O(valence + corners of the faces that are not large); in fans that are not large, times 64.
-template <class Vertex, class Assoc, class LargeFaces>
+template <vertex_element Vertex, mask_evaluator Assoc, class LargeFaces>
 class beside_polygons {
 public:
     using corner_type = decltype(std::declval<const Vertex&>().first_corner());
@@ -69,7 +69,7 @@ private:
 
         operand(const Vertex& vertex, const typename Assoc::sum* known = nullptr) : vertex(vertex), known(known) {}
 
-        template <class Values>
+        template <value_space Values>
         [[nodiscard]] typename Values::sum evaluate(const Values& values) const
         {
             return known != nullptr ? *known : vertex.evaluate(values);

@@ -13,12 +13,12 @@ namespace kith {
 /// next level. The marked edge of a triangle is its first one, on every mesh type, so the mark needs no room and is handed
 /// on by the order of the corners alone. Velho & Zorin 2001, section 3.
 struct bisection_split {
-    template <class Corner>
+    template <corner_element Corner>
     static bool is_first(const Corner& c)
     {
         return c == c.f().first_corner();
     }
-    template <class Edge>
+    template <edge_element Edge>
     static bool is_marked(const Edge& e)
     {
         return is_first(e.lcorner());
@@ -26,7 +26,7 @@ struct bisection_split {
 
     /// Two triangles at a marked edge are a block, a quad; of a corner whose half-edge is a side of one, that of the next side.
     /// Precondition: the marked edge of c's triangle does not lie at the boundary.
-    template <class Corner>
+    template <corner_element Corner>
     static Corner block_next(const Corner& c)
     {
         return c.next() == c.f().first_corner() ? c.next().across().next() : c.next();
@@ -43,7 +43,7 @@ struct bisection_split {
         }
     };
     struct marked_edge : of_marks {
-        template <class Edge>
+        template <edge_element Edge>
         constexpr bool operator()(const Edge& e) const
         {
             return is_marked(e);
@@ -52,7 +52,7 @@ struct bisection_split {
         static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t) { return r; }
     };
     struct unmarked_edge : of_marks {
-        template <class Edge>
+        template <edge_element Edge>
         constexpr bool operator()(const Edge& e) const
         {
             return not is_marked(e);
@@ -64,7 +64,7 @@ struct bisection_split {
         static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return 2 * m + n % 2; }
     };
     struct corner_at_marked_edge : of_marks {
-        template <class Corner>
+        template <corner_element Corner>
         constexpr bool operator()(const Corner& c) const
         {
             return not(c.next() == c.f().first_corner());
@@ -81,7 +81,7 @@ struct bisection_split {
     }
 
     /// Throws mesh_error unless the triangles agree on their marked edges.
-    template <class Level>
+    template <level Level>
     static void require_marks(const Level& coarse)
     {
         for (const auto f : coarse.faces()) {
@@ -93,7 +93,7 @@ struct bisection_split {
         }
     }
 
-    template <class R>
+    template <running_step R>
     static void connect(const R& r)
     {
         using namespace targets;

@@ -152,7 +152,7 @@ private:
 /// For each face of a level of quads whether its diagonal joins its second and fourth corner rather than the first and third:
 /// the one with the smallest vertex, unless another edge joins the same two vertices.
 /// Errors: mesh_error if there is no choice without such edges. Cost: O(corners log valence).
-template <class Level>
+template <level Level>
 std::vector<unsigned char> choose_diagonals(const Level& level)
 {
     std::vector<unsigned char> is_odd(level.face_count(), 0);

@@ -29,7 +29,7 @@ struct dual_split {
             .with_boundary([cap = cap_boundary](const counts& c) { return next_boundary(c, cap); });
     }
 
-    template <class R>
+    template <running_step R>
     void connect(const R& r) const
     {
         using namespace targets;

@@ -23,7 +23,7 @@ struct mid_edge_split {
             .with_boundary([](const counts& c) { return counts{.boundary_edges = c.boundary_edges}; });
     }
 
-    template <class R>
+    template <running_step R>
     static void connect(const R& r)
     {
         using namespace targets;

@@ -16,7 +16,7 @@ struct quad_split {
             new_vertices(per_vertex, per_edge, per_face), new_edges(per_end, per_side), new_faces(quads(per_corner)));
     }
 
-    template <class R>
+    template <running_step R>
     static void connect(const R& r)
     {
         using namespace targets;

@@ -3,7 +3,7 @@
 
 #include <kith/base/error.hpp>
 #include <kith/level/for_each.hpp>
-#include <kith/step/scheme_traits.hpp>
+#include <kith/step/scheme.hpp>
 
 #include <string>
 
@@ -13,7 +13,7 @@ namespace kith {
 /// two corners there; between two triangles, which are back to back then, those that split triangles would make two edges
 /// with the same ends, at every level, which no list of faces can tell apart. No step makes such vertices where there are
 /// none, so looking at a mesh before the first is enough. Cost: O(vertices).
-template <class Scheme, class Level>
+template <scheme Scheme, level Level>
 void require_three_faces(const Level& coarse)
 {
     for_each_by_number(coarse.vertices(), [&](const auto& v) {
@@ -32,7 +32,7 @@ void require_three_faces(const Level& coarse)
 }
 
 /// All faces at a vertex are quads.
-template <class Vertex>
+template <vertex_element Vertex>
 bool has_quads_only(const Vertex& v)
 {
     for (const auto& c : v.corners())

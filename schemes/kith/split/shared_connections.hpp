@@ -7,7 +7,7 @@ namespace kith {
 
 /// What several splits connect alike: those that cut the edges at a vertex start the fan of the vertex that it gives birth to
 /// where its own fan starts, with the new edge of that end, in the face of that corner.
-template <class R>
+template <running_step R>
 void start_fans_along_ends(const R& r)
 {
     using namespace targets;
@@ -20,7 +20,7 @@ void start_fans_along_ends(const R& r)
 }
 
 /// Those that make a vertex of each corner make a face inside each face, between these, and a new edge of each of its sides.
-template <class R>
+template <running_step R>
 void make_faces_inside(const R& r)
 {
     using namespace targets;

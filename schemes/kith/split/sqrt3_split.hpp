@@ -14,7 +14,7 @@ namespace kith {
 struct sqrt3_split {
     static constexpr bool is_odd(int generation) { return generation % 2 != 0; }
 
-    template <class Face>
+    template <face_element Face>
     static std::size_t boundary_edges(const Face& f)
     {
         std::size_t count = 0;
@@ -23,7 +23,7 @@ struct sqrt3_split {
         return count;
     }
     /// The faces that odd steps cut. A face with more such edges, which only the rim of a tile can have, is left uncut.
-    template <class Face>
+    template <face_element Face>
     static bool has_one_boundary_edge(const Face& f)
     {
         return boundary_edges(f) == 1;
@@ -45,7 +45,7 @@ struct sqrt3_split {
                              new_faces(triangles(per_side)));
     }
 
-    template <class R>
+    template <running_step R>
     static void connect(const R& r)
     {
         using namespace targets;

@@ -17,7 +17,7 @@ struct ternary_split {
                              new_faces(per_face.of_degree(same_degree{}), quads(per_side), quads(per_corner)));
     }
 
-    template <class R>
+    template <running_step R>
     static void connect(const R& r)
     {
         using namespace targets;

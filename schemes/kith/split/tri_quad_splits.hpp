@@ -21,7 +21,7 @@ struct diagonal_split {
         return kith::columns(
             new_vertices(per_vertex), new_edges(per_edge, per_face), new_faces(triangles(per_corner).only(apex)));
     }
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -49,7 +49,7 @@ struct diagonal_split {
     }
 
 private:
-    template <class Corner>
+    template <corner_element Corner>
     static bool is_apex(const Corner& c, const std::vector<unsigned char>& is_odd)
     {
         return (c.index() - c.f().first_corner().index() + is_odd[c.f().index()]) % 2 == 1;
@@ -63,7 +63,7 @@ struct centroid_split {
         return kith::columns(
             new_vertices(per_vertex, per_face), new_edges(per_edge, per_corner), new_faces(triangles(per_side)));
     }
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;

@@ -17,7 +17,7 @@ struct triangle_split {
                              new_faces(triangles(per_corner), triangles(per_face)));
     }
 
-    template <class R>
+    template <running_step R>
     static void connect(const R& r)
     {
         using namespace targets;

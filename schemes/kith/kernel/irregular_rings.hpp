@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "for_each.hpp"
+#include "large_rings.hpp"
 
+#include <kith/association/running_step.hpp>
+#include <kith/level/for_each.hpp>
 #include <kith/mask/by_valence.hpp>
 #include <kith/mask/choose.hpp>
-#include <kith/mask/large_rings.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -16,7 +17,7 @@
 namespace kith {
 
 /// Notes of each inner vertex whether it has the regular valence; those at the boundary are of the kind given.
-template <class Level>
+template <level Level>
 std::vector<fan_kind> fan_kinds(const Level& coarse, std::size_t regular, fan_kind at_boundary)
 {
     std::vector<fan_kind> result(coarse.vertex_count());
@@ -29,7 +30,7 @@ std::vector<fan_kind> fan_kinds(const Level& coarse, std::size_t regular, fan_ki
 
 /// The neighbours of irregular vertices, summed with weights that go around the ring: by a row of weights, or by the waves of
 /// a large ring, whose weights are those of a wave_kernel.
-template <class Space, class Scalar>
+template <mask_evaluator Space, class Scalar>
 class irregular_rings {
     using waves = ring_waves<Space, 2>;
 
@@ -39,7 +40,7 @@ public:
 
     /// `weights(n)` are those of a ring of n neighbours, `kernel(n)` the same by the angle.
     /// Cost: O(corners), those of large fans times their logarithm.
-    template <class R>
+    template <running_step R>
     irregular_rings(const R& r, std::size_t regular, row_function weights, kernel_function kernel)
         : kinds_(fan_kinds(r.coarse, regular, fan_kind::regular))
         , rows_(std::move(weights))
@@ -49,38 +50,38 @@ public:
     }
 
     /// Vertices at the boundary are, too.
-    template <class Vertex>
+    template <vertex_element Vertex>
     [[nodiscard]] bool is_regular(const Vertex& v) const
     {
         return kinds_[v.index()] == fan_kind::regular;
     }
     /// Of an irregular vertex, by one of its corners.
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] std::size_t valence(const Corner& c) const
     {
         return is_large(c) ? large_.at(c).sums.operands() : c.v().valence();
     }
     /// The sum around the vertex of c, irregular, the first weight being that of the neighbour along the edge of c.
     /// This object must outlive it.
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] auto sum_from_edge(const Corner& c) const
     {
         return sum_from(c, 0, [](const Corner& d) { return d; });
     }
     /// The same with angles counted from the middle of the face of c, the first weight being that of the next neighbour.
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] auto sum_from_face(const Corner& c) const
     {
         return sum_from(c, 1, [](const Corner& d) { return d.prev().across(); });
     }
 
 private:
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] bool is_large(const Corner& c) const
     {
         return kinds_[c.v().index()] == fan_kind::large;
     }
-    template <class Corner, class First>
+    template <corner_element Corner, class First>
     [[nodiscard]] auto sum_from(const Corner& c, int half_steps, const First& first) const
     {
         const bool by_waves = is_large(c);
@@ -100,7 +101,7 @@ private:
     large_fans<waves> large_;
 };
 
-template <class R, class Weights, class Kernel>
+template <running_step R, class Weights, class Kernel>
 irregular_rings(const R&, std::size_t, const Weights&, const Kernel&)
     -> irregular_rings<std::remove_cvref_t<decltype(std::declval<const R&>().assoc)>, typename R::scalar>;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ring_waves.hpp"
+#include <kith/level/level_elements.hpp>
+#include <kith/mask/ring_waves.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -36,7 +37,7 @@ public:
     };
 
     /// `make(v, n)` sums the fan of a vertex of valence n; `kinds` is by vertex number.
-    template <class Level, class Make>
+    template <level Level, class Make>
     large_fans(const Level& coarse, const std::vector<fan_kind>& kinds, const Make& make)
     {
         if (std::ranges::find(kinds, fan_kind::large) == kinds.end())
@@ -53,7 +54,7 @@ public:
     }
 
     /// Precondition: a corner of a large fan. Cost: O(log corners of large fans).
-    template <class Corner>
+    template <corner_element Corner>
     [[nodiscard]] place at(const Corner& c) const
     {
         const auto found = std::ranges::lower_bound(corners_, c.index(), {}, &entry::corner);
@@ -69,7 +70,7 @@ private:
     std::vector<Sums> sums_;
 };
 
-template <class Level, class Make>
+template <level Level, class Make>
 large_fans(const Level& coarse, const std::vector<fan_kind>&, const Make&)
     -> large_fans<decltype(std::declval<const Make&>()(coarse.vertices()[0], std::size_t()))>;
 
@@ -78,7 +79,7 @@ template <class Sums>
 class large_faces {
 public:
     /// `make(f, n)` sums a face of n corners.
-    template <class Level, class Make>
+    template <level Level, class Make>
     large_faces(const Level& coarse, const Make& make)
     {
         for (const auto f : coarse.faces())
@@ -88,7 +89,7 @@ public:
     }
 
     /// Precondition: a face of more than longest_row corners. Cost: O(log large faces).
-    template <class Face>
+    template <face_element Face>
     [[nodiscard]] const Sums& of(const Face& f) const
     {
         return std::ranges::lower_bound(faces_, f.index(), {}, &entry::first)->second;
@@ -99,12 +100,12 @@ private:
     std::vector<entry> faces_;
 };
 
-template <class Level, class Make>
+template <level Level, class Make>
 large_faces(const Level& coarse, const Make&)
     -> large_faces<decltype(std::declval<const Make&>()(coarse.faces()[0], std::size_t()))>;
 
 /// How many corners lie between the first one of its face and this one. Cost: O(1).
-template <class Corner>
+template <corner_element Corner>
 [[nodiscard]] std::int64_t step_in_face(const Corner& c)
 {
     return std::int64_t(c.index() - c.f().first_corner().index());

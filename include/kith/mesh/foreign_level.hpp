@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "association.hpp"
+#include "basic_mesh.hpp"
+#include "level_sink.hpp"
+#include "mesh_traits.hpp"
 
 #include <kith/base/for_parts.hpp>
 #include <kith/base/large_blocks.hpp>
-#include <kith/mesh/basic_mesh.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -37,7 +38,7 @@ concept fillable_mesh = mesh<M> and std::default_initializable<M> and
                             T::mark_odd_generation(m);
                         };
 
-/// A level written straight into a mesh of another library: its elements are numbered as they would be in a native mesh,
+/// A level_sink that is a mesh of another library: its elements are numbered as they would be in a native mesh,
 /// and half-edge 2e+s is side s of edge e.
 template <fillable_mesh M>
 class foreign_level {
@@ -48,6 +49,9 @@ class foreign_level {
     using halfedge = typename traits::halfedge;
 
 public:
+    using point_type = typename traits::point;
+    using index_type = index;
+
     /// Precondition: the mesh is empty; it gets the attributes of `source`, if there is one. Errors: those of `make_room`.
     foreign_level(M& mesh, std::size_t vertex_count, std::size_t edge_count, std::size_t face_count, bool is_closed,
                   const M* source = nullptr)
@@ -64,7 +68,7 @@ public:
     [[nodiscard]] auto* points() const { return traits::points(*mesh_); }
 
     /// Makes a face of its lines. Safe for different faces on several threads. Errors: those of `set_start`.
-    template <class Lines>
+    template <face_lines Lines>
     void set_face(index id, const Lines& lines)
     {
         const auto here = at<face>(id);
