@@ -143,14 +143,14 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
 }
 
 /// Takes what the others do not, to say in one sentence what the type lacks.
-template <mesh M, scheme Scheme>
+template <class M, class Scheme>
     requires(not scheme<Scheme>)
 const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
 {
     static_cast<void>(refused::scheme_columns<(sizeof(Scheme) > 0)>());
     return mesh;
 }
-template <mesh M, scheme Scheme>
+template <class M, scheme Scheme>
     requires(not refinable_mesh<M>)
 const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
 {
