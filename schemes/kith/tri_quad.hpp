@@ -53,17 +53,17 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
         throw mesh_error("4-8: only triangles have a marked edge each; triangulate the mesh first");
     std::vector<Index> new_corner(t.corners());
     for (std::size_t f = 0; f < t.faces; ++f) {
-        int first = -1, count = 0;
-        for (int k = 0; k < 3; ++k) {
-            const auto ends = std::minmax(t.corner_vertex[3 * f + k], t.corner_vertex[3 * f + (k + 1) % 3]);
-            if (std::ranges::binary_search(marked, std::pair<Index, Index>(ends)))
-                first = k, ++count;
-        }
+        const Index begin = t.first_corner(f);
+        Index first = begin;
+        int count = 0;
+        for (Index c = begin; c < begin + 3; ++c)
+            if (std::ranges::binary_search(marked, std::minmax({t.corner_vertex[c], t.target(c)})))
+                first = c, ++count;
         if (count != 1)
             throw mesh_error("4-8: face " + std::to_string(f) + " has " + std::to_string(count) +
                              " marked edges; mark exactly one");
-        for (int k = 0; k < 3; ++k)
-            new_corner[3 * f + (first + k) % 3] = Index(3 * f + k);
+        for (Index c = begin; c < begin + 3; ++c, first = t.next(first))
+            new_corner[first] = c;
     }
     const auto& old = mesh.topology();
     for (std::size_t c = 0; c < old.corners(); ++c) {

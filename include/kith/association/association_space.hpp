@@ -225,10 +225,8 @@ private:
             if constexpr (Checked)
                 check_line(Kind, tuple, id, corner, line);
             fine_->corner_vertex[corner] = line.vertex;
-            if constexpr (Connect == connect::everything and Numbering::has_edges) {
-                fine_->corner_halfedge[corner] = line.halfedge;
-                fine_->halfedge_corner[line.halfedge] = corner;
-            }
+            if constexpr (Connect == connect::everything and Numbering::has_edges)
+                fine_->set_side(corner, line.halfedge);
             if constexpr (Numbering::common_degree == 0)
                 if (fine_->degree == 0)
                     fine_->corner_face[corner] = id;
