@@ -93,8 +93,8 @@ public:
     {
         if constexpr (Degree != 0)
             return {detail::next_of_alike(c.value, Index(Degree))};
-        else if (degree_ != 0)
-            return {detail::next_of_alike(c.value, degree_)};
+        else if (degree_ != 0) // without a branch for quads, which have a level of their own
+            return {(c.value + 1) % degree_ == 0 ? Index(c.value + 1 - degree_) : Index(c.value + 1)};
         else
             return {detail::next_of_mixed(c.value, corners_, corner_face_, face_corner_)};
     }
@@ -103,7 +103,7 @@ public:
         if constexpr (Degree != 0)
             return {detail::prev_of_alike(c.value, Index(Degree))};
         else if (degree_ != 0)
-            return {detail::prev_of_alike(c.value, degree_)};
+            return {c.value % degree_ == 0 ? Index(c.value - 1 + degree_) : Index(c.value - 1)};
         else
             return {detail::prev_of_mixed(c.value, corner_face_, face_corner_)};
     }

@@ -14,30 +14,6 @@ namespace kith {
 /// What all masks derive from.
 struct mask_base {};
 
-namespace detail {
-
-/// The sum of term(x) over a range in its order; never empty, since no element of a mesh is without neighbours.
-template <class Values, class Range, class Term>
-[[nodiscard]] typename Values::sum sum_of_terms(const Range& range, const Term& term)
-{
-    auto i = range.begin();
-    const auto end = range.end();
-    typename Values::sum total = term(*i);
-    for (++i; not(i == end); ++i)
-        Values::add(total, term(*i));
-    return total;
-}
-
-template <class Values, class Operand, class Weight>
-[[nodiscard]] typename Values::sum weighted_term(const Values& values, const Operand& operand, const Weight& weight)
-{
-    typename Values::sum result = operand.evaluate(values);
-    Values::scale(result, static_cast<typename Values::scalar>(weight));
-    return result;
-}
-
-} // namespace detail
-
 template <class A, class B>
 struct mask_sum : mask_base {
     A a;
@@ -75,14 +51,16 @@ struct mask_scaled : mask_base {
     template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
+        auto total = a.evaluate(values);
         if constexpr (std::same_as<Weight, one_over>)
-            return detail::weighted_term(values, a, weight.template as<typename Values::scalar>());
+            Values::scale(total, weight.template as<typename Values::scalar>());
         else
-            return detail::weighted_term(values, a, weight);
+            Values::scale(total, static_cast<typename Values::scalar>(weight));
+        return total;
     }
 };
 
-/// The sum over a range.
+/// The sum over a range; never empty, since no element of a mesh is without neighbours.
 template <class Range>
 struct mask_range_sum : mask_base {
     Range range;
@@ -98,10 +76,12 @@ struct mask_range_sum : mask_base {
     template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values, std::size_t& count) const
     {
-        return detail::sum_of_terms<Values>(range, [&](const auto& operand) {
-            ++count;
-            return operand.evaluate(values);
-        });
+        auto i = range.begin();
+        const auto end = range.end();
+        typename Values::sum total = (*i).evaluate(values);
+        for (++i, ++count; not(i == end); ++i, ++count)
+            Values::add(total, (*i).evaluate(values));
+        return total;
     }
 };
 
@@ -133,8 +113,17 @@ struct mask_weighted_sum : mask_base {
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         std::size_t count = 0;
-        return detail::sum_of_terms<Values>(
-            range, [&](const auto& operand) { return detail::weighted_term(values, operand, weight_of(count++)); });
+        const auto term = [&](const auto& operand) {
+            typename Values::sum result = operand.evaluate(values);
+            Values::scale(result, static_cast<typename Values::scalar>(weight_of(count++)));
+            return result;
+        };
+        auto i = range.begin();
+        const auto end = range.end();
+        typename Values::sum total = term(*i);
+        for (++i; not(i == end); ++i)
+            Values::add(total, term(*i));
+        return total;
     }
 };
 
@@ -148,8 +137,16 @@ struct mask_list_sum : mask_base {
     template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
-        return detail::sum_of_terms<Values>(
-            *list, [&](const auto& entry) { return detail::weighted_term(values, entry.first, entry.second); });
+        const auto term = [&](const auto& entry) {
+            typename Values::sum result = entry.first.evaluate(values);
+            Values::scale(result, static_cast<typename Values::scalar>(entry.second));
+            return result;
+        };
+        auto i = list->begin();
+        typename Values::sum total = term(*i);
+        for (++i; i != list->end(); ++i)
+            Values::add(total, term(*i));
+        return total;
     }
 };
 
