@@ -125,7 +125,7 @@ struct kith::mesh_traits<archetypes::mesh> {
     static edge edge_of(const mesh&, halfedge h) { return {h.number / 2}; }
     static face face_of(const mesh& m, halfedge h)
     {
-        return {kith::detail::face_of_corner(topology(m), std::uint32_t(corner(m, h)))};
+        return {topology(m).face_of(std::uint32_t(corner(m, h)))};
     }
     static halfedge halfedge_of(const mesh& m, vertex v) { return of_corner(m, topology(m).vertex_corner[v.number]); }
     static halfedge halfedge_of(const mesh&, edge e) { return {2 * e.number}; }
