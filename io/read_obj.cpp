@@ -5,25 +5,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace kith::io {
 
 namespace {
 
 /// Statements that say nothing about the polygons, and what they are about; nothing: not worth a word.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 49> other_statements{
-    {{"vt", "texture coordinates"},
-     {"vn", "normals"},
-     {"usemtl", "materials"},
-     {"mtllib", "materials"},
-     {"o", "objects"},
-     {"g", "groups"},
-     {"s", "smoothing groups"},
-     {"mg", "smoothing groups"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 42> other_statements{
+    {{"mg", "smoothing groups"},
      {"maplib", "texture maps"},
      {"usemap", "texture maps"},
      {"l", "lines"},
@@ -66,6 +64,130 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 49> other_st
      {"ctech", ""},
      {"stech", ""}}};
 
+using cursor = text_cursor<text_kind::with_continuations>;
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Statements that name what follows: all faces up to the next one of the kind.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> label_statements{
+    {{"o", "object"}, {"g", "group"}, {"usemtl", "material"}, {"s", "smoothing group"}}};
+
+/// Lines of one to three numbers to which corners refer, before or behind them: `vt` or `vn`. What is not finite, as some
+/// programs write the normals of a face without area, is none.
+class referred_lines {
+public:
+    explicit referred_lines(const char* name) : name_(name) {}
+
+    [[nodiscard]] std::size_t size() const { return lines_.size(); }
+    void read_line(cursor& text)
+    {
+        const auto what = [&] { return name_ + " " + std::to_string(size() + 1); };
+        std::array<double, 3> line{};
+        std::size_t numbers = 0;
+        for (; not text.at_line_end(); ++numbers) {
+            const double x = text.any_number(what);
+            if (numbers < 3)
+                line[numbers] = std::isfinite(x) ? x : no_number;
+        }
+        if (numbers == 0)
+            text.refuse_here(what() + " has no numbers");
+        most_numbers_ = std::max(most_numbers_, std::min(numbers, std::size_t(3)));
+        lines_.push_back(line);
+    }
+    /// What a corner has: a number from 1, or one that counts back from the last line so far.
+    void refer(std::size_t corner, std::ptrdiff_t index, std::size_t face, const cursor& text)
+    {
+        if (index == 0 or index < -std::ptrdiff_t(size()))
+            text.refuse(complaint(face, index) + " so far; correct the index");
+        if (index > largest_) {
+            largest_ = index;
+            if (std::size_t(index) > size()) { // may come later
+                face_of_largest_ = face;
+                text_at_largest_ = text;
+            }
+        }
+        of_corner_.resize(corner, none);
+        of_corner_.push_back(std::size_t(index > 0 ? index - 1 : std::ptrdiff_t(size()) + index));
+    }
+    void require_there() const
+    {
+        if (std::size_t(largest_) > size())
+            text_at_largest_.refuse(complaint(face_of_largest_, largest_) + "; correct the index");
+    }
+    /// Makes attributes of the numbers. Precondition: require_there.
+    [[nodiscard]] std::vector<attribute> at_corners(std::size_t corners, std::span<const std::string_view> names,
+                                                    std::size_t least_numbers) const
+    {
+        std::vector<attribute> result;
+        for (std::size_t i = 0; not of_corner_.empty() and i < std::max(most_numbers_, least_numbers); ++i) {
+            result.emplace_back().name = names[i];
+            result[i].values.assign(corners, no_number);
+            for (std::size_t c = 0; c < of_corner_.size(); ++c)
+                if (of_corner_[c] != none)
+                    result[i].values[c] = lines_[of_corner_[c]][i];
+        }
+        return result;
+    }
+    [[nodiscard]] bool all_are_used() const
+    {
+        std::vector<bool> used(size());
+        for (const std::size_t line : of_corner_)
+            if (line != none)
+                used[line] = true;
+        return std::ranges::find(used, false) == used.end();
+    }
+
+private:
+    static constexpr auto none = std::size_t(-1);
+
+    [[nodiscard]] std::string complaint(std::size_t face, std::ptrdiff_t index) const
+    {
+        return "face " + std::to_string(face) + ": " + name_ + " " + std::to_string(index) +
+               " does not exist, there are " + std::to_string(size());
+    }
+
+    std::string name_;
+    std::vector<std::array<double, 3>> lines_;
+    std::vector<std::size_t> of_corner_; ///< up to the last corner that has one
+    std::size_t most_numbers_ = 0;
+    std::ptrdiff_t largest_ = 0;
+    std::size_t face_of_largest_ = 0;
+    cursor text_at_largest_{{}};
+};
+
+/// Words that hold for all faces up to the next ones.
+class face_labels {
+public:
+    void begin(const std::string& label, std::size_t face)
+    {
+        const auto [place, is_new] = numbers_.try_emplace(label, numbers_.size());
+        if (is_new)
+            labels_.push_back(label);
+        changes_.emplace_back(face, place->second);
+    }
+    /// Whether a face is called anything.
+    [[nodiscard]] bool is_used(std::size_t faces) const
+    {
+        return std::ranges::any_of(changes_, [&](const auto& c) { return c.second != 0 and c.first < faces; });
+    }
+    [[nodiscard]] attribute at_faces(std::string_view name, std::size_t faces) const
+    {
+        attribute result{std::string(name), {4, false, true}, std::vector<double>(faces), labels_};
+        for (std::size_t i = 0; i < changes_.size(); ++i) {
+            const std::size_t end = i + 1 == changes_.size() ? faces : changes_[i + 1].first;
+            std::fill(result.values.begin() + std::ptrdiff_t(changes_[i].first),
+                      result.values.begin() + std::ptrdiff_t(end),
+                      double(changes_[i].second));
+        }
+        return result;
+    }
+
+private:
+    std::vector<std::string> labels_{""};
+    std::map<std::string, std::size_t> numbers_{{"", 0}};
+    std::vector<std::pair<std::size_t, std::size_t>> changes_; ///< from a face on a label
+};
+
 class obj_reader {
 public:
     explicit obj_reader(std::string_view bytes) : text_(bytes) { soup_.first_number = 1; }
@@ -78,9 +200,15 @@ public:
                 read_vertex();
             else if (statement == "f")
                 read_face();
+            else if (statement == "vt")
+                textures_.read_line(text_);
+            else if (statement == "vn")
+                normals_.read_line(text_);
             else if (statement == "t")
                 read_obj_tag(text_, soup_.tags);
-            else
+            else if (statement == "mtllib")
+                soup_.attributes.material_files.push_back(rest_of_line());
+            else if (not read_label(statement))
                 leave_aside(statement);
         }
         if (std::size_t(largest_index_) > soup_.points.size())
@@ -91,6 +219,9 @@ public:
         if (soup_.points.empty() or soup_.faces.size() == 0)
             throw file_error("the file has " + counted(soup_.points.size(), "vertex") + " and " +
                              counted(soup_.faces.size(), "face") + "; nothing can be refined");
+        textures_.require_there();
+        normals_.require_there();
+        take_attributes();
         return std::move(soup_);
     }
 
@@ -98,20 +229,27 @@ private:
     void read_vertex()
     {
         const auto what = [&] { return "vertex " + std::to_string(soup_.points.size() + 1); };
-        std::array<double, 4> p{0, 0, 0, 1};
-        std::size_t numbers = 0; // three coordinates; a weight or a color may follow
+        std::array<double, 7> p{0, 0, 0, 1};
+        std::size_t numbers = 0; // three coordinates; a weight or a color of three or four may follow
         for (; not text_.at_line_end(); ++numbers) {
             const double x = text_.number(what);
-            if (numbers < 4)
+            if (numbers < p.size())
                 p[numbers] = x;
         }
         if (numbers < 3)
             text_.refuse(what() + " has " + counted(numbers, "coordinate") + ", 3 are needed");
-        if (numbers >= 6)
-            not_kept("colours");
+        if (numbers > p.size())
+            not_kept("numbers behind the coordinates of vertices");
+        else if (numbers >= 6)
+            add_color({p[3], p[4], p[5], numbers == 7 ? p[6] : no_number});
         else if (p[3] != 1)
             not_kept("weights of vertices");
         soup_.points.push_back({p[0], p[1], p[2]});
+    }
+    void add_color(const std::array<double, 4>& color)
+    {
+        colors_.resize(soup_.points.size(), {no_number, no_number, no_number, no_number});
+        colors_.push_back(color);
     }
     /// Indices count from 1; negative ones count back from the last vertex so far. `v`, `v/t`, `v//n` and `v/t/n`.
     void read_face()
@@ -127,7 +265,7 @@ private:
                 text_.refuse(what() + ": vertex " + std::to_string(index) + " does not exist, there are " +
                              std::to_string(vertices) + " so far; correct the index");
             if (slash != word.npos)
-                check_references(word.substr(slash + 1));
+                read_references(word.substr(slash + 1));
             if (index > largest_index_) {
                 largest_index_ = index;
                 if (std::size_t(index) > vertices) { // may come later
@@ -139,15 +277,75 @@ private:
         }
         soup_.faces.first.push_back(soup_.faces.vertices.size());
     }
-    void check_references(std::string_view rest) const
+    /// What stands behind the first slash: `t`, `/n` or `t/n`.
+    void read_references(std::string_view rest)
     {
-        while (not rest.empty()) {
+        const std::size_t corner = soup_.faces.vertices.size(), face = soup_.faces.size() + 1;
+        for (referred_lines* lines : {&textures_, &normals_}) {
             const auto end = std::min(rest.find('/'), rest.size());
             if (end != 0)
-                (void)text_.whole<std::ptrdiff_t>(rest.substr(0, end), [&] {
-                    return "face " + std::to_string(soup_.faces.size() + 1) + ": a texture coordinate or normal";
-                });
+                lines->refer(corner,
+                             text_.whole<std::ptrdiff_t>(
+                                 rest.substr(0, end),
+                                 [&] { return "face " + std::to_string(face) + ": a texture coordinate or normal"; }),
+                             face,
+                             text_);
             rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+        if (not rest.empty())
+            text_.refuse("face " + std::to_string(face) +
+                         ": a corner has a vertex, a texture coordinate and a normal "
+                         "at most, here is more: '" +
+                         shown(rest) + "'");
+    }
+    /// The words up to the end of the line, with a blank between them. At the end of the file the last one may end in what
+    /// would join the next line.
+    std::string rest_of_line()
+    {
+        std::string result;
+        while (not text_.at_line_end())
+            (result += result.empty() ? "" : " ") += text_.word();
+        while (result.ends_with('\\'))
+            result.pop_back();
+        return result;
+    }
+    /// Whether it was such a statement.
+    bool read_label(std::string_view statement)
+    {
+        const auto found = std::ranges::find(
+            label_statements, statement, &std::pair<std::string_view, std::string_view>::first);
+        if (found == label_statements.end())
+            return false;
+        std::string label = rest_of_line();
+        if (statement == "s" and (label == "off" or label == "0"))
+            label.clear();
+        labels_[std::size_t(found - label_statements.begin())].begin(label, soup_.faces.size());
+        return true;
+    }
+    void take_attributes()
+    {
+        mesh_attributes& attributes = soup_.attributes;
+        const std::size_t corners = soup_.faces.vertices.size();
+        attributes.corners = textures_.at_corners(corners, texture_names, 2);
+        for (attribute& a : normals_.at_corners(corners, normal_names, 3))
+            attributes.corners.push_back(std::move(a));
+        if (not textures_.all_are_used())
+            not_kept("texture coordinates that no corner has");
+        if (not normals_.all_are_used())
+            not_kept("normals that no corner has");
+        for (std::size_t i = 0; i < labels_.size(); ++i)
+            if (labels_[i].is_used(soup_.faces.size()))
+                attributes.faces.push_back(labels_[i].at_faces(label_statements[i].second, soup_.faces.size()));
+        if (colors_.empty())
+            return;
+        colors_.resize(soup_.points.size(), {no_number, no_number, no_number, no_number});
+        const bool has_alpha = std::ranges::any_of(colors_, [](const auto& c) { return not std::isnan(c[3]); });
+        for (std::size_t i = 0; i < (has_alpha ? 4 : 3); ++i) {
+            attributes.vertices.emplace_back().name = color_names[i];
+            for (const auto& color : colors_)
+                attributes.vertices[i].values.push_back(i == 3 and std::isnan(color[3]) and not std::isnan(color[0])
+                                                            ? 1 // as opaque as others say
+                                                            : color[i]);
         }
     }
     void leave_aside(std::string_view statement)
@@ -156,14 +354,7 @@ private:
             other_statements, statement, &std::pair<std::string_view, std::string_view>::first);
         if (found == other_statements.end())
             text_.refuse("'" + shown(statement) + "' is no statement of an OBJ file");
-        const bool is_off = statement == "s" and [ahead = text_]() mutable
-        {
-            const auto word = ahead.word();
-            return word == "off" or word == "0";
-        }
-        ();
-        if (not is_off)
-            not_kept(found->second);
+        not_kept(found->second);
         text_.skip_line();
     }
     void not_kept(std::string_view what)
@@ -172,9 +363,12 @@ private:
             soup_.not_kept.emplace_back(what);
     }
 
-    text_cursor<text_kind::with_continuations> text_;
-    text_cursor<text_kind::with_continuations> text_at_largest_ = text_;
+    cursor text_;
+    cursor text_at_largest_ = text_;
     polygon_soup soup_;
+    referred_lines textures_{"texture coordinate"}, normals_{"normal"};
+    std::array<face_labels, label_statements.size()> labels_; ///< as label_statements
+    std::vector<std::array<double, 4>> colors_;               ///< up to the last vertex that has one
     std::ptrdiff_t largest_index_ = 0;
     std::size_t face_of_largest_ = 0;
 };

@@ -5,8 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace kith::io {
 
@@ -20,6 +26,45 @@ struct off_keyword {
 
     [[nodiscard]] int coordinates() const { return homogeneous ? 4 : 3; }
     [[nodiscard]] int numbers() const { return coordinates() + (normal ? 3 : 0) + (color ? 4 : 0) + (texture ? 2 : 0); }
+};
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Colors of some elements, three or four numbers each.
+class colors {
+public:
+    void add(std::size_t element, std::span<const double> color)
+    {
+        values_.resize(4 * element, no_number);
+        values_.insert(values_.end(), color.begin(), color.end());
+        values_.resize(4 * element + 4, no_number);
+        has_alpha_ |= color.size() == 4;
+    }
+    /// The attributes. Whole numbers up to 255, of which some are larger than 1, are bytes; all others go from 0 to 1.
+    void give(std::vector<attribute>& attributes, std::size_t elements)
+    {
+        if (values_.empty())
+            return;
+        values_.resize(4 * elements, no_number);
+        const auto is_byte = [](double x) { return std::isnan(x) or (x == std::floor(x) and x >= 0 and x <= 255); };
+        const bool in_bytes = std::ranges::all_of(values_, is_byte) and
+                              std::ranges::any_of(values_, [](double x) { return x > 1; });
+        const std::size_t first = attributes.size();
+        for (std::size_t i = 0; i < (has_alpha_ ? 4 : 3); ++i) {
+            attributes.emplace_back().name = color_names[i];
+            if (in_bytes)
+                attributes.back().type = {1, false, false};
+            for (std::size_t element = 0; element < elements; ++element) {
+                const double x = values_[4 * element + i];
+                const bool is_opaque = i == 3 and std::isnan(x) and not std::isnan(values_[4 * element]);
+                attributes[first + i].values.push_back(not is_opaque ? x : in_bytes ? 255 : 1);
+            }
+        }
+    }
+
+private:
+    std::vector<double> values_; ///< four per element, up to the last that has a color
+    bool has_alpha_ = false;
 };
 
 /// A vertex has four coordinates, a normal, a color of four and a texture coordinate of three numbers at most.
@@ -70,7 +115,7 @@ public:
             text_.refuse("the file goes on after its " + counted(vertices_, "vertex") + " and " +
                          counted(faces_, "face"));
         }
-        tell_what_is_not_kept();
+        take_attributes();
         return std::move(soup_);
     }
 
@@ -142,18 +187,49 @@ private:
                 text_.refuse(what() + " has no finite place, its fourth coordinate is too small; give it a place");
         }
         soup_.points.push_back({p[0], p[1], p[2]});
-        int more = 0;
+        std::array<double, most_numbers> numbers{};
+        std::size_t more = 0;
+        const auto read_number = [&] {
+            const double x = text_.number(what);
+            if (more++ < numbers.size())
+                numbers[more - 1] = x;
+        };
         if (in_lines_)
-            for (; not text_.at_line_end(); ++more)
-                (void)text_.number(what);
+            while (not text_.at_line_end())
+                read_number();
         else
-            for (; more < keyword_.numbers() - coordinates; ++more) {
+            while (int(more) < keyword_.numbers() - coordinates) {
                 to_content(what);
-                (void)text_.number(what);
+                read_number();
             }
-        if (more > most_numbers - 4)
+        if (more > std::size_t(most_numbers - 4))
             text_.refuse(what() + " has too many numbers; each vertex has a line of its own");
-        more_at_vertices_ = std::max(more_at_vertices_, more);
+        take_numbers(vertex, std::span(numbers).first(more));
+    }
+    /// What stands behind the coordinates of a vertex: normal, color, texture, as far as the keyword says; some have nothing.
+    void take_numbers(std::size_t vertex, std::span<const double> numbers)
+    {
+        if (numbers.empty())
+            return;
+        const std::size_t normal = keyword_.normal ? 3 : 0, texture = keyword_.texture ? 2 : 0;
+        const std::size_t color = numbers.size() - std::min(numbers.size(), normal + texture);
+        if (numbers.size() < normal + texture or (keyword_.color ? color != 3 and color != 4 : color != 0)) {
+            has_other_numbers_ = true;
+            return;
+        }
+        const auto add = [&](std::vector<std::vector<double>>& columns, std::span<const double> values) {
+            columns.resize(values.size());
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                columns[i].resize(vertex, no_number);
+                columns[i].push_back(values[i]);
+            }
+        };
+        if (keyword_.normal)
+            add(normals_, numbers.first(3));
+        if (keyword_.color)
+            vertex_colors_.add(vertex, numbers.subspan(normal, color));
+        if (keyword_.texture)
+            add(textures_, numbers.last(2));
     }
     void read_face(std::size_t face)
     {
@@ -173,33 +249,48 @@ private:
         soup_.faces.first.push_back(soup_.faces.vertices.size());
         if (not in_lines_)
             return;
-        int more = 0; // a color: one to four numbers
-        for (; not text_.at_line_end(); ++more)
-            (void)text_.number([&] { return what() + ": its color"; });
-        if (more > 4)
+        std::array<double, 4> color{}; // three or four numbers, or one, that of a color in a list which programs have
+        std::size_t more = 0;
+        for (; not text_.at_line_end(); ++more) {
+            const double x = text_.number([&] { return what() + ": its color"; });
+            if (more < color.size())
+                color[more] = x;
+        }
+        if (more > color.size())
             text_.refuse(what() + " has too many numbers; each face has a line of its own");
-        colored_faces_ |= more != 0;
+        if (more >= 3)
+            face_colors_.add(face, std::span(color).first(more));
+        has_listed_colors_ |= more == 1 or more == 2;
     }
-    void tell_what_is_not_kept()
+    void take_attributes()
     {
-        const bool said = keyword_.normal or keyword_.color or keyword_.texture;
-        if (keyword_.normal)
-            soup_.not_kept.emplace_back("normals");
-        if (keyword_.color or colored_faces_)
-            soup_.not_kept.emplace_back("colours");
-        if (keyword_.texture)
-            soup_.not_kept.emplace_back("texture coordinates");
-        if (more_at_vertices_ != 0 and not said)
+        mesh_attributes& attributes = soup_.attributes;
+        const auto take = [&](std::vector<std::vector<double>>& columns, std::span<const std::string_view> names) {
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                columns[i].resize(vertices_, no_number);
+                attributes.vertices.emplace_back().name = names[i];
+                attributes.vertices.back().values = std::move(columns[i]);
+            }
+        };
+        take(normals_, normal_names);
+        vertex_colors_.give(attributes.vertices, vertices_);
+        take(textures_, texture_names);
+        face_colors_.give(attributes.faces, faces_);
+        if (has_other_numbers_)
             soup_.not_kept.emplace_back("numbers behind the coordinates of vertices");
+        if (has_listed_colors_)
+            soup_.not_kept.emplace_back("colours of faces by their numbers in a list");
     }
 
     cursor text_;
     off_keyword keyword_;
     polygon_soup soup_;
     std::size_t vertices_ = 0, faces_ = 0;
-    bool in_lines_ = true; ///< each element stands in a line of its own
-    int more_at_vertices_ = 0;
-    bool colored_faces_ = false;
+    bool in_lines_ = true;                                ///< each element stands in a line of its own
+    std::vector<std::vector<double>> normals_, textures_; ///< by coordinate, up to the last vertex that has one
+    colors vertex_colors_, face_colors_;
+    bool has_other_numbers_ = false; ///< behind the coordinates of a vertex
+    bool has_listed_colors_ = false;
 };
 
 } // namespace

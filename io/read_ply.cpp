@@ -10,8 +10,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace kith::io {
 
@@ -44,19 +48,14 @@ public:
             text_.refuse(what() + " is " + std::to_string(value) + ", which does not fit its type");
         return value;
     }
-    /// A value that nobody reads: a number, finite or not.
+    /// A number, finite or not.
     template <std::invocable What>
-    void skip(const ply_number& type, const What& what)
+    double value(const ply_number& type, const What& what)
     {
         if (not type.floating)
-            return void(whole(type, what));
+            return double(whole(type, what));
         to_next(what);
-        const auto word = text_.word();
-        const auto digits = word.substr(word.starts_with('+') ? 1 : 0);
-        double value = 0;
-        const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (error == std::errc::invalid_argument or rest != digits.data() + digits.size())
-            text_.refuse(what() + " should be a number, it is '" + shown(word) + "'");
+        return as_stored(type, text_.any_number(what));
     }
     void expect_end()
     {
@@ -88,11 +87,10 @@ public:
     {
         if (not type.floating)
             return double(whole(type, what));
-        const std::uint64_t bits = take(type.bytes, what);
-        const double value = type.bytes == 4 ? std::bit_cast<float>(std::uint32_t(bits)) : std::bit_cast<double>(bits);
-        if (not std::isfinite(value))
+        const double result = value(type, what);
+        if (not std::isfinite(result))
             refuse(what() + " is not a finite number; give it a place");
-        return value;
+        return result;
     }
     template <std::invocable What>
     std::int64_t whole(const ply_number& type, const What& what)
@@ -102,9 +100,12 @@ public:
         return type.is_signed ? std::int64_t(bits << unused) >> unused : std::int64_t(bits);
     }
     template <std::invocable What>
-    void skip(const ply_number& type, const What& what)
+    double value(const ply_number& type, const What& what)
     {
-        (void)take(type.bytes, what);
+        if (not type.floating)
+            return double(whole(type, what));
+        const std::uint64_t bits = take(type.bytes, what);
+        return type.bytes == 4 ? std::bit_cast<float>(std::uint32_t(bits)) : std::bit_cast<double>(bits);
     }
     void expect_end() const
     {
@@ -140,6 +141,45 @@ private:
     std::string_view rest_;
 };
 
+/// The list of a face's texture coordinates, two per corner, as MeshLab has them; without one the number of properties.
+std::size_t texture_list(const ply_element& element)
+{
+    const auto found = std::ranges::find_if(element.properties,
+                                            [](const ply_property& p) { return p.is_list() and p.name == "texcoord"; });
+    return std::size_t(found - element.properties.begin());
+}
+
+/// Whether a property of vertices or faces is a number that says something else than the mesh does.
+bool is_attribute(const ply_element& element, std::size_t property)
+{
+    if (element.properties[property].is_list())
+        return false;
+    if (not element.is_vertex())
+        return true;
+    const auto place = element.place();
+    return std::ranges::find(place, property) == place.end();
+}
+
+/// What of a file is not read: lists, and elements of other kinds.
+std::vector<std::string> left_aside(const ply_header& header)
+{
+    std::vector<std::string> result;
+    for (const auto& element : header.elements) {
+        if (not element.is_vertex() and not element.is_face()) {
+            if (element.count != 0)
+                result.push_back("the elements '" + shown(element.name) + "'");
+            continue;
+        }
+        const std::size_t size = element.properties.size();
+        const std::size_t corners = element.is_face() ? element.corner_list() : size;
+        const std::size_t texture = element.is_face() ? texture_list(element) : size;
+        for (std::size_t p = 0; p < size; ++p)
+            if (element.properties[p].is_list() and p != corners and p != texture)
+                result.push_back(topic_of(element.properties[p].name, element.is_vertex() ? "vertices" : "faces"));
+    }
+    return result;
+}
+
 template <class Numbers>
 class ply_body {
 public:
@@ -174,12 +214,13 @@ private:
         std::vector<int> coordinate(element.properties.size(), -1);
         for (std::size_t i = 0; i < 3; ++i)
             coordinate[place[i]] = int(i);
+        const auto columns = columns_of(element, soup_.attributes.vertices);
         for (std::uint64_t v = 0; v < element.count; ++v) {
             std::array<double, 3> point{};
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const ply_property& property = element.properties[p];
                 if (coordinate[p] < 0)
-                    skip(element, property, v);
+                    read_value(element, property, v, soup_.attributes.vertices, columns[p]);
                 else
                     point[std::size_t(coordinate[p])] = numbers_.place(property.value,
                                                                        [&] { return name(element, property, v); });
@@ -191,13 +232,63 @@ private:
     {
         const std::size_t room = numbers_.room(element.properties.size(), element.least_bytes());
         soup_.faces.first.reserve(std::size_t(std::min<std::uint64_t>(element.count, room)) + 1);
-        const std::size_t corners = element.corner_list();
-        for (std::uint64_t f = 0; f < element.count; ++f)
+        const std::size_t corners = element.corner_list(), texture = texture_list(element);
+        const auto columns = columns_of(element, soup_.attributes.faces);
+        for (std::uint64_t f = 0; f < element.count; ++f) {
             for (std::size_t p = 0; p < element.properties.size(); ++p)
                 if (p == corners)
                     read_face(element, element.properties[p], f);
+                else if (p == texture)
+                    read_texture(element, element.properties[p], f);
                 else
-                    skip(element, element.properties[p], f);
+                    read_value(element, element.properties[p], f, soup_.attributes.faces, columns[p]);
+            if (texture != element.properties.size())
+                give_texture(element.name, f);
+        }
+        if (texture != element.properties.size())
+            for (std::size_t i = 0; i < 2; ++i)
+                soup_.attributes.corners.push_back(
+                    {std::string(texture_names[i]), element.properties[texture].value, std::move(texture_[i]), {}});
+    }
+    /// The attributes that the properties of an element become, by their numbers in `attributes`; those that are left out have
+    /// the number of none.
+    static std::vector<std::size_t> columns_of(const ply_element& element, std::vector<attribute>& attributes)
+    {
+        std::vector<std::size_t> result(element.properties.size(), none);
+        for (std::size_t p = 0; p < result.size(); ++p)
+            if (is_attribute(element, p)) {
+                result[p] = attributes.size();
+                attributes.push_back({element.properties[p].name, element.properties[p].value, {}, {}});
+            }
+        return result;
+    }
+    void read_value(const ply_element& element, const ply_property& property, std::uint64_t item,
+                    std::vector<attribute>& attributes, std::size_t column)
+    {
+        if (column == none)
+            skip(element, property, item);
+        else
+            attributes[column].values.push_back(
+                numbers_.value(property.value, [&] { return name(element, property, item); }));
+    }
+    void read_texture(const ply_element& element, const ply_property& property, std::uint64_t face)
+    {
+        texture_of_face_.clear();
+        const auto what = [&] { return name(element, property, face); };
+        for (std::int64_t left = read_length(element, property, face); left > 0; --left)
+            texture_of_face_.push_back(numbers_.value(property.value, what));
+    }
+    /// Two numbers per corner, or none for all of them.
+    void give_texture(const std::string& element, std::uint64_t face)
+    {
+        const std::size_t degree = soup_.faces[std::size_t(face)].size();
+        const bool is_empty = texture_of_face_.empty();
+        if (not is_empty and texture_of_face_.size() != 2 * degree)
+            numbers_.refuse(element + " " + std::to_string(face) + " has " + counted(degree, "corner") + " and " +
+                            counted(texture_of_face_.size(), "texture coordinate") + ", " + std::to_string(2 * degree) +
+                            " are needed");
+        for (std::size_t i = 0; i < 2 * degree; ++i)
+            texture_[i % 2].push_back(is_empty ? std::numeric_limits<double>::quiet_NaN() : texture_of_face_[i]);
     }
     std::int64_t read_length(const ply_element& element, const ply_property& property, std::uint64_t item)
     {
@@ -226,55 +317,35 @@ private:
         const auto what = [&] { return name(element, property, item); };
         const std::int64_t length = property.is_list() ? read_length(element, property, item) : 1;
         for (std::int64_t i = 0; i < length; ++i)
-            numbers_.skip(property.value, what);
+            (void)numbers_.value(property.value, what);
     }
+
+    static constexpr auto none = std::size_t(-1);
 
     Numbers numbers_;
     const ply_header* header_;
     polygon_soup soup_;
+    std::vector<double> texture_of_face_; ///< of the face that is read
+    std::array<std::vector<double>, 2> texture_;
 };
-
-/// What most programs call these properties by.
-std::string_view known_property(std::string_view name)
-{
-    if (name == "nx" or name == "ny" or name == "nz")
-        return "normals";
-    if (name == "red" or name == "green" or name == "blue" or name == "alpha" or name == "diffuse_red" or
-        name == "diffuse_green" or name == "diffuse_blue")
-        return "colours";
-    if (name == "s" or name == "t" or name == "u" or name == "v" or name == "texture_u" or name == "texture_v" or
-        name == "texcoord" or name == "texnumber")
-        return "texture coordinates";
-    return {};
-}
 
 } // namespace
 
 std::vector<std::string> not_kept(const ply_header& header)
 {
-    std::vector<std::string> result;
-    const auto add = [&](const std::string& what) {
-        if (std::ranges::find(result, what) == result.end())
-            result.push_back(what);
-    };
+    mesh_attributes attributes; // by name
     for (const auto& element : header.elements) {
-        if (not element.is_vertex() and not element.is_face()) {
-            if (element.count != 0)
-                add("the elements '" + shown(element.name) + "'");
+        if (not element.is_vertex() and not element.is_face())
             continue;
-        }
-        const auto place = element.is_vertex() ? element.place() : std::array<std::size_t, 3>{};
-        const std::size_t corners = element.is_face() ? element.corner_list() : element.properties.size();
-        for (std::size_t p = 0; p < element.properties.size(); ++p) {
-            if (p == corners or (element.is_vertex() and std::ranges::find(place, p) != place.end()))
-                continue;
-            const std::string& name = element.properties[p].name;
-            const auto known = known_property(name);
-            add(not known.empty()
-                    ? std::string(known)
-                    : "the property '" + shown(name) + "' of " + (element.is_vertex() ? "vertices" : "faces"));
-        }
+        for (std::size_t p = 0; p < element.properties.size(); ++p)
+            if (is_attribute(element, p))
+                (element.is_vertex() ? attributes.vertices : attributes.faces).emplace_back().name =
+                    element.properties[p].name;
+        if (element.is_face() and texture_list(element) != element.properties.size())
+            attributes.corners.emplace_back().name = texture_names[0];
     }
+    std::vector<std::string> result = topics_of(attributes);
+    std::ranges::move(left_aside(header), std::back_inserter(result));
     return result;
 }
 
@@ -291,7 +362,7 @@ polygon_soup read_ply(std::string_view bytes)
                         : header.encoding == ply_encoding::little_endian
                             ? ply_body<binary_numbers<std::endian::little>>(bytes, header).read()
                             : ply_body<binary_numbers<std::endian::big>>(bytes, header).read();
-    soup.not_kept = not_kept(header);
+    soup.not_kept = left_aside(header);
     return soup;
 }
 

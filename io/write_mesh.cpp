@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/write_mesh.hpp>
 
-#include <kith/text/counted.hpp>
-#include <kith/format/facet_normal.hpp>
+#include "written_parts.hpp"
+
 #include <kith/text/file_error.hpp>
-#include <kith/format/obj_tag.hpp>
-#include <kith/text/text_writer.hpp>
+#include <kith/text/text_cursor.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -30,141 +28,6 @@ bool fits_float(const point& p)
     return std::ranges::all_of(p, [](double x) { return std::isfinite(float(x)); });
 }
 
-std::size_t vertices_of(const written_mesh& what)
-{
-    return what.mesh.vertex_count() + what.isolated.size();
-}
-
-const point& point_of(const written_mesh& what, std::size_t vertex)
-{
-    const std::size_t vertices = what.mesh.vertex_count();
-    return vertex < vertices ? what.mesh.point(vertex) : what.isolated[vertex - vertices];
-}
-
-/// What has no face has no normal.
-point normal_of(const written_mesh& what, std::size_t vertex)
-{
-    return vertex < what.normals.size() ? what.normals[vertex] : point{};
-}
-
-void write_off(std::ostream& out, const written_mesh& what)
-{
-    const bool has_normals = not what.normals.empty();
-    text_block header;
-    header << (has_normals ? "NOFF\n" : "OFF\n") << vertices_of(what) << ' ' << what.mesh.face_count() << " 0\n\n";
-    out << header.text();
-    write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
-        text << point_of(what, v);
-        if (has_normals)
-            text << "  " << normal_of(what, v);
-        text << '\n';
-    });
-    write_blocks(out, what.mesh.face_count(), [&](text_block& text, std::size_t f) {
-        const auto face = what.mesh.face(f);
-        text << face.size() << ' ';
-        for (const auto v : face)
-            text << ' ' << std::size_t(v);
-        text << '\n';
-    });
-    out << '\n';
-}
-
-void write_obj(std::ostream& out, const written_mesh& what)
-{
-    const bool has_normals = not what.normals.empty();
-    text_block header;
-    header << "# kith: " << counted(vertices_of(what), "vertex") << ", " << counted(what.mesh.face_count(), "face")
-           << '\n';
-    out << header.text();
-    write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
-        text << "v " << point_of(what, v) << '\n';
-        if (has_normals)
-            text << "vn " << normal_of(what, v) << '\n';
-    });
-    write_blocks(out, what.mesh.face_count(), [&](text_block& text, std::size_t f) {
-        text << "f ";
-        for (const auto v : what.mesh.face(f)) {
-            text << ' ' << std::size_t(v) + 1;
-            if (has_normals)
-                text << "//" << std::size_t(v) + 1;
-        }
-        text << '\n';
-    });
-    if (what.tags != nullptr)
-        out << obj_tag_lines(*what.tags);
-}
-
-void write_ply(std::ostream& out, const written_mesh& what)
-{
-    static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
-    const bool has_normals = not what.normals.empty();
-    text_block header;
-    header << "ply\nformat " << (what.binary ? "binary_little_endian" : "ascii")
-           << " 1.0\ncomment written by kith\nelement vertex " << vertices_of(what)
-           << "\nproperty double x\nproperty double y\nproperty double z\n"
-           << (has_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") << "element face "
-           << what.mesh.face_count() << "\nproperty list uchar int vertex_indices\nend_header\n";
-    out << header.text();
-    write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
-        if (what.binary) {
-            text.raw(point_of(what, v));
-            if (has_normals)
-                text.raw(normal_of(what, v));
-            return;
-        }
-        text << point_of(what, v);
-        if (has_normals)
-            text << ' ' << normal_of(what, v);
-        text << '\n';
-    });
-    write_blocks(out, what.mesh.face_count(), [&](text_block& text, std::size_t f) {
-        const auto face = what.mesh.face(f);
-        if (what.binary) {
-            text.raw(std::uint8_t(face.size()));
-            for (const auto v : face)
-                text.raw(std::int32_t(v));
-            return;
-        }
-        text << face.size();
-        for (const auto v : face)
-            text << ' ' << std::size_t(v);
-        text << '\n';
-    });
-}
-
-void write_stl(std::ostream& out, const written_mesh& what)
-{
-    const basic_mesh<>& mesh = what.mesh;
-    const auto normal = [&](std::size_t f) {
-        const auto face = mesh.face(f);
-        return facet_normal(mesh.point(face[0]), mesh.point(face[1]), mesh.point(face[2]));
-    };
-    if (what.binary) {
-        std::string header = "binary STL written by kith"; // not "solid", which begins a text
-        header.resize(80, ' ');
-        out << header;
-        out << text_block().raw(std::uint32_t(mesh.face_count())).text();
-        write_blocks(out, mesh.face_count(), [&](text_block& text, std::size_t f) {
-            const auto add = [&](const point& p) {
-                text.raw(std::array<float, 3>{float(p[0]), float(p[1]), float(p[2])});
-            };
-            add(normal(f));
-            for (const auto v : mesh.face(f))
-                add(mesh.point(v));
-            text.raw(std::uint16_t(0));
-        });
-        return;
-    }
-    out << "solid kith\n";
-    write_blocks(out, mesh.face_count(), [&](text_block& text, std::size_t f) {
-        text << "facet normal " << normal(f) << "\nouter loop\n";
-        for (const auto v : mesh.face(f))
-            text << "vertex " << mesh.point(v) << '\n';
-        text << "endloop\nendfacet\n";
-    });
-    out << "endsolid kith\n";
-}
-
 } // namespace
 
 void require_writable(mesh_format format, const written_mesh& what)
@@ -184,6 +47,19 @@ void require_writable(mesh_format format, const written_mesh& what)
             if (not is_finite(what.normals[v]))
                 throw file_error("vertex " + std::to_string(v) +
                                  " would have no finite normal; the coordinates of the input are too large");
+    if (format == mesh_format::off or format == mesh_format::obj) {
+        const held_attributes held = held_by(format, what);
+        for (const auto* list : {&held.colors,
+                                 &held.normals,
+                                 &held.textures,
+                                 &held.face_colors,
+                                 &held.corner_normals,
+                                 &held.corner_textures})
+            for (const attribute* a : *list)
+                if (std::ranges::any_of(a->values, [](double x) { return std::isinf(x); }))
+                    throw file_error("a value of '" + shown(a->name) +
+                                     "' would not be finite; the values of the input are too large, or choose .ply");
+    }
     const std::size_t most = format == mesh_format::stl   ? 3
                              : format == mesh_format::ply ? std::numeric_limits<std::uint8_t>::max()
                                                           : mesh.vertex_count();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "attribute_fields.hpp"
 #include "job_memory.hpp"
 #include "schemes.hpp"
 
@@ -25,6 +26,8 @@ struct refine_request {
     bool with_tags = false; ///< the sharpness that is left is wanted
     bool limit = false;     ///< the last level at its place on the limit surface, with the normals there
     hole_field holes{};     ///< the faces that are left out in the end, if there are any
+    attribute_fields attributes{};
+    attribute_counts counted{}; ///< of them
 };
 
 struct refined_mesh {
@@ -33,6 +36,7 @@ struct refined_mesh {
     std::vector<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
     io::mesh_tags tags{};                         ///< the sharpness that is left, if it was asked for
     hole_field holes{};                           ///< if there are any
+    attribute_fields attributes{};
 };
 
 /// Refine on one kind of mesh each, level by level, and give the last level back as the native one.

@@ -21,13 +21,14 @@ refined_mesh refine_native(basic_mesh<> control, const refine_request& request)
             const auto levels = plan(count(control.topology()), scheme, request.levels, control.generation());
             const refine_options options{connect::faces, request.memory.bytes};
             refined_mesh result{{}, levels.back().counts.edges};
-            if constexpr (has_creases<Scheme>)
-                if (not request.holes.empty()) {
-                    result.holes = request.holes;
-                    result.mesh = refine_with_fields(control, scheme, request.levels, std::tie(result.holes), options);
-                    return result;
-                }
-            result.mesh = refine(control, scheme, request.levels, options);
+            if (request.holes.empty() and request.attributes.empty()) {
+                result.mesh = refine(control, scheme, request.levels, options);
+                return result;
+            }
+            result.holes = request.holes;
+            result.attributes = request.attributes;
+            result.mesh = refine_with_fields(
+                control, scheme, request.levels, std::tie(result.holes, result.attributes), options);
             return result;
         },
         request.scheme);

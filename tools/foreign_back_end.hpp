@@ -27,7 +27,7 @@ inline void require_possible(const refine_request& request, const basic_mesh<>& 
     require_memory(request.scheme,
                    control,
                    request.levels,
-                   {mesh, request.limit, not request.holes.empty(), keeps_tags(request)},
+                   {mesh, request.limit, not request.holes.empty(), keeps_tags(request), request.counted},
                    request.memory);
 }
 
@@ -63,6 +63,8 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
                                                levels.elements(request.levels));
                 refined.holes = levels.carry(0, request.levels, request.holes);
             }
+            refined.attributes = request.attributes.carried(
+                [&](const auto& field) { return levels.carry(0, request.levels, field); });
             if (request.limit)
                 refined.normals = move_to_limit(refined.mesh, levels.scheme(request.levels));
             return refined;

@@ -13,6 +13,23 @@
 
 namespace kith::tool {
 
+namespace {
+
+/// Leaves the values of some elements out.
+template <class IsLeft>
+void keep_values(std::vector<io::attribute>& attributes, const IsLeft& is_left)
+{
+    for (io::attribute& a : attributes) {
+        std::size_t left = 0;
+        for (std::size_t element = 0; element < a.values.size(); ++element)
+            if (is_left(element))
+                a.values[left++] = a.values[element];
+        a.values.resize(left);
+    }
+}
+
+} // namespace
+
 hole_field holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh)
 {
     storage<bool> result(mesh.face_count(), false);
@@ -43,7 +60,7 @@ void require_no_holes(const control_mesh& control)
                          "--tiles, or leave them aside with --ignore-tags");
 }
 
-void leave_out_holes(refined_mesh& result)
+void leave_out_holes(refined_mesh& result, io::mesh_attributes& attributes)
 {
     const basic_mesh<>& mesh = result.mesh;
     using index = basic_mesh<>::index_type;
@@ -52,12 +69,14 @@ void leave_out_holes(refined_mesh& result)
     connectivity<index> kept;
     kept.degree = mesh.topology().degree;
     std::vector<index> corners, first{0};
+    std::vector<bool> corner_is_left(mesh.corner_count());
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         if (result.holes[f])
             continue;
         const auto face = mesh.face(f);
         for (std::size_t i = 0; i < face.size(); ++i) {
             used[face[i]] = true;
+            corner_is_left[mesh.topology().first_corner(f) + i] = true;
             corners.push_back(face[i]);
             edges.push_back(std::minmax({face[i], face[(i + 1) % face.size()]}));
         }
@@ -78,6 +97,9 @@ void leave_out_holes(refined_mesh& result)
     edges.erase(std::ranges::unique(edges).begin(), edges.end());
     result.edges = edges.size();
     result.normals = std::move(normals);
+    keep_values(attributes.vertices, [&](std::size_t v) { return used[v]; });
+    keep_values(attributes.faces, [&](std::size_t f) { return not result.holes[f]; });
+    keep_values(attributes.corners, [&](std::size_t c) { return corner_is_left[c]; });
     std::erase_if(result.tags.edges, [&](const auto& edge) {
         const std::pair ends = std::minmax(index(edge.from), index(edge.to));
         return not std::ranges::binary_search(edges, std::pair<index, index>(ends));

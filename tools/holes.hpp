@@ -17,6 +17,6 @@ void require_no_holes(const control_mesh& control);
 
 /// As OpenSubdiv has it: holes shape the surface around them like other faces, and are left out in the end, with the
 /// vertices that no other face has.
-void leave_out_holes(refined_mesh& result);
+void leave_out_holes(refined_mesh& result, io::mesh_attributes& attributes);
 
 } // namespace kith::tool

@@ -236,7 +236,8 @@ std::uint64_t job_bytes(const std::vector<planned_level>& levels, const job_kind
         most += bytes_of(0, 0, 2, last);
         written += bytes_of(52, 0, 4, last) + 16 * double(last.counts.corners());
     }
-    return whole_number(std::max(most, written + bytes_of(24, 0, 0, last)) * 1.05);
+    const double attributes = bytes_of(kind.attributes, last.counts);
+    return whole_number((std::max(most, written + bytes_of(24, 0, 0, last)) + attributes) * 1.05);
 }
 
 std::uint64_t tiled_job_bytes(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,

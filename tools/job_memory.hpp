@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "attribute_fields.hpp"
 #include "schemes.hpp"
 
 #include <kith/mesh/basic_mesh.hpp>
@@ -29,6 +30,7 @@ struct job_kind {
     bool limit = false;
     bool holes = false;
     bool tags = false; ///< the sharpness that is left is written
+    attribute_counts attributes{};
 };
 
 /// The same of a job in tiles.

@@ -4,6 +4,7 @@
 #include "errors.hpp"
 #include "word_list.hpp"
 
+#include <kith/attributes_of.hpp>
 #include <kith/text/counted.hpp>
 #include <kith/read_mesh.hpp>
 
@@ -32,6 +33,13 @@ std::vector<std::array<double, 3>> take_isolated(polygon_soup& soup)
     if (isolated.empty())
         return isolated;
     soup.points.resize(kept);
+    for (io::attribute& a : soup.attributes.vertices) {
+        std::vector<double> values(used.size());
+        std::size_t next_isolated = kept;
+        for (std::size_t v = 0; v < used.size(); ++v)
+            values[used[v] ? number[v] : next_isolated++] = a.values[v];
+        a.values = std::move(values);
+    }
     for (std::size_t& v : soup.faces.vertices)
         v = number[v];
     const auto is_there = [&](std::size_t v) { return v < used.size() and used[v]; };
@@ -71,12 +79,21 @@ std::vector<bool> vertices_with_faces(const io::polygon_soup& soup)
 
 control_mesh control_mesh_of(const io::polygon_soup& soup)
 {
+    const auto control =
+        [&](const polygon_soup& with_faces, std::vector<std::array<double, 3>> isolated, std::size_t first_number) {
+            control_mesh result{make_mesh(with_faces.points, with_faces.faces, first_number)};
+            result.tags = with_faces.tags;
+            result.isolated = std::move(isolated);
+            result.not_kept = soup.not_kept;
+            result.attributes = attributes_of(with_faces, result.mesh);
+            return result;
+        };
     if (const auto used = vertices_with_faces(soup); std::ranges::find(used, false) == used.end())
-        return {make_mesh(soup.points, soup.faces, soup.first_number), soup.tags, {}, soup.not_kept};
+        return control(soup, {}, soup.first_number);
     polygon_soup with_faces = soup;
     auto isolated = take_isolated(with_faces);
     report_of(soup).require_ok(); // in the numbers of the file
-    return {make_mesh(with_faces.points, with_faces.faces), with_faces.tags, std::move(isolated), soup.not_kept};
+    return control(with_faces, std::move(isolated), 0);
 }
 
 control_mesh read_mesh(const std::string& path)

@@ -17,6 +17,7 @@ struct control_mesh {
     io::mesh_tags tags{};
     std::vector<std::array<double, 3>> isolated{}; ///< where the other vertices are
     std::vector<std::string> not_kept{};           ///< what else the file holds, which refining loses
+    io::mesh_attributes attributes{};              ///< the isolated vertices come last
 };
 
 /// The content of a file; what is odd about it is noted on standard error. Errors: file_error.

@@ -58,6 +58,8 @@ struct verdict {
     std::vector<std::string> problems;     ///< all that `refine` would refuse, whatever the scheme
     std::vector<std::string> tags;         ///< "edge 0-1: sharpness 2"
     std::vector<std::string_view> schemes; ///< that take the mesh
+    std::vector<std::string> attributes;   ///< what else is refined
+    std::vector<std::string> not_refined;
 };
 
 std::string sharpness_text(double sharpness)
@@ -106,7 +108,9 @@ std::string numbers_of(const mesh_tags& tags)
 
 verdict verdict_on(const polygon_soup& soup, const mesh_report& report)
 {
-    verdict result{report.lines(), lines_of(soup.tags), {}};
+    verdict result{report.lines(), lines_of(soup.tags), {}, topics_of(soup.attributes), soup.not_kept};
+    if (std::erase(result.attributes, "normals") != 0)
+        result.not_refined.emplace_back("normals");
     if (not report.ok())
         return result;
     const auto look_at = [&](const auto& part) {
@@ -158,8 +162,12 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
         line("isolated vertices", facts.isolated);
     line("tags", numbers_of(soup.tags));
     print_list(found.tags);
-    std::string others, schemes;
-    for (const auto& what : soup.not_kept)
+    std::string attributes, others, schemes;
+    for (const auto& topic : found.attributes)
+        append_to_list(attributes, topic);
+    if (not attributes.empty())
+        line("attributes", attributes);
+    for (const auto& what : found.not_refined)
         append_to_list(others, what);
     if (not others.empty())
         line("not refined", others);
@@ -190,8 +198,10 @@ void print_json(const std::string& path, const mesh_facts& facts, const polygon_
     if (facts.isolated != 0)
         result.add("isolated_vertices", facts.isolated);
     result.add("tags", found.tags);
-    if (not soup.not_kept.empty())
-        result.add("not_refined", soup.not_kept);
+    if (not found.attributes.empty())
+        result.add("attributes", found.attributes);
+    if (not found.not_refined.empty())
+        result.add("not_refined", found.not_refined);
     result.add("schemes", found.schemes).add("problems", found.problems);
     std::cout << result.text() << '\n';
 }

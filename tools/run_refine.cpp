@@ -12,8 +12,11 @@
 #include "scheme_options.hpp"
 #include "tile_options.hpp"
 
+#include <kith/format/held_attributes.hpp>
 #include <kith/text/counted.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <utility>
@@ -80,6 +83,29 @@ void settle_isolated(control_mesh& control, mesh_format format, bool drop)
     }
 }
 
+/// Leaves to the fields what a file of this format holds, and tells the rest. Normals are kept where the mesh is, and else
+/// not made from those of the file.
+void settle_attributes(control_mesh& control, mesh_format format, const refine_request& request)
+{
+    const bool is_kept = request.levels == 0 and not request.limit and not is_prepared(request.scheme);
+    if (not is_kept and take_normals(control.attributes) and not request.limit)
+        control.not_kept.emplace_back("normals");
+    for (const std::string& topic : not_held(format, control.attributes))
+        if (std::ranges::find(control.not_kept, topic) == control.not_kept.end())
+            control.not_kept.push_back(topic);
+    keep_held(format, control.attributes);
+}
+
+/// What the points without a face have comes behind what the vertices have.
+void append_isolated(io::mesh_attributes& attributes, const control_mesh& control)
+{
+    for (std::size_t i = 0; i < attributes.vertices.size(); ++i) {
+        const auto& values = control.attributes.vertices[i].values;
+        attributes.vertices[i].values.insert(
+            attributes.vertices[i].values.end(), values.end() - std::ptrdiff_t(control.isolated.size()), values.end());
+    }
+}
+
 void set_threads([[maybe_unused]] const po::variables_map& values)
 {
 #if defined(_OPENMP)
@@ -120,12 +146,20 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
 
     phase_seconds seconds;
     control_mesh control = timed(seconds[phase::read], [&] { return read_mesh(input); });
+    io::mesh_attributes attributes;
     refined_mesh result = timed(seconds[phase::refine], [&] {
         give_creases(request.scheme, control, words);
         request.holes = holes_of(control.tags, control.mesh);
-        refined_mesh refined = refine_on(mesh, prepared(request.scheme, std::move(control.mesh)), request);
+        settle_attributes(control, format, request);
+        request.attributes = attribute_fields(control.attributes, control.mesh);
+        request.counted = count_of(control.attributes);
+        auto start = prepared(request.scheme, std::move(control.mesh), request.attributes);
+        refined_mesh refined = refine_on(mesh, std::move(start), request);
+        request.attributes = {};
+        attributes = refined.attributes.at_level(control.attributes);
+        refined.attributes = {};
         if (not refined.holes.empty())
-            leave_out_holes(refined);
+            leave_out_holes(refined, attributes);
         return refined;
     });
     if (request.with_tags)
@@ -133,8 +167,10 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     else if (const sharp_elements left = sharp_after(request.scheme, request.levels); left.any())
         add_lost_sharpness(control.not_kept, left.edges, left.vertices);
     settle_isolated(control, format, given("drop-isolated"));
-    timed(seconds[phase::write],
-          [&] { write_mesh_file(output, {result.mesh, result.normals, control.isolated, &result.tags, binary}); });
+    append_isolated(attributes, control);
+    timed(seconds[phase::write], [&] {
+        write_mesh_file(output, {result.mesh, result.normals, control.isolated, &result.tags, binary, &attributes});
+    });
     note_losses(input, control.not_kept);
 
     const auto vertices = result.mesh.vertex_count() + control.isolated.size();

@@ -229,14 +229,29 @@ void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control)
         scheme);
 }
 
-basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control)
+basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control, attribute_fields& attributes)
 {
     const auto prepare_for = [&]<class Scheme>(const scheme_entry<Scheme>& entry) {
         if (std::holds_alternative<Scheme>(scheme) and entry.prepare != nullptr)
-            control = entry.prepare(control);
+            control = entry.prepare(control, attributes);
     };
     std::apply([&](const auto&... entry) { (prepare_for(entry), ...); }, known_schemes);
     return control;
+}
+
+basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control)
+{
+    attribute_fields none;
+    return prepared(scheme, std::move(control), none);
+}
+
+bool is_prepared(const any_scheme& scheme)
+{
+    return std::apply(
+        [&]<class... Schemes>(const scheme_entry<Schemes>&... entry) {
+            return ((std::holds_alternative<Schemes>(scheme) and entry.prepare != nullptr) or ...);
+        },
+        known_schemes);
 }
 
 std::string scheme_names()
@@ -256,7 +271,8 @@ std::vector<std::string_view> schemes_that_take(const control_mesh& control)
         if (has_tags and not has_creases<Scheme>)
             return;
         try {
-            const basic_mesh<> first = entry.prepare == nullptr ? basic_mesh<>() : entry.prepare(control.mesh);
+            attribute_fields none;
+            const basic_mesh<> first = entry.prepare == nullptr ? basic_mesh<>() : entry.prepare(control.mesh, none);
             const basic_mesh<>& mesh = entry.prepare == nullptr ? control.mesh : first;
             require_input<Scheme>(level_of<basic_mesh<>>(mesh), mesh.generation());
             result.push_back(scheme_name<Scheme>());

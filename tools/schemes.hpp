@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "attribute_fields.hpp"
 #include "mesh_input.hpp"
 
 #include <kith/compiled_schemes.hpp>
@@ -18,7 +19,8 @@ namespace kith::tool {
 template <class Scheme>
 struct scheme_entry {
     std::string_view source;
-    basic_mesh<> (*prepare)(const basic_mesh<>&) = nullptr; ///< makes of any mesh one that the scheme can start from
+    basic_mesh<> (*prepare)(const basic_mesh<>&,
+                            attribute_fields&) = nullptr; ///< makes of any mesh one that the scheme can start from
 };
 
 /// All verbs take their schemes from here; a new scheme is one more entry.
@@ -31,7 +33,9 @@ inline constexpr std::tuple known_schemes{
     scheme_entry<butterfly>{"Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996"},
     scheme_entry<kobbelt>{"Kobbelt 1996"},
     scheme_entry<nasri_hasbini>{"Nasri, Hasbini, Zheng & Sederberg; irregular masks derived, docs/schemes.md"},
-    scheme_entry<four_eight>{"Velho & Zorin 2001", [](const basic_mesh<>& mesh) { return tri_quad(mesh); }},
+    scheme_entry<four_eight>{
+        "Velho & Zorin 2001",
+        [](const basic_mesh<>& mesh, attribute_fields& attributes) { return tri_quad(mesh, std::tie(attributes)); }},
     scheme_entry<mid_edge>{"Peters & Reif 1997"},
     scheme_entry<unified>{"Zorin & Schroeder 2001"},
     scheme_entry<linear>{"midpoints and centroids"},
@@ -90,8 +94,12 @@ void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words&
 /// Refuses a mesh that the scheme does not take, with what the programs have to make it one. Errors: mesh_error.
 void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control);
 
-/// The mesh that the scheme starts from: the control mesh itself, except for 4-8.
+/// The mesh that the scheme starts from, with its attributes: the control mesh itself, except for 4-8.
+basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control, attribute_fields& attributes);
 basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control);
+
+/// Whether that is another mesh.
+bool is_prepared(const any_scheme& scheme);
 
 /// "catmull-clark, loop, ..."
 std::string scheme_names();

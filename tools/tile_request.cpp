@@ -18,6 +18,8 @@ void read_control(tile_request& request, const std::string& path)
     add_lost_sharpness(control.not_kept, left.edges, left.vertices);
     if (not control.isolated.empty())
         control.not_kept.push_back(io::counted(control.isolated.size(), "vertex") + " without a face");
+    for (const std::string& topic : topics_of(control.attributes))
+        control.not_kept.push_back(topic);
     note_losses(path, control.not_kept);
     require_no_holes(control);
     request.control = prepared(request.scheme, std::move(control.mesh));

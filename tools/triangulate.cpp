@@ -8,6 +8,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -52,6 +53,36 @@ void cut(const basic_mesh<>& mesh, std::size_t face, face_list& triangles)
 
 } // namespace
 
+namespace {
+
+/// Gives triangles and their corners what the faces have from which they were cut.
+void cut_attributes(io::mesh_attributes& attributes, const basic_mesh<>& mesh, const basic_mesh<>& triangles,
+                    const std::vector<std::size_t>& first)
+{
+    std::vector<std::size_t> face_of, corner_of;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto face = mesh.face(f);
+        for (std::size_t t = first[f]; t < first[f + 1]; ++t) {
+            face_of.push_back(f);
+            for (const auto v : triangles.face(t))
+                corner_of.push_back(mesh.topology().first_corner(f) +
+                                    std::size_t(std::ranges::find(face, v) - face.begin()));
+        }
+    }
+    const auto take = [](std::vector<io::attribute>& list, const std::vector<std::size_t>& from) {
+        for (io::attribute& a : list) {
+            std::vector<double> values;
+            for (const std::size_t element : from)
+                values.push_back(a.values[element]);
+            a.values = std::move(values);
+        }
+    };
+    take(attributes.faces, face_of);
+    take(attributes.corners, corner_of);
+}
+
+} // namespace
+
 control_mesh triangulated(control_mesh control)
 {
     const basic_mesh<>& mesh = control.mesh;
@@ -70,7 +101,9 @@ control_mesh triangulated(control_mesh control)
             holes.push_back(t);
     }
     control.tags.holes = std::move(holes);
-    control.mesh = make_mesh(mesh.points(), triangles);
+    basic_mesh<> cut_mesh = make_mesh(mesh.points(), triangles);
+    cut_attributes(control.attributes, mesh, cut_mesh, first);
+    control.mesh = std::move(cut_mesh);
     return control;
 }
 

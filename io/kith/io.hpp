@@ -2,6 +2,7 @@
 #pragma once
 
 // Meshes and tags from files and into files.
+#include "attributes_of.hpp"
 #include "read_mesh.hpp"
 #include "tags_of_creases.hpp"
 #include "write_mesh.hpp"

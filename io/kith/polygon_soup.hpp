@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/format/mesh_attributes.hpp>
 #include <kith/format/mesh_tags.hpp>
 #include <kith/mesh/make_mesh.hpp>
 
@@ -17,10 +18,10 @@ struct polygon_soup {
     std::vector<std::array<double, 3>> points;
     face_list faces;
     mesh_tags tags{};
-    std::vector<std::string>
-        not_kept{}; ///< what else the file holds: "normals", "groups", "the property 'quality' of vertices"
-    std::vector<std::string> notes{}; ///< what is odd about it and does no harm
-    std::size_t first_number = 0;     ///< from which the format numbers vertices and faces: 1 in OBJ
+    mesh_attributes attributes{};
+    std::vector<std::string> not_kept{}; ///< what else the file holds: "lines", "weights of vertices"
+    std::vector<std::string> notes{};    ///< what is odd about it and does no harm
+    std::size_t first_number = 0;        ///< from which the format numbers vertices and faces: 1 in OBJ
 };
 
 } // namespace kith::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/format/mesh_attributes.hpp>
 #include <kith/format/mesh_format.hpp>
 #include <kith/format/mesh_tags.hpp>
 #include <kith/mesh/basic_mesh.hpp>
@@ -18,10 +19,12 @@ struct written_mesh {
     std::span<const std::array<double, 3>> isolated{}; ///< points of no face, which come after the vertices; not in STL
     const mesh_tags* tags = nullptr;                   ///< OBJ only
     bool binary = false;                               ///< PLY and STL: as doubles and as floats
+    const mesh_attributes* attributes = nullptr;       ///< of the mesh, and then of the isolated points; see held_by
 };
 
 /// Refuses, before anything is written, faces that a format has no room for, places and normals that are not finite, and in
 /// binary STL places that are too large for its floats. Errors: file_error. Cost: one pass.
+/// Preconditions: attributes have a value per element, of their type.
 void require_writable(mesh_format format, const written_mesh& what);
 
 /// Writes a mesh; text in the shortest digits that read back as the same doubles. The same bytes on any number of threads.

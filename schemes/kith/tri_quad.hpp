@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/refine.hpp>
+#include <kith/refine_with_fields.hpp>
 #include <kith/split/choose_diagonals.hpp>
 #include <kith/split/tri_quad_splits.hpp>
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,17 +18,19 @@ namespace kith {
 /// generation 0; one step marks all their edges, which is how the other meshes start, so these are generation 1.
 /// A diagonal is the one with the quad's smallest vertex or, where another edge would join the same two vertices, the other
 /// one; diagonals, directions and starts of fans depend on the numbers of vertices, not on the order of faces.
-/// Errors: as `refine`, and mesh_error for quads that have no diagonals without such edges. Cost: O(corners log valence).
-template <class Point, std::unsigned_integral Index>
-basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh)
+/// Fields of the mesh become those of the one that is returned: tri_quad(mesh, std::tie(material, uv)).
+/// Errors: as `refine_with_fields`, and mesh_error for quads that have no diagonals without such edges.
+/// Cost: O(corners log valence).
+template <class Point, std::unsigned_integral Index, class... Fields>
+basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh, std::tuple<Fields&...> fields = {})
 {
     require_edges(mesh);
     if (mesh.topology().degree != 4) {
-        const auto made = refine(mesh, detail::centroid_split{}, 1);
+        const auto made = refine_with_fields(mesh, detail::centroid_split{}, 1, fields);
         return {storage<Point>(made.points()), made.topology(), 1};
     }
     const auto is_odd = detail::choose_diagonals(level_elements<native_level<Point, Index, 4>>(mesh));
-    const auto made = refine(mesh, detail::diagonal_split{&is_odd}, 1);
+    const auto made = refine_with_fields(mesh, detail::diagonal_split{&is_odd}, 1, fields);
     return {storage<Point>(made.points()), made.topology(), 0};
 }
 

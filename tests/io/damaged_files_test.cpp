@@ -94,6 +94,18 @@ bool reads(mesh_format format, const std::string& bytes)
     for (const auto& point : soup.points)
         for (const double x : point)
             EXPECT_TRUE(std::isfinite(x));
+    const auto expect_values = [](const std::vector<io::attribute>& attributes, std::size_t elements) {
+        for (const io::attribute& a : attributes) {
+            EXPECT_EQ(a.values.size(), elements) << a.name;
+            for (const double x : a.values) {
+                EXPECT_TRUE(a.labels.empty() or (x >= 0 and x < double(a.labels.size())));
+                EXPECT_TRUE(std::isnan(x) or io::as_stored(a.type, x) == x) << a.name;
+            }
+        }
+    };
+    expect_values(soup.attributes.vertices, soup.points.size());
+    expect_values(soup.attributes.faces, soup.faces.size());
+    expect_values(soup.attributes.corners, soup.faces.vertices.size());
     return true;
 }
 
@@ -116,7 +128,9 @@ TEST(damaged_files, off)
         "0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 0 0 0 1\n0 0 1 .5 .5 .5 1\n3 0 2 1 255 0 0\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
     std::string one_line = files::off;
     std::ranges::replace(one_line, '\n', ' ');
-    damage(mesh_format::off, {files::off, colored, one_line}, 1);
+    const std::string rich = "STCNOFF\n3 1\n0 0 0 0 0 1 255 0 9 255 0 1\n1 0 0 0 0 1 1 2 3 4 5 6\n0 1 0 0 0 1 .5 .5 .5 "
+                             ".1 .2\n3 0 1 2 .1 .2 .3\n";
+    damage(mesh_format::off, {files::off, colored, one_line, rich}, 1);
 }
 
 TEST(damaged_files, obj)
@@ -126,11 +140,16 @@ TEST(damaged_files, obj)
 
 TEST(damaged_files, ply)
 {
-    damage(mesh_format::ply,
-           {files::ply,
-            files::binary_ply<float, std::uint8_t, std::int32_t>("float", "uchar", "int", false),
-            files::binary_ply<double, std::int16_t, std::uint8_t>("double", "short", "uchar", true)},
-           3);
+    damage(
+        mesh_format::ply,
+        {files::ply,
+         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
+         "double u\nproperty char v\nelement face 1\nproperty list uchar float texcoord\nproperty list uchar int "
+         "vertex_indices\nproperty ushort material\nend_header\n0 0 0 1e-5 -7\n1 0 0 inf 9\n0 1 0 nan 1\n6 0 0 1 0 0 "
+         "1 3 0 1 2 65535\n",
+         files::binary_ply<float, std::uint8_t, std::int32_t>("float", "uchar", "int", false),
+         files::binary_ply<double, std::int16_t, std::uint8_t>("double", "short", "uchar", true)},
+        3);
 }
 
 TEST(damaged_files, stl)

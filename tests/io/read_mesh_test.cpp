@@ -2,6 +2,7 @@
 #include "files.hpp"
 
 #include <kith/crease/creases.hpp>
+#include <kith/format/ply_not_kept.hpp>
 #include <kith/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
 
@@ -95,24 +96,30 @@ TEST(read_off, one_line)
 TEST(read_off, what_is_not_kept)
 {
     EXPECT_TRUE(expect_tetrahedron(mesh_format::off, files::off).not_kept.empty());
-    const auto colored = replaced(replaced(files::off, "OFF", "STCNOFF"), "3 0 1 3", "3 0 1 3 255 0 0");
-    EXPECT_EQ(io::read_mesh(mesh_format::off, colored).not_kept,
-              (std::vector<std::string>{"normals", "colours", "texture coordinates"}));
+    EXPECT_TRUE(expect_tetrahedron(mesh_format::off, files::off).attributes.empty());
+    const auto numbers = replaced(replaced(files::off, "0 1 0\n", "0 1 0 7\n"), "3 0 1 3", "3 0 1 3 255");
+    EXPECT_EQ(expect_tetrahedron(mesh_format::off, numbers).not_kept,
+              (std::vector<std::string>{"numbers behind the coordinates of vertices",
+                                        "colours of faces by their numbers in a list"}));
 }
 
 TEST(read_obj, everything_else_is_named)
 {
     const auto soup = expect_tetrahedron(mesh_format::obj, files::obj);
     EXPECT_EQ(soup.first_number, 1);
-    EXPECT_EQ(soup.not_kept,
-              (std::vector<std::string>{"objects",
-                                        "weights of vertices",
-                                        "colours",
-                                        "texture coordinates",
-                                        "normals",
-                                        "groups",
-                                        "materials",
-                                        "smoothing groups"}));
+    EXPECT_EQ(soup.not_kept, std::vector<std::string>{"weights of vertices"});
+    EXPECT_EQ(topics_of(soup.attributes),
+              (std::vector<std::string>{
+                  "colours", "texture coordinates", "normals", "objects", "groups", "materials", "smoothing groups"}));
+    const std::string others = "l 1 2\nvt 5 5\nvn 0 1 0\nv 0 0 0 1 2 3 4 5\nusemap x\nmg 1 2\n";
+    EXPECT_EQ(io::read_mesh(mesh_format::obj, files::obj + others).not_kept,
+              (std::vector<std::string>{"weights of vertices",
+                                        "lines",
+                                        "numbers behind the coordinates of vertices",
+                                        "texture maps",
+                                        "smoothing groups",
+                                        "texture coordinates that no corner has",
+                                        "normals that no corner has"}));
     ASSERT_EQ(soup.tags.edges.size(), 1);
     EXPECT_EQ(soup.tags.edges[0].sharpness, 2.5);
     ASSERT_EQ(soup.tags.vertices.size(), 1);
@@ -139,7 +146,13 @@ TEST(read_ply, types_of_numbers)
     for (const bool big : {false, true}) {
         const auto soup = expect_tetrahedron(
             mesh_format::ply, files::binary_ply<float, std::uint8_t, std::int32_t>("float", "uchar", "int", big));
-        EXPECT_EQ(soup.not_kept, (std::vector<std::string>{"texture coordinates", "the property 'area' of faces"}));
+        EXPECT_TRUE(soup.not_kept.empty());
+        ASSERT_EQ(soup.attributes.vertices.size(), 1);
+        EXPECT_EQ(soup.attributes.vertices[0].name, "s");
+        EXPECT_EQ(soup.attributes.vertices[0].values, std::vector<double>(4, 7));
+        ASSERT_EQ(soup.attributes.faces.size(), 1);
+        EXPECT_EQ(soup.attributes.faces[0].name, "area");
+        EXPECT_EQ(soup.attributes.faces[0].values, std::vector<double>(4, 0.5));
         expect_tetrahedron(mesh_format::ply,
                            files::binary_ply<double, std::int8_t, std::uint8_t>("double", "char", "uchar", big));
         expect_tetrahedron(
@@ -154,7 +167,11 @@ TEST(read_ply, types_of_numbers)
 
 TEST(read_ply, everything_else_is_named)
 {
-    EXPECT_EQ(expect_tetrahedron(mesh_format::ply, files::ply).not_kept,
+    const auto soup = expect_tetrahedron(mesh_format::ply, files::ply);
+    EXPECT_EQ(soup.not_kept, (std::vector<std::string>{"the property 'weights' of faces", "the elements 'edge'"}));
+    ASSERT_EQ(soup.attributes.vertices.size(), 1);
+    EXPECT_EQ(soup.attributes.vertices[0].values, (std::vector<double>{1, 2, 3, 4}));
+    EXPECT_EQ(io::not_kept(read_ply_header(files::ply)), // where attributes are not read, either
               (std::vector<std::string>{"colours", "the property 'weights' of faces", "the elements 'edge'"}));
 }
 

@@ -164,9 +164,10 @@ printf 't crease 3/1/0 0 1 2 2\nt corner 1/1/0 3 1\nt strange 0/0/0\n' >>quad.ob
 run info quad.obj
 exits 0
 prints '^tags +2 sharp edges, 1 sharp vertex, 1 unknown tag$'
-prints '^not refined +normals, groups$'
+prints '^attributes +groups$'
+prints '^not refined +normals$'
 run info quad.obj --json
-prints '"tags":\["edge 0-1: sharpness 2","edge 1-2: sharpness 2","vertex 3: sharpness 1","line 10: .strange. is not understood"\],"not_refined":\["normals","groups"\],"schemes":\["catmull-clark"\],"problems":\[\]\}$'
+prints '"tags":\["edge 0-1: sharpness 2","edge 1-2: sharpness 2","vertex 3: sharpness 1","line 10: .strange. is not understood"\],"attributes":\["groups"\],"not_refined":\["normals"\],"schemes":\["catmull-clark"\],"problems":\[\]\}$'
 echo 't crease 2/1/0 0 2 1' >>quad.obj
 run info quad.obj
 exits 1

@@ -100,6 +100,18 @@ public:
         }
         return Number(unusual_number<Number>(word(), what));
     }
+    /// A number in this line, finite or not. Errors: file_error when there is none.
+    template <std::invocable What>
+    [[nodiscard]] double any_number(const What& what)
+    {
+        const auto found = word();
+        const std::string digits(found.substr(found.starts_with('+') ? 1 : 0));
+        double value = 0;
+        const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (error == std::errc::invalid_argument or rest != digits.data() + digits.size())
+            refuse(what() + " should be a number, it is '" + shown(found) + "'");
+        return error == std::errc() ? value : std::strtod(digits.c_str(), nullptr); // too small or too large
+    }
     /// A whole number in this line. Errors: file_error when there is none or it does not fit.
     template <std::integral Integer, std::invocable What>
     [[nodiscard]] Integer whole(const What& what)

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <concepts>
 #include <cstddef>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace kith::io {
@@ -25,9 +27,13 @@ public:
         text_.push_back(c);
         return *this;
     }
-    text_block& operator<<(std::size_t number) { return add(number); }
-    /// The shortest digits that read back as the same number.
-    text_block& operator<<(double number) { return add(number); }
+    /// Numbers: floating ones in the shortest digits that read back as the same number.
+    template <class Number>
+        requires(std::is_arithmetic_v<Number> and not std::same_as<Number, char>)
+    text_block& operator<<(Number number)
+    {
+        return add(number);
+    }
     text_block& operator<<(const std::array<double, 3>& p) { return *this << p[0] << ' ' << p[1] << ' ' << p[2]; }
     /// The bytes of a number as they lie in memory.
     template <class Number>

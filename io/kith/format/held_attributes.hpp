@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mesh_attributes.hpp"
+#include "mesh_format.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kith::io {
+
+using attribute_list = std::vector<const attribute*>;
+
+/// The attributes that a format has room for, as its writer takes them: lists that are complete or empty.
+struct held_attributes {
+    attribute_list colors;         ///< of vertices: three or four
+    attribute_list normals;        ///< of vertices
+    attribute_list textures;       ///< of vertices
+    attribute_list face_colors;    ///< three or four
+    attribute_list corner_normals; ///< which come before those of vertices
+    attribute_list corner_textures;
+    attribute_list labels;   ///< words of faces
+    attribute_list vertices; ///< under their names, all of PLY
+    attribute_list faces;
+};
+
+/// OBJ: normals and texture coordinates of corners, or of vertices, colours of vertices, words. OFF: normals, colours and texture
+/// coordinates of vertices, colours of faces. PLY: all numbers of vertices and faces, texture coordinates of corners. STL: nothing.
+held_attributes held_by(mesh_format format, const mesh_attributes& attributes);
+
+/// The topics (topics_of) of the attributes for which a format has no room.
+std::vector<std::string> not_held(mesh_format format, const mesh_attributes& attributes);
+
+/// Leaves those out.
+void keep_held(mesh_format format, mesh_attributes& attributes);
+
+} // namespace kith::io

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/slices/ply_header.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kith::io {
+
+/// A number on each element of one kind, under a name: "red", "u", "nx", "quality".
+struct attribute {
+    std::string name;
+    ply_number type{8, true, true}; ///< in which a file has the values
+    std::vector<double> values;     ///< which hold all of these types; NaN: this element has none
+    std::vector<std::string>
+        labels{}; ///< not empty: the values are numbers of these words, the first of which says "none"
+};
+
+/// What a file says of the elements of its mesh besides places. Values have the order of the vertices, of the faces, and of the
+/// corners face by face. Names that all formats share: red, green, blue, alpha; u, v, w of textures; nx, ny, nz of normals;
+/// object, group, material, smoothing group, which are words.
+struct mesh_attributes {
+    std::vector<attribute> vertices, faces, corners;
+    std::vector<std::string> material_files; ///< where OBJ has its materials
+
+    [[nodiscard]] bool empty() const
+    {
+        return vertices.empty() and faces.empty() and corners.empty() and material_files.empty();
+    }
+};
+
+/// The name by which all formats know an attribute: "u" for "texture_u" and "s", "red" for "diffuse_red".
+std::string_view shared_name(std::string_view name);
+
+/// The attribute that has this shared name, or nothing.
+const attribute* find(const std::vector<attribute>& attributes, std::string_view shared_name);
+
+/// The attributes of these names in their order, as far as they are there without a gap: u and v, or u, v and w.
+std::vector<const attribute*> find_all(const std::vector<attribute>& attributes,
+                                       std::span<const std::string_view> shared_names);
+
+inline constexpr std::string_view texture_names[]{"u", "v", "w"};
+inline constexpr std::string_view normal_names[]{"nx", "ny", "nz"};
+inline constexpr std::string_view color_names[]{"red", "green", "blue", "alpha"};
+
+/// What an attribute is about: "normals", "colours", "texture coordinates", "materials", or "the property 'quality' of vertices".
+std::string topic_of(std::string_view name, std::string_view elements);
+
+/// The topics of all attributes, each once; colours of faces are told from those of vertices.
+std::vector<std::string> topics_of(const mesh_attributes& attributes);
+
+/// The value that a file with this type holds: rounded, and within its range. NaN, which says that there is none, stays.
+double as_stored(const ply_number& type, double value);
+
+} // namespace kith::io

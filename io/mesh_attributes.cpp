@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/format/mesh_attributes.hpp>
+
+#include <kith/text/text_cursor.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace kith::io {
+
+std::string_view shared_name(std::string_view name)
+{
+    using names = std::pair<std::string_view, std::string_view>;
+    constexpr std::array<names, 7> others{{{"diffuse_red", "red"},
+                                           {"diffuse_green", "green"},
+                                           {"diffuse_blue", "blue"},
+                                           {"s", "u"},
+                                           {"t", "v"},
+                                           {"texture_u", "u"},
+                                           {"texture_v", "v"}}};
+    const auto found = std::ranges::find(others, name, &names::first);
+    return found == others.end() ? name : found->second;
+}
+
+const attribute* find(const std::vector<attribute>& attributes, std::string_view name)
+{
+    const auto found = std::ranges::find(attributes, name, [](const attribute& a) { return shared_name(a.name); });
+    return found == attributes.end() ? nullptr : &*found;
+}
+
+std::vector<const attribute*> find_all(const std::vector<attribute>& attributes,
+                                       std::span<const std::string_view> shared_names)
+{
+    std::vector<const attribute*> result;
+    for (const auto name : shared_names) {
+        const attribute* const found = find(attributes, name);
+        if (found == nullptr)
+            break;
+        result.push_back(found);
+    }
+    return result;
+}
+
+std::string topic_of(std::string_view name, std::string_view elements)
+{
+    const auto shared = shared_name(name);
+    const auto is_one_of = [&](const auto& names) { return std::ranges::find(names, shared) != std::end(names); };
+    if (is_one_of(normal_names))
+        return "normals";
+    if (is_one_of(color_names))
+        return "colours";
+    if (is_one_of(texture_names) or shared == "texcoord" or shared == "texnumber")
+        return "texture coordinates";
+    if (shared == "object" or shared == "group" or shared == "material" or shared == "smoothing group")
+        return std::string(shared) + "s";
+    return "the property '" + shown(name) + "' of " + std::string(elements);
+}
+
+std::vector<std::string> topics_of(const mesh_attributes& attributes)
+{
+    std::vector<std::string> result;
+    const auto add = [&](const std::string& topic) {
+        if (std::ranges::find(result, topic) == result.end())
+            result.push_back(topic);
+    };
+    for (const auto& a : attributes.vertices)
+        add(topic_of(a.name, "vertices"));
+    for (const auto& a : attributes.corners)
+        add(topic_of(a.name, "corners"));
+    for (const auto& a : attributes.faces) {
+        const std::string topic = topic_of(a.name, "faces");
+        add(topic == "colours" ? "colours of faces" : topic);
+    }
+    if (not attributes.material_files.empty())
+        add("materials");
+    return result;
+}
+
+double as_stored(const ply_number& type, double value)
+{
+    if (type.floating)
+        return type.bytes == 4 ? double(float(value)) : value;
+    const double values = std::ldexp(1., int(8 * type.bytes));
+    return type.is_signed ? std::clamp(std::round(value), -values / 2, values / 2 - 1)
+                          : std::clamp(std::round(value), 0., values - 1);
+}
+
+} // namespace kith::io

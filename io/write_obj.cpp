@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "written_parts.hpp"
+
+#include <kith/format/obj_tag.hpp>
+#include <kith/text/counted.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <string_view>
+#include <vector>
+
+namespace kith::io {
+
+namespace {
+
+/// The statements of the words of faces, in the order in which they are written.
+constexpr std::array<std::array<std::string_view, 2>, 4> label_statements{
+    {{"object", "o"}, {"group", "g"}, {"material", "usemtl"}, {"smoothing group", "s"}}};
+
+/// Lines of numbers to which corners refer. Corners of a vertex with the same numbers share a line, so that programs which go by
+/// the numbers of lines find the seams where values differ, and nowhere else.
+class referred_lines {
+public:
+    referred_lines(const basic_mesh<>& mesh, const attribute_list& of_corners, const attribute_list& of_vertices)
+        : list_(of_corners.empty() ? of_vertices : of_corners), is_of_corners_(not of_corners.empty())
+    {
+        if (list_.empty())
+            return;
+        const auto& vertex_of = mesh.topology().corner_vertex;
+        std::vector<std::uint32_t> last_of(mesh.vertex_count(), none), before; // the lines of each vertex
+        line_of_.assign(mesh.corner_count(), none);
+        for (std::size_t c = 0; c < line_of_.size(); ++c) {
+            const std::size_t element = is_of_corners_ ? c : vertex_of[c];
+            if (not has_all(list_, element))
+                continue;
+            std::uint32_t line = last_of[vertex_of[c]];
+            while (line != none and not are_same(elements_[line], element))
+                line = before[line];
+            if (line == none) {
+                line = std::uint32_t(elements_.size());
+                elements_.push_back(element);
+                before.push_back(last_of[vertex_of[c]]);
+                last_of[vertex_of[c]] = line;
+            }
+            line_of_[c] = line;
+        }
+    }
+
+    [[nodiscard]] bool has(std::size_t corner) const { return not line_of_.empty() and line_of_[corner] != none; }
+    /// As files count, from 1. Precondition: has(corner).
+    [[nodiscard]] std::size_t number(std::size_t corner) const { return std::size_t(line_of_[corner]) + 1; }
+    void write(std::ostream& out, std::string_view statement) const
+    {
+        write_blocks(out, elements_.size(), [&](text_block& text, std::size_t line) {
+            text << statement;
+            for (const attribute* a : list_)
+                text << ' ' << a->values[elements_[line]];
+            text << '\n';
+        });
+    }
+
+private:
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    [[nodiscard]] bool are_same(std::size_t a, std::size_t b) const
+    {
+        return std::ranges::all_of(list_, [&](const attribute* x) { return x->values[a] == x->values[b]; });
+    }
+
+    attribute_list list_;
+    bool is_of_corners_;
+    std::vector<std::size_t> elements_;  ///< the first that has each line
+    std::vector<std::uint32_t> line_of_; ///< by corner
+};
+
+/// What is said before a face that has other words than the face before it.
+void write_labels(text_block& text, const attribute_list& labels, std::size_t face)
+{
+    for (const auto& [name, statement] : label_statements)
+        for (const attribute* a : labels) {
+            const double label = a->values[face];
+            if (a->name != name or label == (face == 0 ? 0 : a->values[face - 1]))
+                continue;
+            const std::string& word = a->labels[std::size_t(label)];
+            text << statement << (statement == "s" and word.empty() ? " off" : word.empty() ? "" : " ") << word << '\n';
+        }
+}
+
+} // namespace
+
+void write_obj(std::ostream& out, const written_mesh& what)
+{
+    const bool has_normals = not what.normals.empty();
+    const held_attributes held = held_by(mesh_format::obj, what);
+    const referred_lines textures(what.mesh, held.corner_textures, held.textures);
+    const referred_lines normals(what.mesh, held.corner_normals, held.normals);
+    text_block header;
+    header << "# kith: " << counted(vertices_of(what), "vertex") << ", " << counted(what.mesh.face_count(), "face")
+           << '\n';
+    if (what.attributes != nullptr)
+        for (const std::string& file : what.attributes->material_files)
+            header << "mtllib " << file << '\n';
+    out << header.text();
+    write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
+        text << "v " << point_of(what, v);
+        if (has_all(held.colors, v))
+            for (const attribute* color : held.colors)
+                text << ' ' << unit_color(*color, v);
+        text << '\n';
+        if (has_normals)
+            text << "vn " << normal_of(what, v) << '\n';
+    });
+    textures.write(out, "vt");
+    normals.write(out, "vn");
+    write_blocks(out, what.mesh.face_count(), [&](text_block& text, std::size_t f) {
+        write_labels(text, held.labels, f);
+        text << "f ";
+        std::size_t corner = what.mesh.topology().first_corner(f);
+        for (const auto v : what.mesh.face(f)) {
+            text << ' ' << std::size_t(v) + 1;
+            const bool has_texture = textures.has(corner);
+            if (has_texture)
+                text << '/' << textures.number(corner);
+            if (has_normals or normals.has(corner))
+                text << (has_texture ? "/" : "//") << (has_normals ? std::size_t(v) + 1 : normals.number(corner));
+            ++corner;
+        }
+        text << '\n';
+    });
+    if (what.tags != nullptr)
+        out << obj_tag_lines(*what.tags);
+}
+
+} // namespace kith::io

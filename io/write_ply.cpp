@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "written_parts.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <string_view>
+
+namespace kith::io {
+
+namespace {
+
+std::string_view name_of(const ply_number& type)
+{
+    if (type.floating)
+        return type.bytes == 4 ? "float" : "double";
+    if (type.bytes == 4)
+        return type.is_signed ? "int" : "uint";
+    if (type.bytes == 2)
+        return type.is_signed ? "short" : "ushort";
+    return type.is_signed ? "char" : "uchar";
+}
+
+void write_properties(text_block& header, const attribute_list& attributes)
+{
+    for (const attribute* a : attributes)
+        header << "property " << name_of(a->type) << ' ' << a->name << '\n';
+}
+
+void write_value(text_block& text, bool binary, const attribute& a, std::size_t element)
+{
+    with_type(a.type, a.values[element], [&](auto number) {
+        if (binary)
+            text.raw(number);
+        else
+            text << ' ' << number;
+    });
+}
+
+/// The texture coordinates of the corners of a face, two each; none where one is missing.
+void write_texture(text_block& text, bool binary, bool short_lists, const attribute_list& uv, std::size_t first,
+                   std::size_t degree)
+{
+    bool is_there = true;
+    for (std::size_t c = first; c < first + degree; ++c)
+        is_there &= has_all(uv, c);
+    const std::size_t length = is_there ? 2 * degree : 0;
+    if (not binary)
+        text << ' ' << length;
+    else if (short_lists)
+        text.raw(std::uint8_t(length));
+    else
+        text.raw(std::uint16_t(length));
+    for (std::size_t c = first; is_there and c < first + degree; ++c)
+        for (const attribute* a : uv)
+            write_value(text, binary, *a, c);
+}
+
+} // namespace
+
+void write_ply(std::ostream& out, const written_mesh& what)
+{
+    static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
+    const bool has_normals = not what.normals.empty();
+    const held_attributes held = held_by(mesh_format::ply, what);
+    bool short_lists = true; // some programs read no others
+    for (std::size_t f = 0; f < what.mesh.face_count(); ++f)
+        short_lists &= 2 * what.mesh.face(f).size() <= std::numeric_limits<std::uint8_t>::max();
+    text_block header;
+    header << "ply\nformat " << (what.binary ? "binary_little_endian" : "ascii")
+           << " 1.0\ncomment written by kith\nelement vertex " << vertices_of(what)
+           << "\nproperty double x\nproperty double y\nproperty double z\n"
+           << (has_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "");
+    write_properties(header, held.vertices);
+    header << "element face " << what.mesh.face_count() << "\nproperty list uchar int vertex_indices\n";
+    if (not held.corner_textures.empty())
+        header << "property list " << (short_lists ? "uchar " : "ushort ") << name_of(held.corner_textures[0]->type)
+               << " texcoord\n";
+    write_properties(header, held.faces);
+    header << "end_header\n";
+    out << header.text();
+    write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
+        if (what.binary) {
+            text.raw(point_of(what, v));
+            if (has_normals)
+                text.raw(normal_of(what, v));
+        } else {
+            text << point_of(what, v);
+            if (has_normals)
+                text << ' ' << normal_of(what, v);
+        }
+        for (const attribute* a : held.vertices)
+            write_value(text, what.binary, *a, v);
+        if (not what.binary)
+            text << '\n';
+    });
+    write_blocks(out, what.mesh.face_count(), [&](text_block& text, std::size_t f) {
+        const auto face = what.mesh.face(f);
+        if (what.binary) {
+            text.raw(std::uint8_t(face.size()));
+            for (const auto v : face)
+                text.raw(std::int32_t(v));
+        } else {
+            text << face.size();
+            for (const auto v : face)
+                text << ' ' << std::size_t(v);
+        }
+        if (not held.corner_textures.empty())
+            write_texture(text,
+                          what.binary,
+                          short_lists,
+                          held.corner_textures,
+                          what.mesh.topology().first_corner(f),
+                          face.size());
+        for (const attribute* a : held.faces)
+            write_value(text, what.binary, *a, f);
+        if (not what.binary)
+            text << '\n';
+    });
+}
+
+} // namespace kith::io

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/format/held_attributes.hpp>
+#include <kith/text/text_writer.hpp>
+#include <kith/write_mesh.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+
+/// What the writers of the formats have in common.
+namespace kith::io {
+
+void write_off(std::ostream& out, const written_mesh& what);
+void write_obj(std::ostream& out, const written_mesh& what);
+void write_ply(std::ostream& out, const written_mesh& what);
+void write_stl(std::ostream& out, const written_mesh& what);
+
+inline std::size_t vertices_of(const written_mesh& what)
+{
+    return what.mesh.vertex_count() + what.isolated.size();
+}
+
+inline const std::array<double, 3>& point_of(const written_mesh& what, std::size_t vertex)
+{
+    const std::size_t vertices = what.mesh.vertex_count();
+    return vertex < vertices ? what.mesh.point(vertex) : what.isolated[vertex - vertices];
+}
+
+/// What has no face has no normal.
+inline std::array<double, 3> normal_of(const written_mesh& what, std::size_t vertex)
+{
+    return vertex < what.normals.size() ? what.normals[vertex] : std::array<double, 3>{};
+}
+
+/// The attributes for which the format has room; normals that are given come in the place of those among them.
+inline held_attributes held_by(mesh_format format, const written_mesh& what)
+{
+    held_attributes result = what.attributes == nullptr ? held_attributes() : held_by(format, *what.attributes);
+    if (not what.normals.empty()) {
+        result.normals.clear();
+        result.corner_normals.clear();
+        std::erase_if(result.vertices, [](const auto* a) { return topic_of(a->name, "") == "normals"; });
+    }
+    return result;
+}
+
+/// Whether an element has all the numbers of a list; of an empty one it has none.
+inline bool has_all(const attribute_list& list, std::size_t element)
+{
+    return not list.empty() and
+           std::ranges::none_of(list, [&](const auto* a) { return std::isnan(a->values[element]); });
+}
+
+/// A channel of a colour as a number from 0 to 1, where it is not of floating type.
+inline double unit_color(const attribute& a, std::size_t element)
+{
+    const double x = a.values[element];
+    return a.type.floating ? x : x / (std::ldexp(1., int(8 * a.type.bytes) - int(a.type.is_signed)) - 1);
+}
+
+/// Calls f with a value in its type, among whole numbers with 0 for none. Precondition: as_stored.
+template <class F>
+void with_type(const ply_number& type, double value, const F& f)
+{
+    if (not type.floating and std::isnan(value))
+        value = 0;
+    if (type.floating)
+        type.bytes == 4 ? f(float(value)) : f(value);
+    else if (type.is_signed)
+        type.bytes == 1 ? f(std::int8_t(value)) : type.bytes == 2 ? f(std::int16_t(value)) : f(std::int32_t(value));
+    else
+        type.bytes == 1 ? f(std::uint8_t(value)) : type.bytes == 2 ? f(std::uint16_t(value)) : f(std::uint32_t(value));
+}
+
+} // namespace kith::io

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files.hpp"
+
+#include <kith/attributes_of.hpp>
+#include <kith/format/held_attributes.hpp>
+#include <kith/text/file_error.hpp>
+#include <kith/read_mesh.hpp>
+#include <kith/write_mesh.hpp>
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace kith;
+using io::mesh_format;
+using names = std::vector<std::string>;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr ply_number i8{1, false, true}, u8{1, false, false}, i16{2, false, true}, u16{2, false, false},
+    i32{4, false, true}, u32{4, false, false}, f32{4, true, true}, f64{8, true, true};
+
+std::string written(mesh_format format, const io::polygon_soup& soup, bool binary = false)
+{
+    const basic_mesh<> mesh = make_mesh(soup.points, soup.faces);
+    const io::mesh_attributes attributes = attributes_of(soup, mesh);
+    const io::written_mesh what{.mesh = mesh, .binary = binary, .attributes = &attributes};
+    io::require_writable(format, what);
+    std::ostringstream out;
+    io::write_mesh(out, format, what);
+    return out.str();
+}
+std::string refusal(mesh_format format, const std::string& bytes)
+{
+    try {
+        (void)io::read_mesh(format, bytes);
+    } catch (const io::file_error& error) {
+        return error.what();
+    }
+    return "read";
+}
+
+void expect_same(const std::vector<double>& a, const std::vector<double>& b, const std::string& name)
+{
+    ASSERT_EQ(a.size(), b.size()) << name;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        EXPECT_TRUE(std::isnan(a[i]) ? std::isnan(b[i])
+                                     : std::bit_cast<std::int64_t>(a[i]) == std::bit_cast<std::int64_t>(b[i]))
+            << name << " " << i << ": " << a[i] << ", " << b[i];
+}
+void expect_same(const std::vector<io::attribute>& a, const std::vector<io::attribute>& b)
+{
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].name, b[i].name);
+        EXPECT_EQ(a[i].type.bytes, b[i].type.bytes) << a[i].name;
+        EXPECT_EQ(a[i].type.floating, b[i].type.floating) << a[i].name;
+        EXPECT_EQ(a[i].type.is_signed, b[i].type.is_signed) << a[i].name;
+        EXPECT_EQ(a[i].labels, b[i].labels);
+        expect_same(a[i].values, b[i].values, a[i].name);
+    }
+}
+void expect_same(const io::mesh_attributes& a, const io::mesh_attributes& b)
+{
+    expect_same(a.vertices, b.vertices);
+    expect_same(a.faces, b.faces);
+    expect_same(a.corners, b.corners);
+    EXPECT_EQ(a.material_files, b.material_files);
+}
+
+/// Two quads with a seam of the texture at vertex 2 and none at vertex 3; words; colours at some vertices.
+const std::string seam = "mtllib a.mtl b.mtl\nv 0 0 0 1 0.5 0.25\nv 1 0 0\nv 1 1 0 0 0 1\nv 0 1 0\nv 2 1 0\nv 2 2 0\n"
+                         "vt 0 0\nvt 0.1 1e-3\nvt 1 1\nvt 0.25 1\nvt 0.5 0\nvt 7 -7\nvn 0 0 1\nvn 0 0.6 0.8\n"
+                         "o thing\ng left side\nusemtl red\ns 1\nf 1/1/1 2/2/1 3/3/1 4/4/1\n"
+                         "g\ns off\nf 3/5/2 5/6/2 4/-3/2\nusemtl blue\nf 3//1 6 5//1\n";
+
+TEST(obj_attributes, are_read)
+{
+    const auto soup = io::read_mesh(mesh_format::obj, seam);
+    EXPECT_TRUE(soup.not_kept.empty());
+    const auto& corners = soup.attributes.corners;
+    ASSERT_EQ(corners.size(), 5);
+    EXPECT_EQ(corners[0].name, "u");
+    expect_same(corners[0].values, {0, 0.1, 1, 0.25, 0.5, 7, 0.25, none, none, none}, "u");
+    expect_same(corners[1].values, {0, 1e-3, 1, 1, 0, -7, 1, none, none, none}, "v");
+    expect_same(corners[3].values, {0, 0, 0, 0, 0.6, 0.6, 0.6, 0, none, 0}, "ny");
+    const auto& vertices = soup.attributes.vertices;
+    ASSERT_EQ(vertices.size(), 3);
+    expect_same(vertices[1].values, {0.5, none, 0, none, none, none}, "green");
+    const auto& faces = soup.attributes.faces;
+    ASSERT_EQ(faces.size(), 4);
+    EXPECT_EQ(faces[0].name, "object");
+    EXPECT_EQ(faces[1].labels, (names{"", "left side"}));
+    expect_same(faces[1].values, {1, 0, 0}, "group");
+    EXPECT_EQ(faces[2].labels, (names{"", "red", "blue"}));
+    expect_same(faces[2].values, {1, 1, 2}, "material");
+    expect_same(faces[3].values, {1, 0, 0}, "smoothing group");
+    EXPECT_EQ(soup.attributes.material_files, names{"a.mtl b.mtl"});
+}
+
+TEST(obj_attributes, are_written_as_they_are_read)
+{
+    const auto soup = io::read_mesh(mesh_format::obj, seam);
+    const std::string text = written(mesh_format::obj, soup);
+    const auto again = io::read_mesh(mesh_format::obj, text);
+    expect_same(soup.attributes, again.attributes);
+    EXPECT_EQ(written(mesh_format::obj, again), text);
+    // Corners of a vertex with the same texture share a line; others do not.
+    EXPECT_NE(text.find("\nvt 0 0\nvt 0.1 0.001\nvt 1 1\nvt 0.25 1\nvt 0.5 0\nvt 7 -7\nvn"), text.npos);
+    EXPECT_NE(text.find("\no thing\ng left side\nusemtl red\ns 1\nf  1/1/1 2/2/2 3/3/3 4/4/4\n"
+                        "g\ns off\nf  3/5/5 5/6/6 4/4/7\nusemtl blue\nf  3//3 6 5//8\n"),
+              text.npos)
+        << text;
+}
+
+TEST(obj_attributes, three_numbers_and_a_fourth_channel)
+{
+    const auto soup = io::read_mesh(mesh_format::obj,
+                                    "v 0 0 0 1 1 1 0.5\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\n"
+                                    "vt .5\nvt .5 1 2\nvt nan 1\nf 1/1 2/2 3/3\n");
+    ASSERT_EQ(soup.attributes.corners.size(), 3);
+    expect_same(soup.attributes.corners[1].values, {0, 1, 1}, "v");
+    expect_same(soup.attributes.corners[2].values, {0, 2, 0}, "w");
+    expect_same(soup.attributes.corners[0].values, {0.5, 0.5, none}, "u");
+    ASSERT_EQ(soup.attributes.vertices.size(), 4);
+    expect_same(soup.attributes.vertices[3].values, {0.5, 1, 1}, "alpha");
+}
+
+TEST(obj_attributes, indices_and_numbers_are_checked)
+{
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 0\nf 1/1 2/2 3/1\n"),
+              "line 5: face 1: texture coordinate 2 does not exist, there are 1; correct the index");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "f 1/1 2/2 3/1\nvt 0 0\nvt 1 1\n"), "read");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "vn 0 0 1\nf 1//-1 2//-2 3//1\n"),
+              "line 5: face 1: normal -2 does not exist, there are 1 so far; correct the index");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 0\nf 1/0 2/1 3/1\n"),
+              "line 5: face 1: texture coordinate 0 does not exist, there are 1 so far; correct the index");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "vt\nf 1 2 3\n"), "line 4: texture coordinate 1 has no numbers");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 x\nf 1 2 3\n"),
+              "line 4: texture coordinate 1 should be a number, it is 'x'");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "f 1/1/1/1 2 3\n").substr(0, 8), "line 4: ");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 0\nf 1/99999999999999999999 2 3\n").substr(0, 8), "line 5: ");
+    // A name at the end of the file does not join the next line to it.
+    auto soup = io::read_mesh(mesh_format::obj, points + "f 1 2 3\nmtllib a\\");
+    EXPECT_EQ(soup.attributes.material_files, names{"a"});
+}
+
+TEST(ply_attributes, all_types_keep_their_bits)
+{
+    auto soup = io::read_mesh(mesh_format::off, files::off);
+    const std::vector<io::attribute> all{{"c", i8, {-128, 127, 0, 1}, {}},
+                                         {"red", u8, {0, 255, 128, 1}, {}},
+                                         {"h", i16, {-32768, 32767, 0, 1}, {}},
+                                         {"label", u16, {0, 65535, 1, 2}, {}},
+                                         {"id", i32, {-2147483648., 2147483647, 0, 1}, {}},
+                                         {"key", u32, {0, 4294967295, 1, 2}, {}},
+                                         {"quality", f32, {double(0.1F), none, infinity, -0.}, {}},
+                                         {"exact", f64, {0.1, -infinity, 5e-324, none}, {}}};
+    soup.attributes.vertices = soup.attributes.faces = all;
+    soup.attributes.corners = {{"u", f32, {0, 1, 2, 3, 4, 5, none, none, none, 9, 10, double(0.3F)}, {}},
+                               {"v", f32, {1, 2, 3, 4, 5, 6, none, none, none, 0, 0, 0.5}, {}}};
+    EXPECT_TRUE(not_held(mesh_format::ply, soup.attributes).empty());
+    const auto in_mesh = attributes_of(soup, make_mesh(soup.points, soup.faces));
+    EXPECT_EQ(in_mesh.corners[0].values[9], 10); // of the corner at vertex 0
+    EXPECT_EQ(in_mesh.corners[0].values[11], 9);
+    for (const bool binary : {false, true}) {
+        const std::string bytes = written(mesh_format::ply, soup, binary);
+        const auto again = io::read_mesh(mesh_format::ply, bytes);
+        EXPECT_TRUE(again.not_kept.empty());
+        expect_same(in_mesh, again.attributes);
+        EXPECT_EQ(written(mesh_format::ply, again, binary), bytes);
+    }
+    EXPECT_NE(written(mesh_format::ply, soup)
+                  .find("\nproperty list uchar float texcoord\nproperty char c\n"
+                        "property uchar red\nproperty short h\nproperty ushort label\n"
+                        "property int id\nproperty uint key\nproperty float quality\n"
+                        "property double exact\nend_header\n"),
+              std::string::npos);
+}
+
+TEST(ply_attributes, both_orders_of_bytes)
+{
+    for (const bool big_endian : {false, true}) {
+        std::string bytes = "ply\nformat binary_" + std::string(big_endian ? "big" : "little") +
+                            "_endian 1.0\nelement face 1\nproperty short material\nproperty list uchar int "
+                            "vertex_indices\nproperty list uchar double texcoord\nelement vertex 3\nproperty float "
+                            "q\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+        files::append(bytes, std::int16_t(-3), big_endian);
+        files::append(bytes, std::uint8_t(3), big_endian);
+        for (const std::int32_t v : {0, 1, 2})
+            files::append(bytes, v, big_endian);
+        files::append(bytes, std::uint8_t(6), big_endian);
+        for (const double x : {0., 0.1, 0.2, 0.3, 0.4, 0.5})
+            files::append(bytes, x, big_endian);
+        for (const float v : {0.F, 1.F, 2.F})
+            for (const float x : {v + 0.1F, v, v * v, 0.F})
+                files::append(bytes, x, big_endian);
+        const auto soup = io::read_mesh(mesh_format::ply, bytes);
+        ASSERT_EQ(soup.attributes.faces.size(), 1);
+        EXPECT_EQ(soup.attributes.faces[0].values, std::vector<double>{-3});
+        ASSERT_EQ(soup.attributes.vertices.size(), 1);
+        EXPECT_EQ(soup.attributes.vertices[0].values, (std::vector<double>{0.1F, 1.1F, 2.1F}));
+        ASSERT_EQ(soup.attributes.corners.size(), 2);
+        EXPECT_EQ(soup.attributes.corners[0].values, (std::vector<double>{0, 0.2, 0.4}));
+        EXPECT_EQ(soup.attributes.corners[1].values, (std::vector<double>{0.1, 0.3, 0.5}));
+    }
+}
+
+TEST(ply_attributes, lists_of_textures_fit_their_faces)
+{
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+        "1\nproperty list uchar float texcoord\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0 0 1 "
+        "0\n";
+    EXPECT_EQ(refusal(mesh_format::ply, header + "6 0 0 1 0 0 1 3 0 1 2\n"), "read");
+    EXPECT_EQ(refusal(mesh_format::ply, header + "0 3 0 1 2\n"), "read");
+    EXPECT_EQ(refusal(mesh_format::ply, header + "4 0 0 1 0 3 0 1 2\n"),
+              "line 12: face 0 has 3 corners and 4 texture coordinates, 6 are needed");
+}
+
+TEST(off_attributes, normals_colours_and_textures)
+{
+    const std::string text = "STCNOFF\n3 2 0\n\n0 0 0 0 0 1  255 0 0 128 0.25 1\n1 0 0 0 1 0  0 7 0 255 0 0\n"
+                             "0 1 0 1 0 0  1 2 3 4 0.5 0.5\n3  0 1 2  0.5 1.0 0.0 1.0\n3  0 2 1\n\n";
+    const auto soup = io::read_mesh(mesh_format::off, text);
+    EXPECT_TRUE(soup.not_kept.empty());
+    const auto& vertices = soup.attributes.vertices;
+    ASSERT_EQ(vertices.size(), 9);
+    expect_same(vertices[2].values, {1, 0, 0}, "nz");
+    EXPECT_EQ(vertices[4].name, "green");
+    EXPECT_EQ(vertices[4].type.bytes, 1);
+    expect_same(vertices[4].values, {0, 7, 2}, "green");
+    expect_same(vertices[6].values, {128, 255, 4}, "alpha");
+    expect_same(vertices[7].values, {0.25, 0, 0.5}, "u");
+    ASSERT_EQ(soup.attributes.faces.size(), 4);
+    EXPECT_TRUE(soup.attributes.faces[0].type.floating);
+    expect_same(soup.attributes.faces[0].values, {0.5, none}, "red");
+    EXPECT_EQ(written(mesh_format::off, soup), text);
+}
+
+TEST(off_attributes, colours_without_a_fourth_channel)
+{
+    const auto bytes = io::read_mesh(mesh_format::off, "COFF\n3 1\n0 0 0 255 0 9\n1 0 0\n0 1 0 1 1 1\n3 0 1 2 9 9 9\n");
+    ASSERT_EQ(bytes.attributes.vertices.size(), 3);
+    EXPECT_FALSE(bytes.attributes.vertices[0].type.floating);
+    expect_same(bytes.attributes.vertices[0].values, {255, none, 1}, "red");
+    EXPECT_EQ(written(mesh_format::off, bytes),
+              "COFF\n3 1 0\n\n0 0 0  255 0 9 255\n1 0 0\n0 1 0  1 1 1 255\n3  0 1 2  9 9 9 255\n\n");
+    const auto numbers = io::read_mesh(mesh_format::off, "COFF\n3 1\n0 0 0 1 0 0\n1 0 0 0 1 0\n0 1 0 1 1 1\n3 0 1 2\n");
+    EXPECT_TRUE(numbers.attributes.vertices[0].type.floating);
+    EXPECT_EQ(written(mesh_format::off, numbers).substr(0, 36), "COFF\n3 1 0\n\n0 0 0  1.0 0.0 0.0 1.0\n1");
+}
+
+TEST(attributes, go_from_one_format_to_another)
+{
+    const auto obj = io::read_mesh(mesh_format::obj, seam);
+    EXPECT_EQ(not_held(mesh_format::obj, obj.attributes), names());
+    EXPECT_EQ(not_held(mesh_format::ply, obj.attributes),
+              (names{"normals", "objects", "groups", "materials", "smoothing groups"}));
+    EXPECT_EQ(not_held(mesh_format::off, obj.attributes),
+              (names{"texture coordinates", "normals", "objects", "groups", "materials", "smoothing groups"}));
+    const auto ply = io::read_mesh(mesh_format::ply, written(mesh_format::ply, obj));
+    ASSERT_EQ(ply.attributes.corners.size(), 2);
+    expect_same(ply.attributes.corners[0].values, {0, 0.1, 1, 0.25, 0.5, 7, 0.25, none, none, none}, "u");
+    expect_same(ply.attributes.vertices, obj.attributes.vertices);
+
+    auto soup = io::read_mesh(mesh_format::off, files::off);
+    soup.attributes.vertices = {{"diffuse_red", u8, {255, 0, 51, 102}, {}},
+                                {"diffuse_green", u8, {0, 0, 0, 255}, {}},
+                                {"diffuse_blue", u8, {255, 255, 255, 0}, {}},
+                                {"texture_u", f32, {0, 0.5, 1, 0.25}, {}},
+                                {"texture_v", f32, {0, 0, 1, 1}, {}},
+                                {"quality", f32, {1, 2, 3, 4}, {}}};
+    EXPECT_EQ(not_held(mesh_format::obj, soup.attributes), names{"the property 'quality' of vertices"});
+    const auto in_obj = io::read_mesh(mesh_format::obj, written(mesh_format::obj, soup));
+    expect_same(in_obj.attributes.vertices[0].values, {1, 0, 0.2, 0.4}, "red");
+    expect_same(in_obj.attributes.corners[0].values, {0, 1, 0.5, 0, 0.5, 0.25, 0.5, 1, 0.25, 0, 0.25, 1}, "u");
+    const auto in_off = io::read_mesh(mesh_format::off, written(mesh_format::off, soup));
+    expect_same(in_off.attributes.vertices[0].values, {255, 0, 51, 102}, "red");
+    expect_same(in_off.attributes.vertices[4].values, {0, 0.5, 1, 0.25}, "u");
+    EXPECT_EQ(not_held(mesh_format::stl, soup.attributes),
+              (names{"colours", "texture coordinates", "the property 'quality' of vertices"}));
+    keep_held(mesh_format::obj, soup.attributes);
+    EXPECT_EQ(soup.attributes.vertices.size(), 5);
+}
+
+TEST(attributes, what_is_not_finite_is_left_to_ply)
+{
+    auto soup = io::read_mesh(mesh_format::off, files::off);
+    soup.attributes.vertices = {{"u", f64, {0, 1, infinity, 0}, {}}, {"v", f64, {0, 1, 2, 0}, {}}};
+    EXPECT_THROW((void)written(mesh_format::obj, soup), io::file_error);
+    EXPECT_THROW((void)written(mesh_format::off, soup), io::file_error);
+    const auto again = io::read_mesh(mesh_format::ply, written(mesh_format::ply, soup));
+    expect_same(again.attributes, soup.attributes);
+}
+
+TEST(attributes, are_rounded_into_their_types)
+{
+    EXPECT_EQ(io::as_stored(u8, 254.5), 255);
+    EXPECT_EQ(io::as_stored(u8, 300), 255);
+    EXPECT_EQ(io::as_stored(u8, -0.6), 0);
+    EXPECT_EQ(io::as_stored(i8, -200), -128);
+    EXPECT_EQ(io::as_stored(i16, 4e4), 32767);
+    EXPECT_EQ(io::as_stored(u32, 5e9), 4294967295);
+    EXPECT_EQ(io::as_stored(f32, 0.1), double(0.1F));
+    EXPECT_EQ(io::as_stored(f64, 0.1), 0.1);
+    EXPECT_TRUE(std::isnan(io::as_stored(u8, none)));
+}
+
+} // namespace

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "attribute_fields.hpp"
+#include "native_shape.hpp"
+
+#include <kith/butterfly.hpp>
+#include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/hierarchy.hpp>
+#include <kith/linear.hpp>
+#include <kith/refine_with_fields.hpp>
+#include <kith/tri_quad.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <random>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using namespace kith;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr ply_number u8{1, false, false}, f32{4, true, true}, f64{8, true, true};
+
+std::vector<double> random_values(std::size_t count, unsigned seed)
+{
+    std::mt19937_64 engine(seed);
+    std::vector<double> result;
+    for (std::size_t i = 0; i < count; ++i)
+        result.push_back(double(engine() % 100000) / 1024);
+    return result;
+}
+
+/// The coordinates of the vertices, and numbers of all kinds.
+io::mesh_attributes attributes_for(const basic_mesh<>& mesh)
+{
+    io::mesh_attributes result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.vertices.push_back({std::string(1, "abc"[i]), f64, {}, {}});
+        for (const auto& p : mesh.points())
+            result.vertices[i].values.push_back(p[i]);
+    }
+    result.vertices.push_back({"weight", f32, random_values(mesh.vertex_count(), 1), {}});
+    result.vertices.push_back({"red", u8, {}, {}});
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+        result.vertices[4].values.push_back(v % 3 == 0 ? 255 : 0);
+    result.corners.push_back({"u", f64, random_values(mesh.corner_count(), 2), {}});
+    result.corners.push_back({"v", f64, random_values(mesh.corner_count(), 3), {}});
+    result.corners[1].values[0] = none;
+    result.faces.push_back({"area", f64, random_values(mesh.face_count(), 4), {}});
+    result.faces.push_back({"material", {4, false, true}, std::vector<double>(mesh.face_count(), 1), {"", "red"}});
+    return result;
+}
+
+bool are_same(double a, double b)
+{
+    return a == b or (std::isnan(a) and std::isnan(b));
+}
+
+/// Against the points, and against each attribute carried over a hierarchy by itself.
+template <class Scheme>
+void expect_carried(const basic_mesh<>& mesh, const Scheme& scheme)
+{
+    constexpr int depth = 2;
+    const auto control = attributes_for(mesh);
+    tool::attribute_fields fields(control, mesh);
+    const auto fine = refine_with_fields(mesh, scheme, depth, std::tie(fields));
+    const auto found = fields.at_level(control);
+    hierarchy<basic_mesh<>, Scheme> levels(mesh, scheme);
+    levels.refine(depth);
+
+    ASSERT_EQ(found.vertices.size(), control.vertices.size());
+    for (std::size_t a = 0; a < found.vertices.size(); ++a) {
+        const auto& attribute = found.vertices[a];
+        ASSERT_EQ(attribute.values.size(), fine.vertex_count());
+        EXPECT_EQ(attribute.name, control.vertices[a].name);
+        const auto alone = levels.carry(0, depth, std::span<const double>(control.vertices[a].values));
+        for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
+            ASSERT_EQ(attribute.values[v], io::as_stored(attribute.type, alone[v])) << attribute.name << " " << v;
+            if (a < 3) {
+                ASSERT_EQ(attribute.values[v], fine.point(v)[a]);
+            }
+        }
+    }
+    ASSERT_EQ(found.corners.size(), control.corners.size());
+    for (std::size_t a = 0; a < found.corners.size(); ++a) {
+        ASSERT_EQ(found.corners[a].values.size(), fine.corner_count());
+        const auto alone = levels.carry(0, depth, on_corners(control.corners[a].values));
+        for (std::size_t c = 0; c < fine.corner_count(); ++c)
+            ASSERT_TRUE(are_same(found.corners[a].values[c], alone[c])) << c;
+    }
+    ASSERT_EQ(found.faces.size(), 2);
+    EXPECT_EQ(found.faces[1].labels, control.faces[1].labels);
+    std::size_t orphans = 0;
+    const auto area = levels.carry(
+        0, depth, on_faces(control.faces[0].values, from_parent<std::identity, double>{{}, -1}));
+    for (std::size_t f = 0; f < fine.face_count(); ++f) {
+        const bool has_parent = area[f] != -1;
+        orphans += not has_parent;
+        ASSERT_TRUE(are_same(found.faces[0].values[f], has_parent ? area[f] : none)) << f;
+        ASSERT_EQ(found.faces[1].values[f], has_parent ? 1 : 0);
+    }
+    constexpr bool bears_on_edges = std::same_as<Scheme, doo_sabin>;
+    EXPECT_EQ(orphans != 0, bears_on_edges);
+}
+
+TEST(attribute_fields, are_carried_as_fields_are)
+{
+    const auto house = native(shapes::shaken(shapes::house())), open = native(shapes::shaken(shapes::open_house()));
+    const auto umbrella = native(shapes::shaken(shapes::umbrella(7)));
+    expect_carried(house, catmull_clark());
+    expect_carried(open, catmull_clark());
+    expect_carried(house, doo_sabin());
+    expect_carried(umbrella, butterfly());
+    expect_carried(umbrella, linear_triangles());
+    expect_carried(native(shapes::shaken(shapes::grid())), linear());
+}
+
+TEST(attribute_fields, whole_numbers_stay_in_their_range)
+{
+    const auto mesh = native(shapes::umbrella(7));
+    const auto control = attributes_for(mesh);
+    tool::attribute_fields fields(control, mesh);
+    (void)refine_with_fields(mesh, butterfly(), 2, std::tie(fields));
+    const auto found = fields.at_level(control);
+    std::size_t at_ends = 0;
+    for (const double x : found.vertices[4].values) {
+        EXPECT_TRUE(x >= 0 and x <= 255 and x == std::floor(x));
+        at_ends += x == 0 or x == 255;
+    }
+    EXPECT_GT(at_ends, mesh.vertex_count()); // where the masks go beyond
+}
+
+TEST(attribute_fields, go_into_the_mesh_that_4_8_starts_from)
+{
+    for (const auto& shape : {shapes::grid(), shapes::house()}) {
+        const auto mesh = native(shapes::shaken(shape));
+        const auto control = attributes_for(mesh);
+        tool::attribute_fields fields(control, mesh);
+        const auto made = tri_quad(mesh, std::tie(fields));
+        const auto found = fields.at_level(control);
+        ASSERT_EQ(found.vertices[0].values.size(), made.vertex_count());
+        for (std::size_t v = 0; v < made.vertex_count(); ++v)
+            for (std::size_t i = 0; i < 3; ++i)
+                ASSERT_EQ(found.vertices[i].values[v], made.point(v)[i]);
+        ASSERT_EQ(found.faces[1].values, std::vector<double>(made.face_count(), 1));
+        ASSERT_EQ(found.corners[0].values.size(), made.corner_count());
+        // A corner at an old vertex has what this vertex has in the face of this area.
+        for (std::size_t f = 0; f < made.face_count(); ++f) {
+            std::size_t parent = 0;
+            while (control.faces[0].values[parent] != found.faces[0].values[f])
+                ++parent;
+            const auto old = mesh.face(parent);
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t j = 0; j < old.size(); ++j)
+                    if (made.face(f)[i] == old[j]) {
+                        ASSERT_EQ(found.corners[0].values[3 * f + i],
+                                  control.corners[0].values[mesh.topology().first_corner(parent) + j]);
+                    }
+        }
+    }
+}
+
+TEST(attribute_fields, normals_are_taken_out)
+{
+    io::mesh_attributes attributes{{{"nx", f32, {}, {}}, {"u", f32, {}, {}}}, {}, {{"nz", f64, {}, {}}}, {}};
+    EXPECT_TRUE(tool::take_normals(attributes));
+    EXPECT_FALSE(tool::take_normals(attributes));
+    ASSERT_EQ(attributes.vertices.size(), 1);
+    EXPECT_EQ(attributes.vertices[0].name, "u");
+}
+
+} // namespace

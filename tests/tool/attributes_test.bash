@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What files say of their meshes besides places: through all formats, and refined.
+source "$(dirname "$0")/check.bash"
+meshes=$(dirname "$0")/../../../shared/meshes
+
+# A grid of shaken quads, each of which has a texture of its own: u and v are affine in x and y, differently in each group.
+grid() { # grid ROWS: an OBJ file
+    awk -v n="$1" 'BEGIN {
+        srand(7)
+        print "mtllib paint.mtl\no sheet"
+        for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) {
+            x[i, j] = j + rand() / 4; y[i, j] = i + rand() / 4
+            printf "v %.17g %.17g %.17g %.17g 0.5 0\n", x[i, j], y[i, j], rand(), (x[i, j] + y[i, j]) / (3 * n)
+        }
+        for (f = i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
+            printf "g cell_%d\nusemtl %s\ns %d\n", f, f % 3 ? "red" : "blue", i + 1
+            printf "f"
+            for (k = 0; k < 4; ++k) {
+                a = i + (k > 1); b = j + (k == 1 || k == 2)
+                face = sprintf("%s %d/%d", face, a * (n + 1) + b + 1, ++t)
+                lines = sprintf("%svt %.17g %.17g\n", lines, x[a, b] + 10 * f, 2 * y[a, b] - x[a, b] + f)
+            }
+            print face; face = ""; ++f
+        }
+        printf "%s", lines
+    }'
+}
+# textured FILE N FACES: each corner of the file has the texture of its group at its place, with N groups in FACES faces.
+textured() {
+    check "$1 should have the texture of each face" awk -v groups="$2" -v faces="$3" '
+        function off(a, b) { return a - b > 1e-12 * (1 + b * b) || b - a > 1e-12 * (1 + b * b) }
+        $1 == "v" { x[++v] = $2; y[v] = $3 }
+        $1 == "vt" { s[++t] = $2; r[t] = $3 }
+        $1 == "g" { group = substr($2, 6); seen[group] = 1 }
+        $1 == "usemtl" { material = $2 }
+        $1 == "f" {
+            ++n
+            wrong += material != (group % 3 ? "red" : "blue")
+            for (i = 2; i <= NF; ++i) {
+                split($i, c, "/")
+                wrong += off(s[c[2]], x[c[1]] + 10 * group) + off(r[c[2]], 2 * y[c[1]] - x[c[1]] + group)
+            }
+        }
+        END { for (g in seen) ++found; exit !(wrong == 0 && n == faces && found == groups) }' "$1"
+}
+grid 3 >grid.obj
+textured grid.obj 9 9
+for mesh in native cgal openmesh; do
+    for form in "0 9" "1 36" "3 576"; do
+        run refine grid.obj -s linear -n ${form% *} -o $mesh.obj --mesh $mesh
+        exits 0
+        says_nothing
+        textured $mesh.obj 9 ${form#* }
+        has $mesh.obj '^mtllib paint.mtl$'
+        has $mesh.obj '^o sheet$'
+    done
+done
+same native.obj cgal.obj
+same native.obj openmesh.obj
+run refine grid.obj -s linear-triangles -n 2 -o out.obj --triangulate
+exits 0
+textured out.obj 9 288
+run refine grid.obj -s 4-8 -n 0 -o out.obj
+exits 0
+textured out.obj 9 18
+(cat grid.obj; echo 't hole 2/0/0 0 4') >holes.obj
+run refine holes.obj -s catmull-clark -n 0 -o out.obj
+exits 0
+textured out.obj 7 7
+check "the colour is that of the vertex" awk '$1 == "v" { d = $5 - ($2 + $3) / 9; wrong += d * d > 1e-24 } END { exit wrong > 0 }' out.obj
+
+# A file that is read and written has the same lines from then on, and refining it twice by one level is refining it by two.
+corners() { # corners FILE: what each corner is, in digits that do not end where short numbers do
+    awk 'function near(x) { return sprintf("%.10f", x + 3.14159265e-11) }
+        $1 == "v" { p[++v] = near($2) " " near($3) " " near($4) " " near($5) " " near($6) }
+        $1 == "vt" { q[++t] = near($2) " " near($3) }
+        $1 ~ /^(g|o|s|usemtl)$/ { word[$1] = $2 }
+        $1 == "f" { for (i = 2; i <= NF; ++i) { split($i, c, "/"); print p[c[1]], q[c[2]], word["g"], word["s"], word["usemtl"] } }' "$1" | sort
+}
+twice() { # twice FILE SCHEME
+    run refine $1 -s $2 -n 0 -o copy.obj
+    exits 0
+    says_nothing
+    check "nothing is lost of $1" test "$(corners $1 | md5sum)" = "$(corners copy.obj | md5sum)"
+    run refine copy.obj -s $2 -n 0 -o copy2.obj
+    same copy.obj copy2.obj
+    run refine $1 -s $2 -n 1 -o once.obj
+    run refine once.obj -s $2 -n 1 -o by_steps.obj
+    exits 0
+    run refine $1 -s $2 -n 2 -o at_once.obj
+    check "by steps is at once" test "$(corners by_steps.obj | md5sum)" = "$(corners at_once.obj | md5sum)"
+    check "with as many seams" test "$(grep -c '^vt' by_steps.obj)" -eq "$(grep -c '^vt' at_once.obj)"
+}
+twice grid.obj catmull-clark
+if [ -f "$meshes/fish_control_mesh.obj" ]; then
+    cp "$meshes/fish_control_mesh.obj" fish.obj
+    twice fish.obj catmull-clark
+    check "the seam of the fish is whole" test "$(grep -c '^vt' copy.obj)" -eq "$(grep -c '^vt' fish.obj)"
+fi
+
+# PLY: all numbers of vertices and faces, in their types. Those that say where a vertex is stay there, by the masks.
+cube | awk 'NR == 2 {
+        print "ply\nformat ascii 1.0\nelement vertex 9\nproperty double px\nproperty uchar red\nproperty float y\nproperty float x"
+        print "property float z\nproperty double pz\nproperty uchar green\nproperty uchar blue\nproperty int id\nelement face 6"
+        print "property ushort patch\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord"
+        print "property list uchar int others\nproperty double area\nend_header"
+    }
+    NR > 2 && NR < 11 { print $1, $1 < 0 ? 0 : 255, $2, $1, $3, $3, 7, 9, 1000 }
+    NR == 11 { print 5, 1, 5, 5, 5, 5, 2, 3, -4 }
+    NR >= 11 { print NR, $0, 8, 0, 0, 1, 0, 1, 1, 0, 1, 0, NR / 4 }' >rich.ply
+for mesh in native cgal openmesh; do
+    run refine rich.ply -s catmull-clark -n 2 -o $mesh.ply --mesh $mesh
+    exits 0
+    says "^kith: note: rich.ply: not kept: the property 'others' of faces$"
+done
+same native.ply cgal.ply
+same native.ply openmesh.ply
+header='x y z px red pz green blue id '
+check "the same properties" test "$(awk '/^element face/ { exit } $1 == "property" { printf "%s ", $3 }' native.ply)" = "$header"
+for line in 'property double px' 'property uchar red' 'property int id' 'property ushort patch' 'property double area' \
+    'property list uchar float texcoord'; do
+    has native.ply "^$line\$"
+done
+check "values are where they should be" awk '
+    body && NF == 9 && ++v < 99 {
+        d = $5 - 127.5 - 127.5 * $1
+        wrong += $1 != $4 || $3 != $6 || d * d > 0.2501 || $5 != int($5) || $7 != 7 || $8 != 9 || $9 != 1000
+    }
+    body && v == 99 && NF == 9 { wrong += $0 != "5 5 5 5 1 5 2 3 -4" }
+    body && NF == 16 { ++f; ++faces[$15]; wrong += $15 != 4 * $16 }
+    $1 == "end_header" { body = 1 }
+    END { for (id in faces) wrong += faces[id] != 16; exit !(wrong == 0 && v == 99 && f == 96) }' native.ply
+run refine rich.ply -s catmull-clark -n 2 -o binary.ply --binary
+run refine binary.ply -s catmull-clark -n 0 -o out.ply
+same out.ply native.ply
+run refine rich.ply -s catmull-clark -n 0 -o out.ply --drop-isolated
+check "the isolated vertex is gone" test "$(grep -c '^5 5 5' out.ply)" -eq 0
+has out.ply '^element vertex 8$'
+run refine rich.ply -s catmull-clark -n 1 -o out.obj
+exits 0
+says "not kept: the property 'others' of faces, the property 'px' of vertices, the property 'pz' of vertices, the property 'id' of vertices, the property 'patch' of faces, the property 'area' of faces$"
+has out.obj '^v -0.5555555555555556 -0.5555555555555556 -0.5555555555555556 0.2235294117647[0-9]* 0.027[0-9]* 0.035[0-9]*$'
+run refine rich.ply -s catmull-clark -n 1 -o out.off
+has out.off '^COFF$'
+has out.off '^-0.5555555555555556 -0.5555555555555556 -0.5555555555555556  57 7 9 255$'
+
+# OFF: normals are those of the file only where the mesh is, or those of the limit.
+printf 'CNOFF\n4 1 0\n0 0 0 0 0 1 255 0 0 255\n1 0 0 0 0 1 0 0 0 255\n1 1 0 0 0 1 0 0 0 255\n0 1 0 0 0 1 0 0 0 5\n4 0 1 2 3 .5 1 0\n' >quad.off
+run refine quad.off -s linear -n 0 -o out.off
+exits 0
+says_nothing
+has out.off '^0 1 0 0 0 1  0 0 0 5$'
+has out.off '^4  0 1 2 3  0.5 1.0 0.0 1.0$'
+run refine quad.off -s linear -n 1 -o out.off
+says '^kith: note: quad.off: not kept: normals$'
+has out.off '^COFF$'
+has out.off '^0.5 0.5 0  64 0 0 193$'
+check "all faces have the color" test "$(grep -c '  0.5 1.0 0.0 1.0$' out.off)" -eq 4
+run refine quad.off -s catmull-clark -n 1 -o out.off --limit
+says_nothing
+has out.off '^CNOFF$'
+check "the normals are those of the limit" test "$(grep -c '^[^4].*  0 0 1  [0-9]* 0 0 [0-9]*$' out.off)" -eq 9
+run refine quad.off -s linear-triangles -n 1 -o out.stl --triangulate
+exits 0
+says 'not kept: normals, colours, colours of faces$'
+finish

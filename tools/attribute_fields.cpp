@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "attribute_fields.hpp"
+
+#include <kith/base/storage.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace kith::tool {
+
+namespace {
+
+/// How many attributes are carried together.
+constexpr std::size_t together = 4;
+
+/// A field for the attributes from number `first` on.
+template <class Field>
+Field field_of(const std::vector<io::attribute>& attributes, std::size_t first, std::size_t elements)
+{
+    storage<typename Field::value_type> values(elements);
+    std::fill(values.begin(), values.end(), typename Field::value_type{});
+    for (std::size_t i = first; i < std::min(first + together, attributes.size()); ++i)
+        for (std::size_t element = 0; element < elements; ++element)
+            values[element][i - first] = attributes[i].values[element];
+    return Field(values);
+}
+
+template <class Field>
+void append_fields(std::vector<Field>& fields, const std::vector<io::attribute>& attributes, std::size_t elements)
+{
+    for (std::size_t first = 0; first < attributes.size(); first += together)
+        fields.push_back(field_of<Field>(attributes, first, elements));
+}
+
+template <class Field>
+void take_values(const std::vector<Field>& fields, std::vector<io::attribute>& attributes)
+{
+    for (std::size_t i = 0; i < attributes.size(); ++i) {
+        const Field& field = fields[i / together];
+        auto& values = attributes[i].values;
+        values.resize(field.size());
+        for (std::size_t element = 0; element < values.size(); ++element)
+            values[element] = io::as_stored(attributes[i].type, field[element][i % together]);
+    }
+}
+
+/// The same attributes without their values.
+std::vector<io::attribute> kinds_of(const std::vector<io::attribute>& attributes)
+{
+    std::vector<io::attribute> result;
+    for (const auto& a : attributes)
+        result.push_back({a.name, a.type, {}, a.labels});
+    return result;
+}
+
+bool is_normal(const io::attribute& a)
+{
+    return io::topic_of(a.name, "") == "normals";
+}
+
+} // namespace
+
+attribute_fields::attribute_fields(const io::mesh_attributes& attributes, const basic_mesh<>& mesh)
+{
+    append_fields(vertices_, attributes.vertices, mesh.vertex_count());
+    append_fields(corners_, attributes.corners, mesh.corner_count());
+    if (attributes.faces.empty())
+        return;
+    storage<std::uint32_t> parents(mesh.face_count());
+    for (std::size_t f = 0; f < parents.size(); ++f)
+        parents[f] = std::uint32_t(f + 1);
+    parents_ = field<field_on::faces, std::uint32_t, from_parent<>>(parents);
+}
+
+io::mesh_attributes attribute_fields::at_level(const io::mesh_attributes& control) const
+{
+    io::mesh_attributes result{
+        kinds_of(control.vertices), kinds_of(control.faces), kinds_of(control.corners), control.material_files};
+    take_values(vertices_, result.vertices);
+    take_values(corners_, result.corners);
+    for (std::size_t i = 0; i < result.faces.size(); ++i) {
+        const double without = control.faces[i].labels.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
+        for (const std::uint32_t parent : parents_.values())
+            result.faces[i].values.push_back(parent == 0 ? without : control.faces[i].values[parent - 1]);
+    }
+    return result;
+}
+
+attribute_counts count_of(const io::mesh_attributes& attributes)
+{
+    return {attributes.vertices.size(), attributes.faces.size(), attributes.corners.size()};
+}
+
+double bytes_of(const attribute_counts& attributes, const counts& level)
+{
+    const auto bytes = [](std::size_t numbers, std::uint64_t elements) {
+        const std::size_t carried = (numbers + together - 1) / together * together;
+        return 8 * (2 * double(carried) + double(numbers)) * double(elements);
+    };
+    return bytes(attributes.vertices, level.vertices) + bytes(attributes.corners, level.corners()) +
+           (attributes.faces == 0 ? 0 : 8 * double(attributes.faces + 1) * double(level.faces));
+}
+
+bool take_normals(io::mesh_attributes& attributes)
+{
+    return std::erase_if(attributes.vertices, is_normal) + std::erase_if(attributes.corners, is_normal) != 0;
+}
+
+} // namespace kith::tool
