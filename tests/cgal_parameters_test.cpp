@@ -211,7 +211,7 @@ TEST(cgal_parameters, creases_on_a_polyhedron)
 
 TEST(cgal_parameters, descriptors_of_a_polyhedron_stay)
 {
-    polyhedron p = make_graph<polyhedron>(shapes::open_house());
+    auto p = same_graph<polyhedron>(house());
     std::vector<polyhedron::Vertex_handle> before;
     for (const auto v : vertices(p))
         before.push_back(v);
