@@ -93,19 +93,25 @@ public:
     {
         if constexpr (Degree != 0)
             return {detail::next_of_alike(c.value, Index(Degree))};
-        else if (degree_ != 0) // without a branch for quads, which have a level of their own
-            return {(c.value + 1) % degree_ == 0 ? Index(c.value + 1 - degree_) : Index(c.value + 1)};
-        else
-            return {detail::next_of_mixed(c.value, corners_, corner_face_, face_corner_)};
+        else { // connectivity's, over these arrays: called, it is a twentieth slower
+            const Index after = c.value + 1;
+            if (degree_ != 0)
+                return {after % degree_ == 0 ? Index(after - degree_) : after};
+            return after < corners_ and are_in_one_face(c.value, after) ? corner_handle{after} : first(face_of(c));
+        }
     }
     [[nodiscard]] corner_handle prev(corner_handle c) const
     {
         if constexpr (Degree != 0)
             return {detail::prev_of_alike(c.value, Index(Degree))};
-        else if (degree_ != 0)
-            return {c.value % degree_ == 0 ? Index(c.value - 1 + degree_) : Index(c.value - 1)};
-        else
-            return {detail::prev_of_mixed(c.value, corner_face_, face_corner_)};
+        else {
+            const Index before = c.value - 1;
+            if (degree_ != 0)
+                return {c.value % degree_ == 0 ? Index(before + degree_) : before};
+            return {c.value != 0 and are_in_one_face(before, c.value)
+                        ? before
+                        : Index(face_corner_[corner_face_[c.value] + 1] - 1)};
+        }
     }
     /// The corner whose half-edge runs the other way along the same edge; no_corner at the boundary.
     [[nodiscard]] corner_handle across(corner_handle c) const
@@ -145,6 +151,9 @@ public:
     }
 
 private:
+    /// For faces of several degrees: their bounds would be one more read that misses the cache.
+    [[nodiscard]] bool are_in_one_face(Index a, Index b) const { return corner_face_[a] == corner_face_[b]; }
+
     const Point* points_;
     const Index* corner_vertex_;
     const Index* corner_halfedge_;

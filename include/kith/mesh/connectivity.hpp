@@ -38,21 +38,6 @@ Index prev_of_alike(Index c, Index degree)
     return is_rare(c % degree == 0) ? c + (degree - 1) : c - 1;
 }
 
-/// The same where faces have several degrees. That two corners are of one face is seen at the corners: the bounds of the face
-/// would be one more read that misses the cache.
-template <std::unsigned_integral Index>
-Index next_of_mixed(Index c, Index corners, const Index* corner_face, const Index* face_corner)
-{
-    const Index after = c + 1;
-    return after < corners and corner_face[c] == corner_face[after] ? after : face_corner[corner_face[c]];
-}
-template <std::unsigned_integral Index>
-Index prev_of_mixed(Index c, const Index* corner_face, const Index* face_corner)
-{
-    const Index before = c - 1;
-    return c != 0 and corner_face[before] == corner_face[c] ? before : Index(face_corner[corner_face[c] + 1] - 1);
-}
-
 } // namespace detail
 
 /// The connectivity of a mesh as flat arrays of indices, corner by corner.
@@ -87,15 +72,24 @@ struct connectivity {
     {
         return degree != 0 ? Index(corner / Index(degree)) : corner_face[corner];
     }
+    // Where faces have several degrees it is seen at the corners whether two are of one face: its bounds would be one more
+    // read that misses the cache.
     [[nodiscard]] Index next(Index corner) const
     {
-        return degree != 0 ? detail::next_of_alike(corner, Index(degree))
-                           : detail::next_of_mixed(corner, Index(corners()), corner_face.data(), face_corner.data());
+        if (degree != 0)
+            return detail::next_of_alike(corner, Index(degree));
+        const Index after = corner + 1;
+        return after < corners() and corner_face[corner] == corner_face[after] ? after
+                                                                               : face_corner[corner_face[corner]];
     }
     [[nodiscard]] Index prev(Index corner) const
     {
-        return degree != 0 ? detail::prev_of_alike(corner, Index(degree))
-                           : detail::prev_of_mixed(corner, corner_face.data(), face_corner.data());
+        if (degree != 0)
+            return detail::prev_of_alike(corner, Index(degree));
+        const Index before = corner - 1;
+        return corner != 0 and corner_face[before] == corner_face[corner]
+                   ? before
+                   : Index(face_corner[corner_face[corner] + 1] - 1);
     }
     /// The corner of the same edge in the other face; none at the boundary.
     [[nodiscard]] Index across(Index corner) const { return halfedge_corner[corner_halfedge[corner] ^ 1]; }
