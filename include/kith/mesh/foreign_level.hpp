@@ -39,7 +39,8 @@ concept fillable_mesh = mesh<M> and std::default_initializable<M> and
                         };
 
 /// A level_sink that is a mesh of another library: its elements are numbered as they would be in a native mesh,
-/// and half-edge 2e+s is side s of edge e.
+/// and half-edge 2e+s is side s of edge e. What writes into it stays out of the loops, which have all else inlined: as fast, and
+/// without the assertions of the other library in every loop.
 template <fillable_mesh M>
 class foreign_level {
     using traits = mesh_traits<M>;
@@ -69,7 +70,7 @@ public:
 
     /// Makes a face of its lines. Safe for different faces on several threads. Errors: those of `set_start`.
     template <face_lines Lines>
-    void set_face(index id, const Lines& lines)
+    [[gnu::noinline]] void set_face(index id, const Lines& lines)
     {
         const auto here = at<face>(id);
         face_line<index> first{}, before{};
@@ -87,7 +88,10 @@ public:
         traits::set_start(*mesh_, here, at<halfedge>(first.halfedge), count);
     }
     /// Lets the fan of a vertex start at a half-edge that leaves it; at the boundary `finish` turns it.
-    void set_start(index id, index leaving) { traits::set_start(*mesh_, at<vertex>(id), at<halfedge>(leaving)); }
+    [[gnu::noinline]] void set_start(index id, index leaving)
+    {
+        traits::set_start(*mesh_, at<vertex>(id), at<halfedge>(leaving));
+    }
 
     /// When all faces are there: joins the sides that have none.
     void finish(int generation)

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace kith {
@@ -33,6 +34,15 @@ concept scheme = requires(const S& s) {
 template <class S>
 concept countable_scheme = scheme<S> and
                            countable_columns<decltype(columns_of(std::declval<const S&>(), 0)), needs_closed<S>>;
+
+/// A scheme that has more state beside one that makes its steps, plain(): such as with_fields. A step is made by that one, which is
+/// compiled once, whatever lies beside it.
+template <class S>
+concept scheme_beside_state = scheme<S> and requires(const S& s) {
+    requires scheme<std::remove_cvref_t<decltype(s.plain())>>;
+    requires std::derived_from<S, std::remove_cvref_t<decltype(s.plain())>>;
+    requires not std::same_as<S, std::remove_cvref_t<decltype(s.plain())>>;
+};
 
 /// The counts of the next level. Cost: O(1).
 template <countable_scheme S>

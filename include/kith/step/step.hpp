@@ -59,8 +59,11 @@ template <connect Connect, scheme Scheme, class Point, std::unsigned_integral In
 basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                      numbering_of<Scheme, Index>& ids)
 {
-    return with_native_level<Scheme>(
-        mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
+    if constexpr (scheme_beside_state<Scheme>)
+        return refine_mesh<Connect>(mesh, scheme.plain(), ids);
+    else
+        return with_native_level<Scheme>(
+            mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
 }
 
 /// One step to a mesh of the type of `source`, from which it was refined: written straight into it where it is fillable and
@@ -69,7 +72,9 @@ template <mesh M, level Level, scheme Scheme>
 M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, int generation,
                     numbering_of<Scheme, typename Level::index_type>& ids)
 {
-    if constexpr (fillable_mesh<M> and is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
+    if constexpr (scheme_beside_state<Scheme>) {
+        return refine_level_like(source, coarse, scheme.plain(), generation, ids);
+    } else if constexpr (fillable_mesh<M> and is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
         ids = {coarse, columns_of(scheme, generation)};
         M result; // not moved from here on: meshes of OpenMesh copy instead
         foreign_level<M> fine(
