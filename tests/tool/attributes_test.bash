@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What files say of their meshes besides places: through all formats, and refined.
+meshes=$(cd "$(dirname "$0")/../../.." && pwd)/shared/meshes # which are not ours; without them their part is left out
 source "$(dirname "$0")/check.bash"
-meshes=$(dirname "$0")/../../../shared/meshes
 
 # A grid of shaken quads, each of which has a texture of its own: u and v are affine in x and y, differently in each group.
 grid() { # grid ROWS: an OBJ file
@@ -13,16 +13,15 @@ grid() { # grid ROWS: an OBJ file
             printf "v %.17g %.17g %.17g %.17g 0.5 0\n", x[i, j], y[i, j], rand(), (x[i, j] + y[i, j]) / (3 * n)
         }
         for (f = i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
-            printf "g cell_%d\nusemtl %s\ns %d\n", f, f % 3 ? "red" : "blue", i + 1
-            printf "f"
+            face = sprintf("%sg cell_%d\nusemtl %s\ns %d\nf", face, f, f % 3 ? "red" : "blue", i + 1)
             for (k = 0; k < 4; ++k) {
                 a = i + (k > 1); b = j + (k == 1 || k == 2)
                 face = sprintf("%s %d/%d", face, a * (n + 1) + b + 1, ++t)
                 lines = sprintf("%svt %.17g %.17g\n", lines, x[a, b] + 10 * f, 2 * y[a, b] - x[a, b] + f)
             }
-            print face; face = ""; ++f
+            face = face "\n"; ++f
         }
-        printf "%s", lines
+        printf "%s%s", lines, face
     }'
 }
 # textured FILE N FACES: each corner of the file has the texture of its group at its place, with N groups in FACES faces.
@@ -44,7 +43,6 @@ textured() {
         END { for (g in seen) ++found; exit !(wrong == 0 && n == faces && found == groups) }' "$1"
 }
 grid 3 >grid.obj
-textured grid.obj 9 9
 for mesh in native cgal openmesh; do
     for form in "0 9" "1 36" "3 576"; do
         run refine grid.obj -s linear -n ${form% *} -o $mesh.obj --mesh $mesh
@@ -55,6 +53,7 @@ for mesh in native cgal openmesh; do
         has $mesh.obj '^o sheet$'
     done
 done
+textured grid.obj 9 9
 same native.obj cgal.obj
 same native.obj openmesh.obj
 run refine grid.obj -s linear-triangles -n 2 -o out.obj --triangulate
@@ -159,7 +158,7 @@ check "all faces have the color" test "$(grep -c '  0.5 1.0 0.0 1.0$' out.off)" 
 run refine quad.off -s catmull-clark -n 1 -o out.off --limit
 says_nothing
 has out.off '^CNOFF$'
-check "the normals are those of the limit" test "$(grep -c '^[^4].*  0 0 1  [0-9]* 0 0 [0-9]*$' out.off)" -eq 9
+check "the normals are those of the limit" test "$(grep -cE '^[^4].*  -?0 -?0 1  [0-9]* 0 0 [0-9]*$' out.off)" -eq 9
 run refine quad.off -s linear-triangles -n 1 -o out.stl --triangulate
 exits 0
 says 'not kept: normals, colours, colours of faces$'
