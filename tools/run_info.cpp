@@ -179,7 +179,7 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
         std::cout << "  " << problem << '\n';
 }
 
-void print_json(const std::string& path, const mesh_facts& facts, const polygon_soup& soup, const verdict& found)
+void print_json(const std::string& path, const mesh_facts& facts, const verdict& found)
 {
     json_object result;
     result.add("file", path)
@@ -221,7 +221,7 @@ int run_info(const verb& verb, const std::vector<std::string>& arguments)
     const mesh_facts facts = facts_of(soup, report);
     const verdict found = verdict_on(soup, report);
     if (values->count("json") != 0)
-        print_json(path, facts, soup, found);
+        print_json(path, facts, found);
     else
         print_text(path, facts, soup, found);
     return found.problems.empty() ? 0 : 1;

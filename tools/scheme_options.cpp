@@ -17,7 +17,11 @@ void add_scheme_options(boost::program_options::options_description& options)
                             "weights",
                             "WORD",
                             "loop: " + all_words<loop_weights>() + "; doo-sabin: " + all_words<doo_sabin_weights>());
-    add_option<std::string>(options, "boundary", "WORD", "doo-sabin: " + all_words<doo_sabin_boundary>());
+    add_option<std::string>(options,
+                            "boundary",
+                            "WORD",
+                            "doo-sabin: " + all_words<doo_sabin_boundary>() +
+                                "; catmull-clark: " + all_words<boundary_curve>());
     add_option<double>(
         options, "crease-angle", "DEGREES", "catmull-clark, loop: edges at which the faces turn by more stay sharp");
     add_option<double>(options, "crease-sharpness", "S", "for so many levels, else for ever");

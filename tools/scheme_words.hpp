@@ -34,6 +34,10 @@ constexpr auto words_for(boundary_corner)
 {
     return choice_words<boundary_corner, 2>{{{"kept", boundary_corner::kept}, {"smoothed", boundary_corner::smoothed}}};
 }
+constexpr auto words_for(boundary_curve)
+{
+    return choice_words<boundary_curve, 2>{{{"cubic", boundary_curve::cubic}, {"thirds", boundary_curve::thirds}}};
+}
 constexpr auto words_for(loop_weights)
 {
     return choice_words<loop_weights, 2>{{{"loop", loop_weights::loop}, {"warren", loop_weights::warren}}};

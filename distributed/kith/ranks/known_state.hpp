@@ -20,7 +20,7 @@ struct whole_elements {
     std::vector<std::uint64_t> degrees; ///< of the faces
 };
 /// Where the corners of a face of a tile are.
-template <tile_like Tile, face_element Face>
+template <tile_like Tile, std::unsigned_integral Face>
 auto corners_of(const Tile& part, Face f)
 {
     using index = typename Tile::index_type;
