@@ -44,17 +44,13 @@ void join_elements(M& mesh, const connectivity<std::uint32_t>& t, const HandleOf
     // Along the boundary the sides without a face run the other way.
     std::vector<index> outer; // those sides
     std::vector<index> leaving(t.vertices);
-    const auto ends = [&](index side) { // of the edge: where its inner side begins and where it leads
-        const index c = t.halfedge_corner[side ^ 1];
-        return std::array{t.corner_vertex[c], t.corner_vertex[detail::next_corner(t, c)]};
-    };
     for (std::size_t e = 0; e < t.edges(); ++e)
         if (const auto side = index(2 * e + 1); t.halfedge_corner[side] == t.none) {
             outer.push_back(side);
-            leaving[ends(side)[1]] = side;
+            leaving[t.ends(e)[1]] = side;
         }
     for (const index side : outer) {
-        const index to = ends(side)[0];
+        const index to = t.ends(side / 2)[0]; // its edge is directed by the inner side
         traits::set_boundary_side(mesh, halfedge(side), handle_of(to), halfedge(leaving[to]));
     }
 }

@@ -46,8 +46,8 @@ public:
     /// The vertices of a face, counter-clockwise.
     [[nodiscard]] std::span<const Index> face(std::size_t face) const
     {
-        const Index first = topology_.first_corner(face);
-        return {topology_.corner_vertex.data() + first, topology_.first_corner(face + 1) - first};
+        const std::size_t first = topology_.first_corner(face), end = topology_.first_corner(face + 1);
+        return {topology_.corner_vertex.data() + first, end - first};
     }
 
     [[nodiscard]] const connectivity<Index>& topology() const { return topology_; }
