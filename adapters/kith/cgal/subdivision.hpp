@@ -61,15 +61,9 @@ void for_each_map(const Np& np, const F& f)
 template <class Constrained, class Sharpness, class Np, class Element>
 double sharpness_in(const Np& np, const Element& x, std::size_t number, const char* kind)
 {
-    struct element {
-        const Element& descriptor;
-        std::size_t number;
-        [[nodiscard]] const Element& handle() const { return descriptor; }
-        [[nodiscard]] std::size_t index() const { return number; }
-    };
     double result = 0;
     for_each_map<Constrained, Sharpness>(np, [&](const auto& map) {
-        result = std::max(result, kith::detail::sharpness_from(map, element{x, number}, kind));
+        result = std::max(result, kith::detail::sharpness_from(map, x, number, kind));
     });
     return result;
 }

@@ -18,23 +18,23 @@ namespace kith {
 
 namespace detail {
 
-/// What a function, a property map (`get(map, handle)`) or an array by handles says of an element.
-template <class Source, element Element>
-double sharpness_from(const Source& source, const Element& x, const char* kind)
+/// What a function, a property map (`get(map, handle)`) or an array by handles says of an element, which has this number.
+template <class Source, class Handle>
+double sharpness_from(const Source& source, const Handle& x, std::size_t number, const char* kind)
 {
     const auto given = [&]() -> decltype(auto) {
-        if constexpr (std::invocable<const Source&, decltype(x.handle())>)
-            return source(x.handle());
-        else if constexpr (requires { get(source, x.handle()); })
-            return get(source, x.handle());
+        if constexpr (std::invocable<const Source&, const Handle&>)
+            return source(x);
+        else if constexpr (requires { get(source, x); })
+            return get(source, x);
         else
-            return source[x.handle()];
+            return source[x];
     };
     using value = std::remove_cvref_t<decltype(given())>;
     if constexpr (std::is_arithmetic_v<value> and not std::same_as<value, bool>) {
         const double sharpness = double(given());
         if (not(sharpness >= 0))
-            throw mesh_error(std::string(kind) + " " + std::to_string(x.index()) + ": its sharpness is " +
+            throw mesh_error(std::string(kind) + " " + std::to_string(number) + ": its sharpness is " +
                              std::to_string(sharpness) + "; give 0 or more, infinitely_sharp for ever");
         return sharpness;
     } else {
@@ -57,9 +57,9 @@ creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const V
     const level_of<M> level(mesh);
     creases result(method);
     for (const auto e : level.edges())
-        result.sharpen_edge(e.index(), detail::sharpness_from(edge_sharpness, e, "edge"));
+        result.sharpen_edge(e.index(), detail::sharpness_from(edge_sharpness, e.handle(), e.index(), "edge"));
     for (const auto v : level.vertices())
-        result.sharpen_vertex(v.index(), detail::sharpness_from(vertex_sharpness, v, "vertex"));
+        result.sharpen_vertex(v.index(), detail::sharpness_from(vertex_sharpness, v.handle(), v.index(), "vertex"));
     return result;
 }
 template <mesh M, class EdgeSharpness>
