@@ -123,10 +123,7 @@ struct kith::mesh_traits<archetypes::mesh> {
         return is_boundary(m, h) ? source(m, next(m, opposite(m, h))) : vertex{topology(m).corner_vertex[corner(m, h)]};
     }
     static edge edge_of(const mesh&, halfedge h) { return {h.number / 2}; }
-    static face face_of(const mesh& m, halfedge h)
-    {
-        return {topology(m).face_of(std::uint32_t(corner(m, h)))};
-    }
+    static face face_of(const mesh& m, halfedge h) { return {topology(m).face_of(std::uint32_t(corner(m, h)))}; }
     static halfedge halfedge_of(const mesh& m, vertex v) { return of_corner(m, topology(m).vertex_corner[v.number]); }
     static halfedge halfedge_of(const mesh&, edge e) { return {2 * e.number}; }
     static halfedge halfedge_of(const mesh& m, face f) { return of_corner(m, topology(m).first_corner(f.number)); }

@@ -62,9 +62,8 @@ template <class Constrained, class Sharpness, class Np, class Element>
 double sharpness_in(const Np& np, const Element& x, std::size_t number, const char* kind)
 {
     double result = 0;
-    for_each_map<Constrained, Sharpness>(np, [&](const auto& map) {
-        result = std::max(result, kith::detail::sharpness_from(map, x, number, kind));
-    });
+    for_each_map<Constrained, Sharpness>(
+        np, [&](const auto& map) { result = std::max(result, kith::detail::sharpness_from(map, x, number, kind)); });
     return result;
 }
 

@@ -53,7 +53,8 @@ void add_place(word_hash& hash, const Point& point)
 }
 
 template <class Point, std::unsigned_integral Index, std::invocable<Index> VertexId>
-mesh_checksum checksum_of_face(const basic_mesh<Point, Index>& mesh, std::size_t face, global_id face_id, const VertexId& vertex_id)
+mesh_checksum checksum_of_face(const basic_mesh<Point, Index>& mesh, std::size_t face, global_id face_id,
+                               const VertexId& vertex_id)
 {
     word_hash hash(face_id);
     for (const auto v : mesh.face(face)) {
