@@ -60,7 +60,7 @@ shapes::shape trapezohedron(std::size_t n)
 }
 
 using level_type = kith::level_of<mesh3d>;
-using corner_type = level_type::corner_type;
+using corner_type = kith::corner<level_type>;
 
 /// The vertices up to some rings around corners of one level, each with the one that lies in the same place around the
 /// same corners of the next.
