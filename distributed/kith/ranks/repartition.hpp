@@ -74,7 +74,9 @@ template <class Point, std::unsigned_integral Index>
 std::vector<numbered_tile<tile<Point, Index>>>
 repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> tiles, std::span<const int> rank_of)
 {
-    struct no_scheme {};
+    struct no_scheme { // tiles move without one
+        static constexpr auto columns() { return kith::columns(new_vertices(), new_faces()); }
+    };
     std::vector<std::vector<std::byte>> to(std::size_t(comm.size()));
     in_agreement(comm, [&] {
         for (const auto& moving : tiles) {
