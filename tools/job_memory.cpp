@@ -50,6 +50,10 @@ double bytes_on_mesh(const planned_level& level, mesh_kind mesh)
 /// normals in order.
 constexpr double bytes_of_limit = 24 + 1 + 32 + 24;
 
+/// What a job on a mesh that is not kith's takes whatever its size: pages of the program's code that it alone runs, and blocks
+/// that the other library's allocator begins.
+constexpr double bytes_of_other_library = 2 << 20;
+
 /// The corners, half-edges and starts of fans that are listed where a scheme walks on a mesh that is not kith's.
 double bytes_of_view(const planned_level& level, mesh_kind mesh)
 {
@@ -59,7 +63,7 @@ double bytes_of_view(const planned_level& level, mesh_kind mesh)
 /// Refining level by level, where each is kept and the last is made a native mesh in the end.
 double bytes_of_hierarchy(const std::vector<planned_level>& levels, const job_kind& kind)
 {
-    double kept = 0;
+    double kept = kind.mesh == mesh_kind::native ? 0 : bytes_of_other_library;
     for (const planned_level& level : levels)
         kept += bytes_on_mesh(level, kind.mesh) + bytes_of_view(level, kind.mesh);
     const planned_level& last = levels.back();

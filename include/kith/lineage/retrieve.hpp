@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/association/association.hpp>
+#include <kith/association/numbering.hpp>
 #include <kith/association/tuples.hpp>
 #include <kith/base/error.hpp>
 #include <kith/mesh/mesh_traits.hpp>
