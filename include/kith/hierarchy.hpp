@@ -4,21 +4,18 @@
 #include "refine.hpp"
 
 #include <kith/field/field.hpp>
+#include <kith/lineage/moved_points.hpp>
 #include <kith/lineage/parent_of.hpp>
 #include <kith/lineage/relatives.hpp>
 #include <kith/lineage/retrieve.hpp>
 #include <kith/mask/stencil.hpp>
 
-#include <concepts>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -122,8 +119,12 @@ public:
     {
         require_finer(level, coarser);
         numbered_element here = numbered(at(level, x));
-        for (; level > coarser; --level)
-            here = parent(level, here);
+        for (; level > coarser; --level) {
+            const auto found = parent_of(elements(level - 1), at(level - 1).ids, elements(level), here);
+            if (not found)
+                no_tuple(level);
+            here = *found;
+        }
         return {elements(coarser), here};
     }
 
@@ -146,16 +147,13 @@ public:
     void move_points(int level, std::span<const typename traits::point> points)
         requires movable_mesh<M>
     {
-        const auto is_finite = [](const auto& p) { return detail::point_is_finite(p); };
-        if (const auto bad = std::ranges::find_if_not(points, is_finite); bad != points.end())
-            throw mesh_error("level " + std::to_string(level) + ": the new point of vertex " +
-                             std::to_string(bad - points.begin()) +
-                             " is not finite; give all vertices finite coordinates");
+        require_finite(level, points);
         auto moved = carry(level, level, points);
-        set_points(level, moved);
-        for (; level < depth(); ++level) {
+        for (;; ++level) {
+            set_points(levels_[std::size_t(level)]->mesh, elements(level), moved);
+            if (level == depth())
+                return;
             moved = carry(level, level + 1, std::span<const typename traits::point>(moved.data(), moved.size()));
-            set_points(level + 1, moved);
         }
     }
 
@@ -200,9 +198,8 @@ public:
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
         require_order(from, to);
-        const std::size_t columns = elements(from).vertex_count();
-        const auto unit = unit_rows(columns);
-        return make_matrix(carry(from, to, std::span<const stencil_row>(unit)), columns);
+        const auto unit = unit_rows(elements(from).vertex_count());
+        return make_matrix(carry(from, to, std::span<const stencil_row>(unit)), unit.size());
     }
 
 private:
@@ -266,15 +263,6 @@ private:
                              std::to_string(coarser) + " as the coarser one; give them the other way round");
     }
 
-    void set_points(int level, const storage<typename traits::point>& points)
-    {
-        const level_type& here = elements(level);
-        M& mesh = levels_[std::size_t(level)]->mesh;
-        auto* const all = traits::points(mesh);
-        for (std::size_t v = 0; v < points.size(); ++v)
-            all[traits::index(mesh, here.vertex_at(v))] = points[v];
-    }
-
     template <tuple_kind Kind, target Target>
     [[nodiscard]] auto child(int level, tuple_index<Kind> tuple, Target to) const
     {
@@ -287,13 +275,6 @@ private:
         return *found;
     }
 
-    [[nodiscard]] numbered_element parent(int level, const numbered_element& x) const
-    {
-        const auto found = parent_of(elements(level - 1), at(level - 1).ids, elements(level), x);
-        if (not found)
-            no_tuple(level);
-        return *found;
-    }
     template <element Element>
     [[nodiscard]] birth<M> birth_of(int level, const Element& x) const
     {
