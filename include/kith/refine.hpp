@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan.hpp"
+#include "refine_in_patches.hpp"
 #include "refine_in_surface_order.hpp"
 
 #include <kith/level/validate.hpp>
@@ -116,6 +117,12 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
     const std::uint64_t bytes_left = detail::require_refinable(control, scheme, levels, options);
     if (levels == 0)
         return control;
+#ifdef KITH_HAS_LANES
+    if constexpr (patchable_scheme<Scheme, Point, Index>)
+        if (options.last_level == connect::faces)
+            if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
+                return patches.refine(std::move(control));
+#endif
     if constexpr (orderable_scheme<Scheme, Index>)
         if (options.last_level == connect::faces and is_worth_ordering(control.topology(), scheme, levels) and
             detail::bytes_of_numbers<Index>(count(control.topology()), scheme, levels, control.generation()) <=

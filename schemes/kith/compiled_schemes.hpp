@@ -15,8 +15,10 @@
 #include "tri_quad.hpp"
 #include "unified.hpp"
 
+#include <kith/refine_in_patches.hpp>
 #include <kith/refine_in_surface_order.hpp>
 
+#include <array>
 #include <cstdint>
 
 /// All schemes, and their steps on native meshes of doubles compiled once: where this is included they are left to the
@@ -64,6 +66,18 @@ KITH_ORDERED_LEVELS(loop)
 KITH_ORDERED_LEVELS(sqrt3)
 
 #undef KITH_ORDERED_LEVELS
+
+#ifdef KITH_HAS_LANES
+#define KITH_PATCHES(Scheme) KITH_STEP class patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
+
+KITH_PATCHES(butterfly)
+KITH_PATCHES(catmull_clark)
+KITH_PATCHES(kobbelt)
+KITH_PATCHES(loop)
+KITH_PATCHES(sqrt3)
+
+#undef KITH_PATCHES
+#endif
 #undef KITH_STEP
 
 } // namespace kith

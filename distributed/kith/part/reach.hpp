@@ -9,19 +9,6 @@
 
 namespace kith {
 
-/// A scheme that says in its traits() how far its masks reach: `reach`, a function of k, is the number of rings of faces
-/// (that share a vertex) needed around the owned faces of a level, so that on the next level k rings around their children
-/// are right: points, faces and fans within. The proofs are in docs/distributed.md.
-template <class S>
-concept reaching_scheme = scheme<S> and detail::says_reach<S, traits_type<S>>;
-
-/// The rings of faces needed around the owned faces of a level for `rings` rings on the next.
-template <reaching_scheme S>
-constexpr int reach_of(const S& scheme, int rings)
-{
-    return detail::ask(traits_of<S>.reach, scheme, rings);
-}
-
 /// The rings of shadow faces that a tile needs on level 0, 1, ..., `levels`, if it is to have `last` rings at the end.
 /// One coarse ring becomes several refined ones, so that the numbers stay bounded whatever the number of levels.
 /// Errors: mesh_error for negative numbers and for more than 1000 levels.

@@ -44,6 +44,19 @@ concept scheme_beside_state = scheme<S> and requires(const S& s) {
     requires not std::same_as<S, std::remove_cvref_t<decltype(s.plain())>>;
 };
 
+/// A scheme that says in its traits() how far its masks reach: `reach`, a function of k, is the number of rings of faces
+/// (that share a vertex) needed around some faces of a level, so that on the next level k rings around their children
+/// are right: points, faces and fans within. The proofs are in docs/distributed.md.
+template <class S>
+concept reaching_scheme = scheme<S> and detail::says_reach<S, traits_type<S>>;
+
+/// The rings of faces needed around some faces of a level for `rings` rings on the next.
+template <reaching_scheme S>
+constexpr int reach_of(const S& scheme, int rings)
+{
+    return detail::ask(traits_of<S>.reach, scheme, rings);
+}
+
 /// The counts of the next level. Cost: O(1).
 template <countable_scheme S>
 counts next_counts(const S& scheme, const counts& coarse, int generation)

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/step/scheme.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// Where the columns of a step of a whole mesh begin: the new element of a tuple has the number base + index of the tuple.
+struct column_bases {
+    using by_kind = std::array<std::uint64_t, 7>;
+    by_kind vertices{}, edges{}, faces{};
+};
+
+namespace detail {
+
+template <class List>
+column_bases::by_kind bases_of(const List& columns, const counts& coarse, int generation)
+{
+    const auto numbers = counted_columns<List>::count(columns, coarse, generation);
+    column_bases::by_kind result{};
+    for (std::size_t i = 0; i < numbers.size; ++i)
+        result[std::size_t(numbers.kinds[i])] = numbers.base(i);
+    return result;
+}
+
+} // namespace detail
+
+/// Precondition: no column leaves out some of its tuples on a mesh with these counts. Cost: O(1).
+template <countable_scheme Scheme>
+column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int generation)
+{
+    const auto columns = columns_of(scheme, generation);
+    return {detail::bases_of(columns.vertices, coarse, generation),
+            detail::bases_of(columns.edges, coarse, generation),
+            detail::bases_of(columns.faces, coarse, generation)};
+}
+
+/// What is known of the number of an element of a part in the whole mesh, and becomes that of its children: number * each + base.
+template <class N>
+concept inherited_number = requires(const N& n, std::uint64_t i) {
+    { n.child(i, i) } -> std::same_as<N>;
+};
+
+/// A number in the whole mesh as a function of that of an element of an earlier level: offset + factor * its number.
+template <std::unsigned_integral Index>
+struct affine_number {
+    Index offset, factor;
+    std::uint32_t source; ///< which element
+
+    [[nodiscard]] affine_number child(std::uint64_t base, std::uint64_t each) const
+    {
+        return {Index(base + each * offset), Index(each * factor), source};
+    }
+};
+
+/// A number in the whole mesh, and whether an element of the earlier level that is looked after gave birth to it.
+template <std::unsigned_integral Index>
+struct owned_number {
+    Index number;
+    bool owned;
+
+    [[nodiscard]] owned_number child(std::uint64_t base, std::uint64_t each) const
+    {
+        return {Index(base + each * number), owned};
+    }
+};
+
+/// The numbers of all elements of a part of a level whose faces have one degree.
+template <inherited_number Number>
+struct part_of_whole {
+    std::vector<Number> vertices, edges, faces;
+    std::size_t degree = 0;
+
+    /// That of the child of a tuple, in a column that begins at `base` in the whole mesh.
+    [[nodiscard]] Number child(tuple_kind kind, std::size_t tuple, std::uint64_t base) const
+    {
+        const std::size_t each = tuples_per_element(kind), element = tuple / each, rest = tuple % each;
+        switch (kind) {
+        case tuple_kind::v: return vertices[element].child(base, 1);
+        case tuple_kind::e:
+        case tuple_kind::ve: return edges[element].child(base + rest, each);
+        case tuple_kind::f: return faces[element].child(base, 1);
+        case tuple_kind::vf:
+        case tuple_kind::ef:
+        case tuple_kind::vfe: break;
+        }
+        return faces[element / degree].child(base + each * (element % degree) + rest, each * degree);
+    }
+    /// Those of a part of the part: of the elements listed.
+    template <std::unsigned_integral Index>
+    [[nodiscard]] part_of_whole of_part(std::span<const Index> some_vertices, std::span<const Index> some_edges,
+                                        std::span<const Index> some_faces) const
+    {
+        const auto some = [](const std::vector<Number>& all, std::span<const Index> which) {
+            std::vector<Number> result;
+            result.reserve(which.size());
+            for (const Index i : which)
+                result.push_back(all[i]);
+            return result;
+        };
+        return {some(vertices, some_vertices), some(edges, some_edges), some(faces, some_faces), degree};
+    }
+    /// Those of the next level of the part, which a step has made with these ids. Cost: O(elements).
+    template <level_numbering Numbering>
+    [[nodiscard]] part_of_whole next(const Numbering& ids, const column_bases& bases) const
+    {
+        const auto all = [this](const auto& of, const column_bases::by_kind& base) {
+            std::vector<Number> result;
+            result.reserve(of.total());
+            for (std::size_t id = 0; id < of.total(); ++id) {
+                const auto [kind, tuple] = of.origin(id);
+                result.push_back(child(kind, tuple, base[std::size_t(kind)]));
+            }
+            return result;
+        };
+        return {all(ids.vertices, bases.vertices),
+                all(ids.edges, bases.edges),
+                all(ids.faces, bases.faces),
+                Numbering::common_degree};
+    }
+};
+
+} // namespace kith

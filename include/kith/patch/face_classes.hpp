@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "face_walk.hpp"
+
+#include <kith/association/numbering.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace kith {
+
+/// Which faces of a mesh have alike neighbourhoods, level by level. Around the control faces one walks; from there on the class
+/// of a face follows from that of its parent and its place in it, so that one child of each class is looked at.
+template <std::unsigned_integral Index>
+class face_classes {
+public:
+    using number = std::uint32_t;
+    /// Of faces whose neighbourhood is too large to compare.
+    static constexpr number unlike = std::numeric_limits<number>::max();
+
+    explicit face_classes(int rings) : rings_(rings) {}
+
+    [[nodiscard]] std::size_t count() const { return key_.size(); }
+    /// The class of each face of the level at hand.
+    [[nodiscard]] const storage<number>& of_faces() const { return of_face_; }
+    [[nodiscard]] int rings() const { return rings_; }
+
+    /// Of the faces of a mesh of one degree, which has its edges. Cost: O(faces), that of a walk for each.
+    void look_at(const connectivity<Index>& mesh)
+    {
+        face_walk<Index> walk(mesh, rings_);
+        of_face_ = storage<number>(mesh.faces);
+        for (std::size_t f = 0; f < mesh.faces; ++f)
+            of_face_[f] = look_at(walk, f);
+    }
+    /// Of the next level, which a step has made of the one at hand, whose faces have this degree. Precondition: the faces of a
+    /// level give birth to those of the next. Cost: O(faces), and a walk for each kind of child.
+    template <level_numbering Numbering>
+    void follow(const Numbering& ids, std::size_t degree, const connectivity<Index>& fine)
+    {
+        face_walk<Index> walk(fine, rings_);
+        storage<number> next(fine.faces);
+        constexpr std::size_t kinds = 7;
+        const std::size_t of_kind = 2 * degree, places = kinds * of_kind;
+        constexpr number unknown = unlike - 1;
+        std::vector<number> child(key_.size() * places, unknown);
+        for (std::size_t f = 0; f < fine.faces; ++f) {
+            const auto [kind, tuple] = ids.faces.origin(f);
+            const std::size_t each = tuples_per_element(kind) * (kind == tuple_kind::f ? 1 : degree);
+            const number parent = of_face_[tuple / each];
+            if (parent == unlike) {
+                next[f] = look_at(walk, f);
+                continue;
+            }
+            number& known = child[places * parent + of_kind * std::size_t(kind) + tuple % each];
+            if (known == unknown)
+                known = look_at(walk, f);
+            next[f] = known;
+        }
+        of_face_ = std::move(next);
+    }
+
+private:
+    number look_at(face_walk<Index>& walk, std::size_t face)
+    {
+        walk.around(face);
+        if (walk.key().empty())
+            return unlike;
+        return key_.try_emplace(walk.key(), number(key_.size())).first->second;
+    }
+
+    int rings_;
+    std::unordered_map<std::u16string, number> key_;
+    storage<number> of_face_;
+};
+
+} // namespace kith

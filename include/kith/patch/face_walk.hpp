@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/storage.hpp>
+#include <kith/mesh/connectivity.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace kith {
+
+/// A corner of a neighbourhood: of which of its faces, in the order of the walk, and which one there.
+struct walked_corner {
+    std::uint16_t face, corner;
+};
+/// How a face of a neighbourhood is found: across an edge of one that was found before.
+struct walk_step {
+    walked_corner from;     ///< its edge is crossed
+    std::uint16_t rotation; ///< the corner of the new face that lies across
+};
+
+/// The faces around a face, in an order that follows from the connectivity alone, and a key that two faces share when all
+/// that a scheme can ask within the rings has one answer for both: which corners lie across, which way edges
+/// run, where fans start, where the boundary is. Numbers are not in it.
+template <std::unsigned_integral Index>
+class face_walk {
+public:
+    /// Larger neighbourhoods have no key.
+    static constexpr std::size_t most_faces = 512;
+
+    /// Preconditions: the mesh has its edges and faces of one degree; it must outlive this. Cost: O(elements).
+    face_walk(const connectivity<Index>& mesh, int rings)
+        : mesh_(mesh)
+        , degree_(std::size_t(mesh.degree))
+        , rings_(rings)
+        , face_(mesh.faces, none)
+        , vertex_(mesh.vertices, none)
+    {
+    }
+
+    /// Walks around a face, `rings` rings of faces that share a vertex. Cost: O(corners within).
+    void around(std::size_t face)
+    {
+        faces_.clear();
+        steps_.clear();
+        key_.clear();
+        add(Index(face));
+        std::size_t ring = 0;
+        for (int r = 0; r < rings_ and faces_.size() <= most_faces; ++r)
+            for (const std::size_t end = faces_.size(); ring < end and faces_.size() <= most_faces; ++ring)
+                for (std::size_t i = 0; i < degree_; ++i)
+                    turn_around(Index(degree_ * faces_[ring] + i));
+        if (faces_.size() <= most_faces)
+            make_key(ring);
+        for (const Index f : faces_)
+            face_[f] = none;
+    }
+
+    /// The face itself comes first.
+    [[nodiscard]] std::span<const Index> faces() const { return faces_; }
+    /// For each face but the first.
+    [[nodiscard]] std::span<const walk_step> steps() const { return steps_; }
+    /// Empty where there are too many faces.
+    [[nodiscard]] const std::u16string& key() const { return key_; }
+
+private:
+    static constexpr Index none = connectivity<Index>::none;
+
+    void add(Index face)
+    {
+        face_[face] = Index(faces_.size());
+        faces_.push_back(face);
+    }
+    /// A corner in the numbers of the neighbourhood.
+    [[nodiscard]] std::size_t local(Index corner) const { return degree_ * face_[corner / degree_] + corner % degree_; }
+    void reach(Index from, Index across)
+    {
+        const Index face = Index(across / degree_);
+        if (face_[face] != none)
+            return;
+        steps_.push_back(
+            {{std::uint16_t(face_[from / degree_]), std::uint16_t(from % degree_)}, std::uint16_t(across % degree_)});
+        add(face);
+    }
+    /// Finds all faces of the fan that a corner lies in.
+    void turn_around(const Index first)
+    {
+        for (Index c = first;;) {
+            const Index from = mesh_.prev(c);
+            const Index next = mesh_.across(from);
+            if (next == first)
+                return;
+            if (next == none)
+                break;
+            reach(from, next);
+            c = next;
+        }
+        for (Index c = first;;) {
+            const Index across = mesh_.across(c);
+            if (across == none)
+                return;
+            reach(c, across);
+            c = mesh_.next(across);
+        }
+    }
+    /// Of the first `inner` faces all fans are there.
+    void make_key(std::size_t inner)
+    {
+        constexpr unsigned boundary = 0, outside = 1, first_corner = 2;
+        std::size_t complete = 0; // vertices whose whole fan is there come first
+        for (std::size_t f = 0; f < faces_.size(); ++f) {
+            if (f == inner)
+                complete = vertices_.size();
+            for (std::size_t i = 0; i < degree_; ++i) {
+                const Index v = mesh_.corner_vertex[degree_ * faces_[f] + i];
+                if (vertex_[v] == none) {
+                    vertex_[v] = Index(vertices_.size());
+                    vertices_.push_back(v);
+                }
+            }
+        }
+        if (inner >= faces_.size())
+            complete = vertices_.size();
+        for (const Index f : faces_)
+            for (std::size_t i = 0; i < degree_; ++i) {
+                const Index c = Index(degree_ * f + i), v = mesh_.corner_vertex[c];
+                const Index halfedge = mesh_.corner_halfedge[c], across = mesh_.halfedge_corner[halfedge ^ 1];
+                const bool starts = vertex_[v] < complete and mesh_.vertex_corner[v] == c;
+                key_.push_back(char16_t(2 * vertex_[v] + starts));
+                key_.push_back(char16_t(across == none ? boundary
+                                        : face_[across / degree_] == none
+                                            ? outside
+                                            : first_corner + 2 * local(across) + halfedge % 2));
+            }
+        for (const Index v : vertices_)
+            vertex_[v] = none;
+        vertices_.clear();
+    }
+
+    const connectivity<Index>& mesh_;
+    std::size_t degree_;
+    int rings_;
+    storage<Index> face_, vertex_; // numbers in the neighbourhood at work; none outside of it
+    std::vector<Index> faces_, vertices_;
+    std::vector<walk_step> steps_;
+    std::u16string key_;
+};
+
+} // namespace kith

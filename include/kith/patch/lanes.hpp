@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+/// As many numbers as a register of the processor holds, added and scaled side by side: each lane is what one number would
+/// be, to the bit. Vectors are those of g++ and clang. On x86-64 functions marked KITH_LANES use registers that most, not all
+/// processors have; has_lanes() looks.
+
+#if defined(__GNUC__)
+#define KITH_HAS_LANES 1
+#if defined(__x86_64__)
+#define KITH_LANES [[gnu::target("avx2,prfchw"), gnu::noinline]]
+#else
+#define KITH_LANES
+#endif
+
+namespace kith {
+
+#if defined(__x86_64__)
+inline constexpr std::size_t lane_bytes = 32;
+
+/// Whether this processor can run what is marked KITH_LANES. Cost: that of a look.
+inline bool has_lanes()
+{
+    static const bool has = __builtin_cpu_supports("avx2");
+    return has;
+}
+#else
+inline constexpr std::size_t lane_bytes = 16;
+
+inline bool has_lanes()
+{
+    return true;
+}
+#endif
+
+template <class Scalar>
+struct lanes {
+    static constexpr std::size_t count = lane_bytes / sizeof(Scalar);
+    typedef Scalar type __attribute__((vector_size(lane_bytes), may_alias));
+};
+
+/// Keeps the compiler from making a product and the sum that follows one operation, which would round once.
+template <class Pack>
+[[gnu::always_inline]] inline void keep_rounded([[maybe_unused]] Pack& product)
+{
+#if defined(__x86_64__)
+    __asm__("" : "+x"(product));
+#elif defined(__aarch64__)
+    __asm__("" : "+w"(product));
+#endif
+}
+
+} // namespace kith
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/refine_in_patches.hpp>
+
+#include <kith/refine.hpp>
+
+#include "every_scheme.hpp"
+#include "same_mesh.hpp"
+#include "thread_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using kith::connect;
+
+template <class Point, class Index, class Scheme>
+kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mesh, const Scheme& scheme, int levels)
+{
+    kith::numbering_of<Scheme, Index> ids;
+    for (int level = 1; level < levels; ++level)
+        mesh = kith::refine_mesh<connect::everything>(mesh, scheme, ids);
+    return kith::refine_mesh<connect::faces>(mesh, scheme, ids);
+}
+
+constexpr double never = std::numeric_limits<double>::infinity();
+/// A template for every class; none at all; one for those that have some members.
+constexpr kith::patch_costs all_templates{
+    .in_patch = 0, .among_few = 1, .of_template = 0, .to_be_cheaper = never, .least_faces = 1};
+constexpr kith::patch_costs no_templates{
+    .in_patch = 0, .among_few = 1, .of_template = never, .to_be_cheaper = never, .least_faces = 1};
+constexpr kith::patch_costs some_templates{
+    .in_patch = 0, .among_few = 1, .of_template = 300, .to_be_cheaper = never, .least_faces = 1};
+
+template <class Scheme>
+constexpr bool has_patches = kith::patchable_scheme<Scheme, std::array<double, 3>, std::uint32_t>;
+
+/// Whether there was something to compare.
+template <class Point, class Index, class Scheme>
+bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
+{
+    bool compared = false;
+    for (const auto& costs : {all_templates, no_templates, some_templates}) {
+        kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, costs);
+        if (not patches.is_worth_looking())
+            continue;
+        EXPECT_TRUE(same_bits(patches.refine(mesh), level_by_level(mesh, scheme, levels))) << levels;
+        compared = true;
+    }
+    return compared;
+}
+
+TEST(refine_in_patches, makes_the_same_bits)
+{
+    std::size_t compared = 0;
+    for_each_of_all_schemes_and_shape([&](const auto& scheme, const mesh3d& mesh) {
+        if constexpr (has_patches<std::remove_cvref_t<decltype(scheme)>>)
+            for (const int levels : {1, 2, 3})
+                compared += compare(mesh, scheme, levels);
+    });
+    EXPECT_GT(compared, 150U);
+}
+
+TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
+{
+    const auto quads = native(shapes::shaken(shapes::shuffled(shapes::torus(7, 9), 3)));
+    const auto polygons = native(shapes::shaken(shapes::both(shapes::house(), shapes::pentacube())));
+    const auto triangles = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::pentacube()), 5)));
+    const auto open = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(5, 6)), 7)));
+    EXPECT_TRUE(compare(quads, kith::catmull_clark{}, 4));
+    EXPECT_TRUE(compare(polygons, kith::catmull_clark{}, 4));
+    EXPECT_TRUE(compare(triangles, kith::loop{.weights = kith::loop_weights::warren, .sharpness = {}}, 4));
+    EXPECT_TRUE(compare(triangles, kith::butterfly{}, 4));
+    EXPECT_TRUE(compare(triangles, kith::sqrt3{}, 5));
+    EXPECT_TRUE(compare(open, kith::loop{}, 4));
+    EXPECT_TRUE(compare(open, kith::butterfly{}, 4));
+    EXPECT_TRUE(compare(quads, kith::kobbelt{}, 3));
+}
+
+TEST(refine_in_patches, takes_other_numbers_and_indices)
+{
+    const auto shape = shapes::shaken(shapes::both(shapes::house(), shapes::pentacube()));
+    const auto of_type = [&]<class Point, class Index>(const Point&, const Index&) {
+        std::vector<Point> points(shape.points.size());
+        for (std::size_t v = 0; v < points.size(); ++v)
+            for (std::size_t i = 0; i < std::tuple_size_v<Point>; ++i)
+                points[v][i] = typename Point::value_type(shape.points[v][i % 3] + double(i));
+        const auto mesh = kith::make_mesh<Index>(points, shape.faces);
+        EXPECT_TRUE(compare(mesh, kith::catmull_clark{}, 3));
+    };
+    of_type(std::array<float, 3>(), std::uint32_t());
+    of_type(std::array<double, 2>(), std::uint32_t());
+    of_type(std::array<double, 4>(), std::uint64_t());
+    of_type(std::array<float, 1>(), std::uint16_t());
+}
+
+TEST(refine_in_patches, is_what_refine_does_with_a_large_level_on_any_number_of_threads)
+{
+    const auto torus = native(shapes::shaken(shapes::torus(12, 24)));
+    ASSERT_TRUE((kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::catmull_clark>(
+                     torus, kith::catmull_clark{}, 6)
+                     .is_worth_looking()));
+    const auto given = level_by_level(torus, kith::catmull_clark{}, 6);
+    for (const int threads : {1, 2, 3, 7}) {
+        const thread_count count(threads);
+        EXPECT_TRUE(same_bits(refine(torus, kith::catmull_clark{}, 6, {.last_level = connect::faces}), given))
+            << threads;
+    }
+}
+
+TEST(refine_in_patches, is_left_out_where_it_would_be_wrong_or_of_no_use)
+{
+    const auto looks = [](const mesh3d& mesh, const auto& scheme, int levels) {
+        return kith::patch_refinement<std::array<double, 3>, std::uint32_t, std::remove_cvref_t<decltype(scheme)>>(
+                   mesh, scheme, levels)
+            .is_worth_looking();
+    };
+    const auto torus = native(shapes::triangulated(shapes::torus(40, 40)));
+    EXPECT_TRUE(looks(torus, kith::loop{}, 5));
+    EXPECT_FALSE(looks(torus, kith::loop{}, 0));
+    EXPECT_FALSE(looks(native(shapes::tetrahedron()), kith::loop{}, 4)); // few faces
+    kith::loop creased;                                                  // keeps its creases by the numbers of edges
+    creased.sharpness.sharpen_edge(0, 2.);
+    EXPECT_FALSE(looks(torus, creased, 5));
+    // Its columns ask where the boundary is.
+    EXPECT_FALSE(looks(native(shapes::triangulated(shapes::grid(40, 40))), kith::sqrt3{}, 6));
+    // New faces of vertices and edges; columns that pick marked edges.
+    static_assert(not has_patches<kith::doo_sabin> and not has_patches<kith::four_eight>);
+}
+
+TEST(refine_in_patches, does_not_look_at_more_faces_around_a_face_than_it_can_number)
+{
+    const auto mesh = native(shapes::umbrella(1000)); // around whose apex all faces lie
+    EXPECT_TRUE(compare(mesh, kith::loop{}, 2));
+}
+
+} // namespace
