@@ -3,10 +3,10 @@
 
 #include "boundary.hpp"
 #include "creases.hpp"
+#include "fading.hpp"
 
 #include <kith/level/for_each.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -199,11 +199,8 @@ private:
     classes classify(const vertex<Level>& v) const
     {
         const double s = is_kept_corner(v) ? infinitely_sharp : sharp_->of_vertex(v.index());
-        double transition = 0;
-        int transitions = 0;
-        const auto ends_now = [&](double value) { transition += value, ++transitions; };
-        if (s > 0 and s <= 1)
-            ends_now(s);
+        fading transition(sharp_->method);
+        transition.add_vertex(s);
         vertex_rule parent(v), child(v);
         for (const auto e : v.edges()) {
             const double now = sharp_->sharpness(e);
@@ -214,12 +211,11 @@ private:
             parent.add(end);
             if (later > 0)
                 child.add(end);
-            if (sharp_->method == crease_method::chaikin ? later == 0 : now <= 1)
-                ends_now(now);
+            transition.add_edge(now, later);
         }
         parent.kind = kind_of(s > 0, parent.sharp_edges);
         child.kind = kind_of(s > 1, child.sharp_edges);
-        return {parent, child, transitions == 0 ? 0. : std::min(1., transition / transitions)};
+        return {parent, child, transition.weight()};
     }
 
     const creases* sharp_;

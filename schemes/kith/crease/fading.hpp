@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "creases.hpp"
+
+#include <algorithm>
+
+namespace kith {
+
+/// How much of the sharper rule is left in the last step of what makes a vertex sharp: the mean sharpness of what ends there.
+/// DeRose, Kass & Truong 1998, section 3; as in OpenSubdiv.
+class fading {
+public:
+    explicit fading(crease_method method) : method_(method) {}
+
+    void add_vertex(double now)
+    {
+        if (now > 0 and now <= 1)
+            add(now);
+    }
+    /// Precondition: now > 0. `later` is the sharpness of the half of the edge at the vertex.
+    void add_edge(double now, double later)
+    {
+        if (method_ == crease_method::chaikin ? later == 0 : now <= 1)
+            add(now);
+    }
+    [[nodiscard]] double weight() const { return count_ == 0 ? 0. : std::min(1., total_ / count_); }
+
+private:
+    void add(double sharpness) { total_ += sharpness, ++count_; }
+
+    crease_method method_;
+    double total_ = 0;
+    int count_ = 0;
+};
+
+} // namespace kith
