@@ -5,6 +5,7 @@
 
 #include "cgal_mesh.hpp"
 #include "error_text.hpp"
+#include "face_varying_on.hpp"
 #include "shapes.hpp"
 
 #include <kith/catmull_clark.hpp>
@@ -205,4 +206,10 @@ TEST(cgal_properties, of_faces_without_a_parent_and_of_another_mesh)
                   kith::carry_properties(levels, 0, 1, another);
               }).find("is not level 1 of the hierarchy"),
               std::string::npos);
+}
+
+TEST(cgal_properties, values_at_corners_with_seams_go_as_on_the_native_mesh)
+{
+    expect_face_varying_as_native<mesh>(false);
+    expect_face_varying_as_native<mesh>(true);
 }

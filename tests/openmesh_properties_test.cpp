@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "openmesh_mesh.hpp"
+#include "face_varying_on.hpp"
 #include "shapes.hpp"
 
 #include <kith/catmull_clark.hpp>
@@ -128,4 +129,10 @@ TEST(openmesh_properties, of_triangles)
     for (const auto v : fine.vertices())
         EXPECT_EQ(height[v], fine.point(v)[2]);
     EXPECT_EQ(std::ranges::count(report.carried, "h:texcoords2D"), 1);
+}
+
+TEST(openmesh_properties, values_at_corners_with_seams_go_as_on_the_native_mesh)
+{
+    expect_face_varying_as_native<poly_mesh>(false);
+    expect_face_varying_as_native<poly_mesh>(true);
 }

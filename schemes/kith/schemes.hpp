@@ -5,6 +5,7 @@
 #include "butterfly.hpp"
 #include "catmull_clark.hpp"
 #include "doo_sabin.hpp"
+#include "face_varying.hpp"
 #include "four_eight.hpp"
 #include "interpolatory_sqrt3.hpp"
 #include "kobbelt.hpp"

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "linear.hpp"
+
+#include <kith/base/error.hpp>
+#include <kith/field/field.hpp>
+#include <kith/seam/varied_level.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace kith {
+
+namespace detail {
+
+template <class Scheme>
+concept is_linear = std::derived_from<Scheme, linear> or std::derived_from<Scheme, linear_triangles>;
+
+/// The seams of values at corners have rules where each new face lies in an old one, and points go by creases.
+template <class Scheme>
+concept has_seam_rules = requires(const Scheme& scheme) {
+    { scheme.sharpness } -> std::convertible_to<const creases&>;
+    { scheme.corners } -> std::convertible_to<boundary_corner>;
+    requires std::same_as<decltype(columns_of(scheme, 0)), decltype(quad_split::columns())> or
+                 std::same_as<decltype(columns_of(scheme, 0)), decltype(triangle_split::columns())>;
+};
+
+} // namespace detail
+
+/// The rule of values at corners that are as smooth as the surface between their seams: on_corners(uv, face_varying{linear}), for
+/// Catmull-Clark and Loop with their creases. A seam is an edge on whose sides faces say different things at one of its ends;
+/// where they do is looked at once, in the first step, by ==. `linear` says what stays linear at seams; face_varying_linear::all
+/// is linear_in_faces, as every choice is for the linear schemes, and goes with any scheme. OpenSubdiv's face-varying
+/// interpolation, DeRose, Kass & Truong 1998, section 4; docs/schemes.md. At all corners of one new vertex between the same seams the
+/// values have the same bits. Errors: mesh_error for another scheme. Cost: that of the step without its connectivity, O(corners).
+struct face_varying {
+    using mark_type = corner_mark;
+
+    face_varying_linear linear = face_varying_linear::corners_plus1;
+
+    template <affine_value T, finished_step Step>
+        requires std::equality_comparable<T>
+    [[nodiscard]] std::pair<storage<T>, storage<corner_mark>>
+    after(std::span<const T> values, std::span<const corner_mark> marks, const Step& step) const
+    {
+        using scheme_type = std::remove_cvref_t<decltype(step.scheme)>;
+        if (linear == face_varying_linear::all or detail::is_linear<scheme_type>)
+            return {linear_in_faces{}.after(values, step), {}};
+        if constexpr (detail::has_seam_rules<scheme_type>) {
+            if (not marks.empty())
+                return next(values, marks, step);
+            const auto found = seam_finder(step.coarse, values, step.scheme.sharpness, step.scheme.corners, linear)
+                                   .find();
+            return next(values, {found.data(), found.size()}, step);
+        }
+        throw mesh_error("values at corners go along seams with Catmull-Clark and Loop, and not with " +
+                         std::string(scheme_name<scheme_type>()) + "; take face_varying_linear::all");
+    }
+
+private:
+    template <class T, finished_step Step>
+    std::pair<storage<T>, storage<corner_mark>> next(std::span<const T> values, std::span<const corner_mark> marks,
+                                                     const Step& step) const
+    {
+        const auto fine = step.fine();
+        const varied_level<T, Step> varied(step, values, marks, linear);
+        storage<T> result(fine.corner_count());
+        storage<corner_mark> next_marks(fine.corner_count());
+        detail::for_parts(fine.face_count(), fine.parallel, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+                const auto face = step.ids.faces.origin(f);
+                for (const auto c : fine.faces()[f].corners()) {
+                    const std::size_t v = c.v().index();
+                    const auto vertex = step.ids.vertices.origin(v);
+                    const auto [value, rule] = varied.at(face, vertex, v);
+                    result[c.index()] = value;
+                    next_marks[c.index()] = {
+                        rule, varied.is_seam(face, vertex, step.ids.vertices.origin(c.next().v().index()))};
+                }
+            }
+        });
+        return {std::move(result), std::move(next_marks)};
+    }
+};
+
+} // namespace kith
