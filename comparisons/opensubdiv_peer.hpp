@@ -39,6 +39,15 @@ struct opensubdiv_point {
 template <class Real>
 using opensubdiv_points = std::unique_ptr<opensubdiv_point<Real>[]>;
 
+/// Values at corners as OpenSubdiv takes them: those with one number are one value. They are numbered from 0.
+struct opensubdiv_corners {
+    using rule = OpenSubdiv::Sdc::Options::FVarLinearInterpolation;
+
+    std::vector<int> numbers; ///< in the order of the corners
+    int count = 0;            ///< of different ones
+    rule linear = rule::FVAR_LINEAR_ALL;
+};
+
 /// OpenSubdiv's uniform refinement, level by level, on one processor.
 struct opensubdiv_peer {
     using mesh = std::unique_ptr<OpenSubdiv::Far::TopologyRefiner>;
@@ -49,9 +58,9 @@ struct opensubdiv_peer {
                std::to_string(OPENSUBDIV_VERSION_MINOR) + '.' + std::to_string(OPENSUBDIV_VERSION_PATCH);
     }
 
-    /// The mesh with nothing refined yet; its creases and boundary corners are the scheme's.
+    /// The mesh with nothing refined yet; its creases and boundary corners are the scheme's, and there may be values at corners.
     template <class Scheme>
-    static mesh make(const basic_mesh<>& native, const Scheme& scheme)
+    static mesh make(const basic_mesh<>& native, const Scheme& scheme, const opensubdiv_corners& corner_values = {})
     {
         namespace far = OpenSubdiv::Far;
         namespace sdc = OpenSubdiv::Sdc;
@@ -87,6 +96,12 @@ struct opensubdiv_peer {
         options.SetVtxBoundaryInterpolation(scheme.corners == boundary_corner::kept
                                                 ? sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
                                                 : sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+        options.SetFVarLinearInterpolation(corner_values.linear);
+        far::TopologyDescriptor::FVarChannel channel;
+        channel.numValues = corner_values.count;
+        channel.valueIndices = corner_values.numbers.data();
+        description.numFVarChannels = corner_values.count == 0 ? 0 : 1;
+        description.fvarChannels = &channel;
         using factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
         return mesh(factory::Create(description, factory::Options(type_of(scheme), options)));
     }
