@@ -14,22 +14,23 @@ namespace {
 constexpr std::size_t together = 4;
 
 /// A field for the attributes from number `first` on.
-template <class Field>
-Field field_of(const std::vector<io::attribute>& attributes, std::size_t first, std::size_t elements)
+template <class Field, class Rule>
+Field field_of(const std::vector<io::attribute>& attributes, std::size_t first, std::size_t elements, Rule rule)
 {
     storage<typename Field::value_type> values(elements);
     std::fill(values.begin(), values.end(), typename Field::value_type{});
     for (std::size_t i = first; i < std::min(first + together, attributes.size()); ++i)
         for (std::size_t element = 0; element < elements; ++element)
             values[element][i - first] = attributes[i].values[element];
-    return Field(values);
+    return Field(values, rule);
 }
 
-template <class Field>
-void append_fields(std::vector<Field>& fields, const std::vector<io::attribute>& attributes, std::size_t elements)
+template <class Field, class Rule>
+void append_fields(std::vector<Field>& fields, const std::vector<io::attribute>& attributes, std::size_t elements,
+                   Rule rule)
 {
     for (std::size_t first = 0; first < attributes.size(); first += together)
-        fields.push_back(field_of<Field>(attributes, first, elements));
+        fields.push_back(field_of<Field>(attributes, first, elements, rule));
 }
 
 template <class Field>
@@ -60,10 +61,11 @@ bool is_normal(const io::attribute& a)
 
 } // namespace
 
-attribute_fields::attribute_fields(const io::mesh_attributes& attributes, const basic_mesh<>& mesh)
+attribute_fields::attribute_fields(const io::mesh_attributes& attributes, const basic_mesh<>& mesh,
+                                   face_varying_linear corners)
 {
-    append_fields(vertices_, attributes.vertices, mesh.vertex_count());
-    append_fields(corners_, attributes.corners, mesh.corner_count());
+    append_fields(vertices_, attributes.vertices, mesh.vertex_count(), by_mask{});
+    append_fields(corners_, attributes.corners, mesh.corner_count(), face_varying{corners});
     if (attributes.faces.empty())
         return;
     storage<std::uint32_t> parents(mesh.face_count());
@@ -86,18 +88,25 @@ io::mesh_attributes attribute_fields::at_level(const io::mesh_attributes& contro
     return result;
 }
 
-attribute_counts count_of(const io::mesh_attributes& attributes)
+attribute_counts count_of(const io::mesh_attributes& attributes, face_varying_linear corners)
 {
-    return {attributes.vertices.size(), attributes.faces.size(), attributes.corners.size()};
+    return {attributes.vertices.size(),
+            attributes.faces.size(),
+            attributes.corners.size(),
+            corners != face_varying_linear::all};
 }
 
 double bytes_of(const attribute_counts& attributes, const counts& level)
 {
-    const auto bytes = [](std::size_t numbers, std::uint64_t elements) {
-        const std::size_t carried = (numbers + together - 1) / together * together;
-        return 8 * (2 * double(carried) + double(numbers)) * double(elements);
+    const auto carried = [](std::size_t numbers) { return double((numbers + together - 1) / together * together); };
+    const auto bytes = [&](std::size_t numbers, std::uint64_t elements) {
+        return 8 * (2 * carried(numbers) + double(numbers)) * double(elements);
     };
-    return bytes(attributes.vertices, level.vertices) + bytes(attributes.corners, level.corners()) +
+    // Values of the new vertices, fewer than a third of the corners, and of the old corners, a quarter; and marks.
+    const double at_seams = attributes.along_seams and attributes.corners != 0
+                                ? (8 * 0.6 * carried(attributes.corners) + 4) * double(level.corners())
+                                : 0;
+    return bytes(attributes.vertices, level.vertices) + bytes(attributes.corners, level.corners()) + at_seams +
            (attributes.faces == 0 ? 0 : 8 * double(attributes.faces + 1) * double(level.faces));
 }
 

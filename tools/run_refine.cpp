@@ -10,6 +10,7 @@
 #include "run_refine_tiles.hpp"
 #include "run_stats.hpp"
 #include "scheme_options.hpp"
+#include "scheme_words.hpp"
 #include "tile_options.hpp"
 
 #include <kith/format/held_attributes.hpp>
@@ -47,6 +48,11 @@ po::options_description options_of_refine()
     add_option<std::string>(options, "output,o", "OUT", "the file to write; - is standard output");
     add_flag(options, "binary", "write PLY or STL as binary instead of text");
     add_flag(options, "limit", "write the vertices at their limits; in OFF, OBJ and PLY with the normals there");
+    add_option<std::string>(options,
+                            "uv",
+                            "WORD",
+                            "catmull-clark, loop: what of texture coordinates is linear, as OpenSubdiv names it: " +
+                                all_words<face_varying_linear>() + "; else all");
     add_flag(options, "drop-isolated", "leave out vertices that no face has, which else are kept behind the others");
     add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + mesh_kind_names());
     add_option<std::int64_t>(
@@ -106,6 +112,18 @@ void append_isolated(io::mesh_attributes& attributes, const control_mesh& contro
     }
 }
 
+/// Errors: usage_error for a word that is none, and for seams that the scheme has no rules for.
+face_varying_linear linear_from(const po::variables_map& values, const any_scheme& scheme)
+{
+    if (values.count("uv") == 0)
+        return face_varying_linear::all;
+    const auto result = choice_from<face_varying_linear>("--uv", values["uv"].as<std::string>());
+    if (result != face_varying_linear::all and not refines_along_seams(scheme))
+        throw usage_error("--uv: only " + schemes_with_creases() +
+                          " have rules for seams of texture coordinates; leave it out, or say all");
+    return result;
+}
+
 void set_threads([[maybe_unused]] const po::variables_map& values)
 {
 #if defined(_OPENMP)
@@ -138,6 +156,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
                            .levels = levels_of(*values),
                            .memory = memory_limit_from(*values),
                            .limit = given("limit")};
+    const face_varying_linear linear = linear_from(*values, request.scheme);
     const mesh_format format = output_format_of(output);
     request.with_tags = format == mesh_format::obj;
     const bool binary = given("binary");
@@ -151,8 +170,8 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
         give_creases(request.scheme, control, words);
         request.holes = holes_of(control.tags, control.mesh);
         settle_attributes(control, format, request);
-        request.attributes = attribute_fields(control.attributes, control.mesh);
-        request.counted = count_of(control.attributes);
+        request.attributes = attribute_fields(control.attributes, control.mesh, linear);
+        request.counted = count_of(control.attributes, linear);
         auto start = prepared(request.scheme, std::move(control.mesh), request.attributes);
         refined_mesh refined = refine_on(mesh, std::move(start), request);
         request.attributes = {};

@@ -7,6 +7,7 @@
 #include <kith/crease/boundary.hpp>
 #include <kith/crease/creases.hpp>
 #include <kith/doo_sabin.hpp>
+#include <kith/face_varying.hpp>
 #include <kith/loop.hpp>
 #include <kith/presets.hpp>
 
@@ -57,6 +58,16 @@ constexpr auto words_for(doo_sabin_weights)
 constexpr auto words_for(crease_method)
 {
     return choice_words<crease_method, 2>{{{"uniform", crease_method::uniform}, {"chaikin", crease_method::chaikin}}};
+}
+
+constexpr auto words_for(face_varying_linear)
+{
+    return choice_words<face_varying_linear, 6>{{{"none", face_varying_linear::none},
+                                                 {"corners", face_varying_linear::corners_only},
+                                                 {"corners+1", face_varying_linear::corners_plus1},
+                                                 {"corners+2", face_varying_linear::corners_plus2},
+                                                 {"boundaries", face_varying_linear::boundaries},
+                                                 {"all", face_varying_linear::all}}};
 }
 
 /// "kept, smoothed"

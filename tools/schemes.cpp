@@ -18,6 +18,20 @@
 
 namespace kith::tool {
 
+std::string schemes_with_creases()
+{
+    std::string result;
+    std::apply(
+        [&]<class... Schemes>(const scheme_entry<Schemes>&...) {
+            ((has_creases<Schemes>
+                  ? void(result += (result.empty() ? "" : " and ") + std::string(scheme_name<Schemes>()))
+                  : void()),
+             ...);
+        },
+        known_schemes);
+    return result;
+}
+
 namespace {
 
 template <class Scheme>
@@ -56,21 +70,6 @@ void set_degree(Scheme& scheme, int degree)
     } else {
         throw usage_error("--degree: " + std::string(scheme_name<Scheme>()) + " has no such choice");
     }
-}
-
-/// "catmull-clark and loop"
-std::string schemes_with_creases()
-{
-    std::string result;
-    std::apply(
-        [&]<class... Schemes>(const scheme_entry<Schemes>&...) {
-            ((has_creases<Schemes>
-                  ? void(result += (result.empty() ? "" : " and ") + std::string(scheme_name<Schemes>()))
-                  : void()),
-             ...);
-        },
-        known_schemes);
-    return result;
 }
 
 template <class Scheme>
@@ -180,6 +179,12 @@ void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words&
             }
         },
         scheme);
+}
+
+bool refines_along_seams(const any_scheme& scheme)
+{
+    return std::visit(
+        []<class Scheme>(const Scheme&) { return has_creases<Scheme> or kith::detail::is_linear<Scheme>; }, scheme);
 }
 
 sharp_elements sharp_after(const any_scheme& scheme, int levels)

@@ -79,6 +79,12 @@ struct sharp_elements {
 /// Those that are sharp for more levels than this; averages of neighbours (Chaikin) may end that earlier.
 sharp_elements sharp_after(const any_scheme& scheme, int levels);
 
+/// "catmull-clark and loop"
+std::string schemes_with_creases();
+
+/// Whether texture coordinates may be other than linear in faces: with creases, and where nothing else is, too.
+bool refines_along_seams(const any_scheme& scheme);
+
 /// What of a scheme's creases and boundary the tags of an OBJ file have to say besides the sharp elements.
 void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme);
 

@@ -162,4 +162,47 @@ check "the normals are those of the limit" test "$(grep -cE '^[^4].*  -?0 -?0 1 
 run refine quad.off -s linear-triangles -n 1 -o out.stl --triangulate
 exits 0
 says 'not kept: normals, colours, colours of faces$'
+
+# Texture coordinates that are as smooth as the surface: two squares, each with the whole texture. Where a chart has a single face at
+# a vertex, it is a corner unless nothing is to be linear.
+cat >charts.obj <<'END'
+v 0 0 0
+v 1 0 0
+v 2 0 0
+v 0 1 0
+v 1 1 0
+v 2 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+f 1/1 2/2 5/3 4/4
+f 2/1 3/2 6/3 5/4
+END
+for mesh in native cgal openmesh; do
+    for word in none corners corners+1 corners+2 boundaries all; do
+        run refine charts.obj -s catmull-clark -n 1 -o $mesh.obj --mesh $mesh --uv $word
+        exits 0
+        says_nothing
+        has $mesh.obj '^vt 0.5 0.5$'
+        has $mesh.obj '^vt 0 0$'
+        check "the corner at the seam" test "$(grep -c '^vt 0.875 0.125$' $mesh.obj)" -eq $([ $word = none ] && echo 1 || echo 0)
+    done
+    run refine charts.obj -s catmull-clark -n 1 -o linear.obj --mesh $mesh
+    same linear.obj $mesh.obj
+done
+run refine charts.obj -s linear -n 1 -o out.obj --uv none
+exits 0
+same out.obj linear.obj
+run refine charts.obj -s doo-sabin -n 1 -o out.obj --uv none
+exits 2
+says '^kith: --uv: only catmull-clark and loop have rules for seams of texture coordinates; leave it out, or say all$'
+run refine charts.obj -s doo-sabin -n 1 -o out.obj --uv all
+exits 0
+run refine charts.obj -s loop -n 1 -o out.obj --uv round
+exits 2
+says "^kith: --uv: 'round' is not one of none, corners, corners.1, corners.2, boundaries, all$"
+run refine charts.obj -s catmull-clark -n 1 -o out.ply --uv none --tiles 2
+exits 2
+says '^kith: --uv: tiles carry no texture coordinates; leave it out$'
 finish
