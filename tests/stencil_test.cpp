@@ -45,6 +45,16 @@ TEST(stencil, rows_times_points_are_the_points)
     });
 }
 
+TEST(stencil, rows_without_entries_give_nothing_and_all_entries_are_listed)
+{
+    kith::storage<stencil_row> rows(3);
+    rows[1].entries = {{0, 0.5}, {2, 0.25}};
+    const auto matrix = kith::make_matrix(rows, 3);
+    const std::vector<double> values{2, 3, 4};
+    EXPECT_EQ(matrix.apply(std::span(values)), (std::vector<double>{0, 2, 0}));
+    EXPECT_EQ(matrix.triplets(), (std::vector<kith::matrix_entry>{{1, 0, 0.5}, {1, 2, 0.25}}));
+}
+
 TEST(stencil, two_steps_are_one_after_the_other)
 {
     hierarchy levels(native(shapes::shaken(shapes::open_house())), kith::doo_sabin());

@@ -22,3 +22,4 @@
 #include <kith/crease/vertex_type.hpp>
 #include <kith/limit/limit_matrix.hpp>
 #include <kith/limit/limit_surface.hpp>
+#include <kith/limit/tangent_matrix.hpp>

@@ -51,6 +51,14 @@ struct affine<stencil_row> {
     }
 };
 
+/// An entry of a matrix, as other libraries take them in any order: the weight of point `column` in point `row`.
+struct matrix_entry {
+    std::size_t row, column;
+    double weight;
+
+    friend bool operator==(const matrix_entry&, const matrix_entry&) = default;
+};
+
 /// A subdivision matrix in compressed rows: point i of the finer level is the sum over k in [row_start[i],
 /// row_start[i+1]) of weight[k] times point column[k] of the coarser one. Its numbers are signed as those of other libraries
 /// are, so that these look at the same arrays: kith/eigen.hpp, or SciPy's csr_matrix.
@@ -67,7 +75,18 @@ struct subdivision_matrix {
     /// Where row i begins, in `column` and `weight`; row i+1 begins where it ends.
     [[nodiscard]] std::size_t begin_of_row(std::size_t i) const { return std::size_t(row_start[i]); }
 
-    /// Any values of the coarser level, one per vertex, carried to the finer one.
+    /// All entries, row by row. Cost: O(entries).
+    [[nodiscard]] std::vector<matrix_entry> triplets() const
+    {
+        std::vector<matrix_entry> result;
+        result.reserve(weight.size());
+        for (std::size_t i = 0; i < rows(); ++i)
+            for (std::size_t k = begin_of_row(i); k < begin_of_row(i + 1); ++k)
+                result.push_back({i, std::size_t(column[k]), weight[k]});
+        return result;
+    }
+
+    /// Any values of the coarser level, one per vertex, carried to the finer one; T() by a row without entries.
     /// Precondition: values.size() == columns. Cost: O(entries).
     template <affine_value T>
     [[nodiscard]] std::vector<T> apply(std::span<const T> values) const
@@ -81,6 +100,10 @@ struct subdivision_matrix {
         std::vector<T> result;
         result.reserve(rows());
         for (std::size_t i = 0; i < rows(); ++i) {
+            if (begin_of_row(i) == begin_of_row(i + 1)) {
+                result.push_back(T());
+                continue;
+            }
             typename traits::sum total = term(begin_of_row(i));
             for (std::size_t k = begin_of_row(i) + 1; k < begin_of_row(i + 1); ++k)
                 traits::add(total, term(k));
