@@ -2,10 +2,9 @@
 #pragma once
 
 #include "mpi_calls.hpp"
+#include "mpi_header.hpp"
 
 #include <kith/part/phase_seconds.hpp>
-
-#include <mpi.h>
 
 #include <algorithm>
 #include <array>

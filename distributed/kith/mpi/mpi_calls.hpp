@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/part/phase_seconds.hpp>
+#include "mpi_header.hpp"
 
-#include <mpi.h>
+#include <kith/part/phase_seconds.hpp>
 
 #include <algorithm>
 #include <chrono>

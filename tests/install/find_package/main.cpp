@@ -1,6 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// A program that uses the components WITH_<component> names, and the core where it names none.
+
+#include <kith/mesh/make_mesh.hpp>
+
+#if defined(WITH_schemes)
 #include <kith/catmull_clark.hpp>
 #include <kith/refine.hpp>
+#endif
+
+#if defined(WITH_distributed)
+#include <kith/part/partition.hpp>
+#endif
+
+#if defined(WITH_metis)
+#include <kith/metis_partition.hpp>
+#endif
+
+#if defined(WITH_mpi)
+#include <kith/mpi/session.hpp>
+#endif
 
 #if defined(WITH_cgal)
 #include <CGAL/Simple_cartesian.h>
@@ -11,6 +29,10 @@ static_assert(kith::refinable_mesh<CGAL::Surface_mesh<CGAL::Simple_cartesian<dou
 #if defined(WITH_openmesh)
 #include <kith/openmesh.hpp>
 static_assert(kith::refinable_mesh<OpenMesh::PolyMesh_ArrayKernelT<>>);
+#endif
+
+#if defined(WITH_eigen)
+#include <kith/eigen_mesh.hpp>
 #endif
 
 #if defined(WITH_io)
@@ -25,13 +47,31 @@ static_assert(kith::refinable_mesh<OpenMesh::PolyMesh_ArrayKernelT<>>);
 int main()
 {
     const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    const std::vector<std::array<int, 4>> faces{{0, 1, 2, 3}};
-    const auto fine = kith::refine(kith::make_mesh(points, faces), kith::catmull_clark{}, 2);
+    const auto square = kith::make_mesh(points, std::vector{std::array{0, 1, 2, 3}});
+    bool is_right = square.edge_count() == 4;
+#if defined(WITH_schemes)
+    is_right &= kith::refine(square, kith::catmull_clark{}, 2).face_count() == 16;
+#endif
+#if defined(WITH_distributed)
+    is_right &= kith::block_partition(square, 1).part_of.size() == 1;
+#endif
+#if defined(WITH_metis)
+    is_right &= kith::metis_partition(square, 1).part_of.size() == 1;
+#endif
+#if defined(WITH_mpi)
+    int version = 0, minor = 0;
+    is_right &= MPI_Get_version(&version, &minor) == MPI_SUCCESS and version >= 3;
+#endif
+#if defined(WITH_openmesh)
+    is_right &= OpenMesh::PolyMesh_ArrayKernelT<>().n_vertices() == 0;
+#endif
+#if defined(WITH_eigen)
+    is_right &= kith::points_as_matrix(square).rows() == 4;
+#endif
 #if defined(WITH_io)
     std::ostringstream out;
-    kith::io::write_mesh(out, kith::io::mesh_format::off, {fine});
-    if (kith::io::read_mesh(kith::io::mesh_format::off, out.str()).faces.size() != 16)
-        return 1;
+    kith::io::write_mesh(out, kith::io::mesh_format::off, {square});
+    is_right &= kith::io::read_mesh(kith::io::mesh_format::off, out.str()).faces.size() == 1;
 #endif
-    return fine.face_count() == 16 ? 0 : 1;
+    return is_right ? 0 : 1;
 }
