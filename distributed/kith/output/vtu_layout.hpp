@@ -16,7 +16,7 @@ namespace kith {
 /// in the order of the file, inside of elements that are opened and closed; `finish` makes the head that goes before them.
 class vtu_layout {
 public:
-    /// Declares what VTK looks for in this order: <Points>, <Cells>, ...
+    /// Declares what VTK looks for in this order: Points, Cells, ...
     vtu_layout& open(const std::string& element)
     {
         arrays_ += "<" + element + ">\n";

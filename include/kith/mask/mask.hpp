@@ -13,8 +13,8 @@
 
 namespace kith {
 
-/// A mask is a lazy affine combination: `3./8 * (a + b) + 1./8 * (c + d)`, `average(f.vertices())`. Nothing is
-/// computed or allocated until it is assigned; what it is evaluated *over* (points, stencil rows, hashes, any type with
+/// A mask is a lazy affine combination: `0.375 * (a + b) + 0.125 * (c + d)`, `average(f.vertices())`. Nothing is
+/// computed or allocated until it is assigned; what it is evaluated over (points, stencil rows, hashes, any type with
 /// an `affine`) is decided there. The operands are vertices of the coarse level and associations that name vertices of
 /// the fine level. Its order of operations is the order in the text, so equal texts give equal bits.
 template <class T>
@@ -169,7 +169,7 @@ template <refused::of_meshes A, class... More>
     return refused::any_mask();
 }
 template <class A, class B>
-    requires(mask<A> or mask<B>) and (not mask<A> or not mask<B>)
+    requires((mask<A> or mask<B>) and not(mask<A> and mask<B>))
 [[nodiscard]] auto operator+(const A&, const B&)
 {
     static_cast<void>(refused::sum_of_other_things<(mask<A> or mask<B>)>());
