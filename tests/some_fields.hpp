@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -78,8 +79,8 @@ auto with_some_fields(const Scheme& scheme, const M& mesh)
     }
     return with_fields(scheme,
                        on_faces(material),
-                       on_faces(labels, from_parent{.born = smallest_around()}),
-                       on_edges(sharpness, along_edges{.inherit = less_one(), .born = -1.}),
+                       on_faces(labels, from_parent<std::identity, smallest_around>()),
+                       on_edges(sharpness, along_edges<less_one, double>{.inherit = less_one(), .born = -1.}),
                        on_vertices(marks, from_vertex{}),
                        on_vertices(weight),
                        on_vertices(points, by_mask{}),

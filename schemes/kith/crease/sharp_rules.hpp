@@ -44,13 +44,13 @@ public:
     template <class Smooth>
     [[nodiscard]] auto at_edges(const Smooth& smooth) const
     {
-        return [this, smooth](const auto& r) { make_all(r.coarse.edges(), r.assoc, smooth); };
+        return [this, smooth](const auto& r) { this->make_all(r.coarse.edges(), r.assoc, smooth); };
     }
     /// The same of all vertices.
     template <class Smooth>
     [[nodiscard]] auto at_vertices(const Smooth& smooth) const
     {
-        return [this, smooth](const auto& r) { make_all(r.coarse.vertices(), r.assoc, smooth); };
+        return [this, smooth](const auto& r) { this->make_all(r.coarse.vertices(), r.assoc, smooth); };
     }
 
     /// Neither boundary nor crease.
@@ -117,7 +117,7 @@ private:
             if ((not native and all_smooth_) or is_smooth(x))
                 assoc(x, targets::V) = smooth(x);
             else
-                rarely([this, &assoc, &smooth](auto y) { make(y, assoc(y, targets::V), smooth); }, x);
+                rarely([this, &assoc, &smooth](auto y) { this->make(y, assoc(y, targets::V), smooth); }, x);
         });
     }
 

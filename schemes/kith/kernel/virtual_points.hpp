@@ -38,7 +38,7 @@ public:
         if (is_regular(e.org()) and is_regular(e.dst()))
             use(straight_on(e.lcorner()), straight_on(e.rcorner()));
         else
-            rarely_inlined([this, &use](const auto& irregular) { beyond_irregular_ends(irregular, use); }, e);
+            rarely_inlined([this, &use](const auto& irregular) { this->beyond_irregular_ends(irregular, use); }, e);
     }
 
 private:
