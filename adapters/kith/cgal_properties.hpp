@@ -4,6 +4,7 @@
 #include "cgal.hpp"
 
 #include <kith/carry_properties.hpp>
+#include <kith/field/standard_property.hpp>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
@@ -38,11 +39,13 @@ struct averaged_cartesian {
     template <class Number>
     static T store(const four_numbers<Number>& x)
     {
-        using number = typename CGAL::Kernel_traits<T>::Kernel::FT;
+        const auto coordinate = [](const Number& c) {
+            return as_coordinate<typename CGAL::Kernel_traits<T>::Kernel::FT>(c);
+        };
         if constexpr (N == 2)
-            return T(number(x[0]), number(x[1]));
+            return T(coordinate(x[0]), coordinate(x[1]));
         else
-            return T(number(x[0]), number(x[1]), number(x[2]));
+            return T(coordinate(x[0]), coordinate(x[1]), coordinate(x[2]));
     }
 };
 
@@ -89,11 +92,13 @@ struct property_access<CGAL::Surface_mesh<Point>> {
     static std::vector<std::string> names(const mesh& m)
     {
         std::vector<std::string> result = m.template properties<Handle>();
-        std::erase_if(result, [](const std::string& name) {
-            return name == "v:point" or name.ends_with(":connectivity") or name.ends_with(":removed") or
-                   name.find(":kith:") != std::string::npos;
-        });
+        std::erase_if(result, is_reserved);
         return result;
+    }
+    static bool is_reserved(const std::string& name)
+    {
+        return name == "v:point" or name.ends_with(":connectivity") or name.ends_with(":removed") or
+               name.find(":kith:") != std::string::npos;
     }
     static bool follows_from_points(const std::string&) { return false; }
     template <class Handle, class T>
@@ -110,6 +115,17 @@ struct property_access<CGAL::Surface_mesh<Point>> {
     {
         return m.template add_property_map<Handle, T>(name).first;
     }
+
+    /// As CGAL's readers and writers call them.
+    template <class Handle>
+    static std::string standard_name(standard_property which)
+    {
+        return detail::standard_name<mesh, Handle>(which, {"color", "normal", "texcoord"});
+    }
+    template <standard_property Which>
+    using standard_type = std::conditional_t<
+        Which == standard_property::color, CGAL::IO::Color,
+        std::conditional_t<Which == standard_property::normal, CGAL::Vector_3<kernel>, CGAL::Point_2<kernel>>>;
 };
 
 } // namespace kith

@@ -175,9 +175,6 @@ struct mesh_traits<M> {
         return m.get_property_handle(odd, odd_generation) ? 1 : 0;
     }
 
-private:
-    static constexpr const char* odd_generation = "kith:odd_generation";
-
     /// What elements may have beside points: how to ask whether they do, to ask for it, and where it is.
     template <class F>
     static void for_each_attribute(const F& f)
@@ -201,12 +198,16 @@ private:
         f(&M::has_halfedge_texcoords3D, &M::request_halfedge_texcoords3D, &M::halfedge_texcoords3D_pph);
         f(&M::has_face_texture_index, &M::request_face_texture_index, &M::face_texture_index_pph);
     }
+
+private:
+    static constexpr const char* odd_generation = "kith:odd_generation";
+
     template <class T>
-    static constexpr bool is_on_vertices(OpenMesh::VPropHandleT<T>)
+    static bool is_on_vertices(OpenMesh::VPropHandleT<T>)
     {
         return true;
     }
-    static constexpr bool is_on_vertices(OpenMesh::BaseHandle) { return false; }
+    static bool is_on_vertices(OpenMesh::BaseHandle) { return false; }
     /// A vector of OpenMesh is made without values.
     template <class Scalar, int N>
     static void set_zero(OpenMesh::VectorT<Scalar, N>& value)

@@ -4,6 +4,7 @@
 #include "openmesh.hpp"
 
 #include <kith/carry_properties.hpp>
+#include <kith/field/standard_property.hpp>
 
 #include <OpenMesh/Core/Mesh/Status.hh>
 
@@ -15,6 +16,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <typeinfo>
 #include <vector>
 
 namespace kith {
@@ -43,22 +45,27 @@ struct property_access<M> {
     static std::vector<std::string> names(const M& m)
     {
         std::vector<std::string> result;
-        const auto add_all = [&](auto begin, auto end) {
+        const auto add_all = [&]<class Data>(auto begin, auto end, std::type_identity<Data>) {
+            // Every mesh has what its traits say of elements, which mostly is nothing.
+            const auto is_nothing = [](const auto* p) {
+                return std::is_empty_v<Data> and dynamic_cast<const OpenMesh::PropertyT<Data>*>(p) != nullptr;
+            };
             for (auto p = begin; p != end; ++p)
-                if (*p != nullptr and (*p)->name() != "v:points" and
+                if (*p != nullptr and not is_reserved((*p)->name()) and not is_nothing(*p) and
                     std::ranges::find(result, (*p)->name()) == result.end())
                     result.push_back((*p)->name());
         };
         if constexpr (std::same_as<Handle, OpenMesh::VertexHandle>)
-            add_all(m.vprops_begin(), m.vprops_end());
+            add_all(m.vprops_begin(), m.vprops_end(), std::type_identity<typename M::VertexData>());
         else if constexpr (std::same_as<Handle, OpenMesh::HalfedgeHandle>)
-            add_all(m.hprops_begin(), m.hprops_end());
+            add_all(m.hprops_begin(), m.hprops_end(), std::type_identity<typename M::HalfedgeData>());
         else if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>)
-            add_all(m.eprops_begin(), m.eprops_end());
+            add_all(m.eprops_begin(), m.eprops_end(), std::type_identity<typename M::EdgeData>());
         else
-            add_all(m.fprops_begin(), m.fprops_end());
+            add_all(m.fprops_begin(), m.fprops_end(), std::type_identity<typename M::FaceData>());
         return result;
     }
+    static bool is_reserved(const std::string& name) { return name == "v:points"; }
     static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
 
     /// A property of elements with such handles.
@@ -87,10 +94,45 @@ struct property_access<M> {
     template <class Handle, class T>
     static property_of<Handle, T, M> add(M& m, const std::string& name)
     {
+        request_attribute<Handle>(m, name, typeid(T));
         property_handle<Handle, T> handle;
         if (not m.get_property_handle(handle, name))
             m.add_property(handle, name);
         return {&m, handle};
+    }
+
+    /// As OpenMesh calls its attributes.
+    template <class Handle>
+    static std::string standard_name(standard_property which)
+    {
+        const bool has_none = (std::same_as<Handle, OpenMesh::EdgeHandle> and which != standard_property::color) or
+                              (std::same_as<Handle, OpenMesh::FaceHandle> and
+                               which == standard_property::texture_coordinates);
+        return detail::standard_name<M, Handle>(has_none ? standard_property::none : which,
+                                                {"colors", "normals", "texcoords2D"});
+    }
+    template <standard_property Which>
+    using standard_type = std::conditional_t<
+        Which == standard_property::color, typename M::Color,
+        std::conditional_t<Which == standard_property::normal, typename M::Normal, typename M::TexCoord2D>>;
+
+private:
+    /// An attribute that has this name and type, so that the functions of the mesh see it, too.
+    template <class Handle>
+    static void request_attribute(M& m, const std::string& name, const std::type_info& type)
+    {
+        mesh_traits<M>::for_each_attribute([&](auto has, auto request, auto property) {
+            using attribute = std::invoke_result_t<decltype(property), M>;
+            using value = typename attribute::Value;
+            if constexpr (std::derived_from<attribute, property_handle<Handle, value>>) {
+                if (type != typeid(value) or (m.*has)())
+                    return;
+                M empty; // knows the name
+                (empty.*request)();
+                if (empty.property((empty.*property)()).name() == name)
+                    (m.*request)();
+            }
+        });
     }
 };
 

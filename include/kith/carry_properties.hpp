@@ -32,11 +32,18 @@ struct property_report {
 ///   number                             the type in which values are averaged
 ///   value_types                        std::tuple of the types of values that are looked for
 ///   names<Handle>(mesh)                of all properties on elements with such handles, but those of the library itself
+///   is_reserved(name)                  whether the library itself has, or may have, a property of that name
 ///   follows_from_points(name)          whether the library makes it, as normals
 ///   find<Handle, T>(mesh, name)        std::optional of something with [handle]; of a mesh that is not const, to write
 ///   add<Handle, T>(mesh, name)         the same, new where there is none
+///   standard_name<Handle>(which)       what the library calls a standard_property on such elements; empty if it does not
+///   standard_type<which>               and the type of its values; void for any
 template <class M>
 struct property_access;
+
+/// A mesh whose properties have names.
+template <class M>
+concept mesh_with_properties = mesh<M> and requires { typename property_access<M>::value_types; };
 
 /// A type whose values can be averaged: as up to four coordinates, and back.
 template <class T>
@@ -51,7 +58,9 @@ using four_numbers = std::array<Number, 4>;
 template <class T, class Number>
 T as_coordinate(const Number& x)
 {
-    if constexpr (not std::constructible_from<double, const Number&>)
+    if constexpr (std::same_as<T, Number>)
+        return x;
+    else if constexpr (not std::constructible_from<double, const Number&>)
         return as_coordinate<T>(to_double(x)); // of the exact number's own library
     else if constexpr (std::integral<T>)
         return T(std::lround(
@@ -97,8 +106,8 @@ struct averaged_coordinates {
         return value;
     }
 };
-template <std::floating_point T, std::size_t N>
-    requires(N <= 4)
+template <class T, std::size_t N>
+    requires(N <= 4 and (std::floating_point<T> or std::same_as<T, unsigned char>))
 struct averaged_value<std::array<T, N>> : averaged_coordinates<std::array<T, N>, T, N> {};
 
 namespace detail {

@@ -14,10 +14,6 @@
 
 namespace kith::in_place {
 
-/// A mesh whose properties have names; `property_access` says how they are reached.
-template <class M>
-concept mesh_with_properties = requires { typename property_access<M>::value_types; };
-
 /// The properties of a mesh that is about to be overwritten: read, taken along from level to level by the rules of
 /// `carry_properties`, written. Those of other types than property_access knows stay where they are, or go.
 template <class M>
