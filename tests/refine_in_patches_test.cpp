@@ -2,6 +2,8 @@
 #include <kith/refine_in_patches.hpp>
 
 #include <kith/refine.hpp>
+#include <kith/split/quad_split.hpp>
+#include <kith/step/rules.hpp>
 
 #include "every_scheme.hpp"
 #include "same_mesh.hpp"
@@ -33,11 +35,11 @@ kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mes
 constexpr double never = std::numeric_limits<double>::infinity();
 /// A template for every class; none at all; one for those that have some members.
 constexpr kith::patch_costs all_templates{
-    .in_patch = 0, .among_few = 1, .of_template = 0, .to_be_cheaper = never, .least_faces = 1};
+    .in_patch = 0, .among_few = 1, .of_template = 0, .of_walk = 0, .to_be_cheaper = never, .least_faces = 1};
 constexpr kith::patch_costs no_templates{
-    .in_patch = 0, .among_few = 1, .of_template = never, .to_be_cheaper = never, .least_faces = 1};
+    .in_patch = 0, .among_few = 1, .of_template = never, .of_walk = 0, .to_be_cheaper = never, .least_faces = 1};
 constexpr kith::patch_costs some_templates{
-    .in_patch = 0, .among_few = 1, .of_template = 300, .to_be_cheaper = never, .least_faces = 1};
+    .in_patch = 0, .among_few = 1, .of_template = 300, .of_walk = 0, .to_be_cheaper = never, .least_faces = 1};
 
 template <class Scheme>
 constexpr bool has_patches = kith::patchable_scheme<Scheme, std::array<double, 3>, std::uint32_t>;
@@ -84,6 +86,41 @@ TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
     EXPECT_TRUE(compare(quads, kith::kobbelt{}, 3));
 }
 
+/// A scheme of a user's own: masks inside masks, weights by valence, and a ring that is walked twice.
+struct own_scheme {
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "own",
+                                   .trusted = true,
+                                   .reach = [](int rings) { return rings / 2 + 1; },
+                                   .ignores_numbers = [] { return true; }};
+    }
+    static constexpr auto columns() { return kith::quad_split::columns(); }
+
+    template <kith::running_step R>
+    void operator()(const R& r) const
+    {
+        const auto ends = [](auto v) { return v.corners().map([](auto c) { return c.next().v(); }); };
+        kith::subdivide(
+            kith::quad_split(),
+            r,
+            kith::at_faces([](auto f) { return average(f.vertices()); }),
+            kith::at_edges([](auto e) { return .7 * average(e.org(), e.dst()) + .3 * (.9 * e.org() + .1 * e.dst()); }),
+            kith::at_vertices([&](auto v) {
+                return kith::around(v, ends(v), [&](auto n, auto v, auto sum) {
+                    return .8 * (v + .1 / n * sum) + .2 * (.6 * v + .4 / n * (sum + v));
+                });
+            }));
+    }
+};
+
+TEST(refine_in_patches, takes_a_scheme_of_a_users_own)
+{
+    static_assert(has_patches<own_scheme>);
+    EXPECT_TRUE(compare(native(shapes::shaken(shapes::house())), own_scheme(), 4));
+    EXPECT_TRUE(compare(native(shapes::shaken(shapes::grid(4, 5))), own_scheme(), 3));
+}
+
 TEST(refine_in_patches, takes_other_numbers_and_indices)
 {
     const auto shape = shapes::shaken(shapes::both(shapes::house(), shapes::pentacube()));
@@ -126,6 +163,7 @@ TEST(refine_in_patches, is_left_out_where_it_would_be_wrong_or_of_no_use)
     EXPECT_TRUE(looks(torus, kith::loop{}, 5));
     EXPECT_FALSE(looks(torus, kith::loop{}, 0));
     EXPECT_FALSE(looks(native(shapes::tetrahedron()), kith::loop{}, 4)); // few faces
+    EXPECT_FALSE(looks(torus, kith::loop{}, 4));                         // many walks
     kith::loop creased;                                                  // keeps its creases by the numbers of edges
     creased.sharpness.sharpen_edge(0, 2.);
     EXPECT_FALSE(looks(torus, creased, 5));

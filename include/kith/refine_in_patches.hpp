@@ -45,6 +45,8 @@ struct patch_costs {
     double in_patch = .4;
     double among_few = 3;           ///< of few faces with their rings, where making a template is not worth it
     double of_template = 4000;      ///< of making one, in final faces
+    double of_walk = 40;            ///< of walking around a face of the first level to find its class
+    double share_of_walks = .05;    ///< nobody looks where all walks cost more than this share of the whole
     double to_be_cheaper = .9;      ///< patches must come to less than so much
     std::size_t least_faces = 8192; ///< of the level whose faces own patches; for fewer nobody looks
 };
@@ -76,7 +78,8 @@ public:
         begin_ = levels;
         while (begin_ > first_ and faces(levels) / faces(begin_ - 1) <= most_faces_of_patch)
             --begin_;
-        worth_looking_ = has_lanes() and begin_ < levels and faces(begin_) >= costs.least_faces;
+        worth_looking_ = has_lanes() and begin_ < levels and faces(begin_) >= costs.least_faces and
+                         costs.of_walk * double(faces(first_)) <= costs.share_of_walks * double(faces(levels));
         for (int level = 0; level < levels; ++level)
             counts_of_level_.push_back(planned[std::size_t(level)].counts);
         last_ = planned.back().counts;
