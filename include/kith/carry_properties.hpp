@@ -112,6 +112,14 @@ struct averaged_value<std::array<T, N>> : averaged_coordinates<std::array<T, N>,
 
 namespace detail {
 
+/// T(), which elements have that inherit nothing; zero where its constructor leaves it open, as those of OpenMesh's vectors do.
+template <class T>
+const T& value_of_nothing()
+{
+    static const T value = T(); // what is static is cleared before it is constructed
+    return value;
+}
+
 template <class T>
 concept can_be_averaged = requires(const T& value) { averaged_value<T>::template load<double>(value); };
 
@@ -216,7 +224,7 @@ private:
         std::size_t i = 0;
         for_each_handle<Handle>(fine_, [&](Handle x) {
             const std::uint32_t heir = heirs_[i++];
-            to[x] = heir == 0 ? T() : T(from[handles_[heir - 1]]);
+            to[x] = heir == 0 ? value_of_nothing<T>() : T(from[handles_[heir - 1]]);
         });
     }
     /// One more than the number of what an element inherits from, 0 for those that inherit nothing.

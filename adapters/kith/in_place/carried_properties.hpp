@@ -152,7 +152,7 @@ private:
             std::size_t i = 0;
             detail::for_each_handle<Handle>(mesh, [&](Handle x) {
                 const std::uint32_t heir = numbers[i++];
-                to[x] = heir == 0 ? T() : T(values[heir - 1]);
+                to[x] = heir == 0 ? detail::value_of_nothing<T>() : T(values[heir - 1]);
             });
         });
     }
