@@ -121,6 +121,7 @@ private:
 
     static constexpr std::size_t degree = numbering::common_degree;
     static constexpr std::size_t most_faces_of_patch = 100;
+
     /// Rings by which a class says all of the patch and of the classes of the next level.
     [[nodiscard]] int rings() const
     {
@@ -246,19 +247,15 @@ private:
     static void copy_owned(const basic_mesh<Point, Index>& part, const part_of_whole<owned_number<Index>>& numbers,
                            storage<Point>& points, connectivity<Index>& to)
     {
-        const connectivity<Index>& from = part.topology();
-        const auto corner_of_whole = [&](std::size_t c) {
-            return Index(degree * numbers.faces[c / degree].number + c % degree);
-        };
         for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
-            if (const auto& n = numbers.vertices[v]; n.owned) {
-                points[n.number] = part.point(v);
-            }
-        for (std::size_t c = 0; c < from.corners(); ++c) {
-            if (not numbers.faces[c / degree].owned)
+            if (numbers.vertices[v].owned)
+                points[numbers.vertices[v].number] = part.point(v);
+        for (std::size_t f = 0; f < numbers.faces.size(); ++f) {
+            if (not numbers.faces[f].owned)
                 continue;
-            const Index corner = corner_of_whole(c);
-            to.corner_vertex[corner] = numbers.vertices[from.corner_vertex[c]].number;
+            Index* corner = to.corner_vertex.data() + degree * std::size_t(numbers.faces[f].number);
+            for (const Index v : part.face(f))
+                *corner++ = numbers.vertices[v].number;
         }
     }
 

@@ -6,6 +6,7 @@
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <span>
@@ -14,13 +15,14 @@
 
 namespace kith {
 
-/// The rings around some faces that are needed on each level before a step, if there are to be none on the last level.
+/// The rings around some faces that are needed on each level before a step, if there are to be none on the last level. At least
+/// one, so that the fans of all their vertices are whole.
 template <reaching_scheme Scheme>
 std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps)
 {
     std::vector<int> rings(steps + 1, 0);
     for (std::size_t step = steps; step > 0; --step)
-        rings[step - 1] = reach_of(scheme, rings[step]);
+        rings[step - 1] = std::max(1, reach_of(scheme, rings[step]));
     rings.pop_back();
     return rings;
 }
