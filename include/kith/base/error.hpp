@@ -6,7 +6,8 @@
 #include <string>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error "kith promises the same bits on any number of threads and tiles; compile what includes it without -ffast-math and its parts"
+#error                                                                                                                 \
+    "kith promises the same bits on any number of threads and tiles; compile what includes it without -ffast-math and its parts"
 #endif
 
 /// Broken invariants of kith itself; checked in debug builds only.
