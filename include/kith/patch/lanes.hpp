@@ -41,13 +41,14 @@ struct lanes {
     typedef Scalar type __attribute__((vector_size(lane_bytes), may_alias));
 };
 
-/// Keeps the compiler from making a product and the sum that follows one operation, which would round once.
+/// Keeps the compiler from making a product and the sum that follows one operation, which would round once; clang does so
+/// within one expression only.
 template <class Pack>
 [[gnu::always_inline]] inline void keep_rounded([[maybe_unused]] Pack& product)
 {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)
     __asm__("" : "+x"(product));
-#elif defined(__aarch64__)
+#elif defined(__aarch64__) && !defined(__clang__)
     __asm__("" : "+w"(product));
 #endif
 }
