@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "exit_code.hpp"
 #include "opensubdiv_numbers.hpp"
 #include "random_corner_values.hpp"
+#include "random_runs.hpp"
 
 #include <kith/face_varying.hpp>
 #include <kith/presets.hpp>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <exception>
 #include <iostream>
 #include <map>
@@ -157,65 +156,41 @@ constexpr std::array<std::size_t, 6> densities{1, 2, 4, 8, 16, 0};
 
 int main(int count, char** words)
 {
-    namespace options = boost::program_options;
-    options::options_description description(
-        "Values at corners with random seams, with all choices of OpenSubdiv's face-varying linear interpolation, "
-        "refined with "
-        "OpenSubdiv and with kith: on the shapes of the tests, and on random meshes with random creases");
-    description.add_options()("help", "this text")(
-        "count", options::value<std::size_t>()->default_value(1000), "so many random meshes for each scheme")(
-        "seed", options::value<std::uint64_t>()->default_value(1), "of the first mesh; the next ones follow it")(
-        "levels", options::value<int>()->default_value(3), "how often to refine");
-    options::variables_map values;
-    try {
-        store(parse_command_line(count, words, description), values);
-        notify(values);
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 2;
-    }
-    if (values.count("help")) {
-        std::cout << description;
-        return 0;
-    }
-    const int levels = values["levels"].as<int>();
-    tally sum;
-    std::size_t different = 0;
-    const auto attempt = [&](const std::string& what, const auto& run) {
-        try {
-            run();
-        } catch (const std::exception& error) {
-            std::cout << what << ": DIFFERENT: " << error.what() << '\n';
-            ++different;
-        }
-    };
-    const auto of_shapes = [&](const auto& shapes, const auto& compare) {
-        for (const auto& [name, shape] : shapes)
-            for (const std::size_t density : densities)
-                attempt(name, [&] {
-                    random_numbers random(density);
-                    compare(shape, density, random);
-                });
-    };
-    of_shapes(shapes::all_shapes(), [&](const auto& shape, std::size_t density, random_numbers& random) {
-        compare_creases<kith::catmull_clark>(shape, density, random, levels, sum);
-    });
-    of_shapes(shapes::triangle_shapes(), [&](const auto& shape, std::size_t density, random_numbers& random) {
-        compare_creases<kith::loop>(shape, density, random, levels, sum);
-    });
-    const auto seed = values["seed"].as<std::uint64_t>();
-    for (std::uint64_t i = seed; i < seed + values["count"].as<std::size_t>(); ++i) {
-        random_numbers random(i);
-        const std::size_t density = densities[random.below(densities.size())];
-        attempt("seed " + std::to_string(i), [&] {
+    return exit_code_of([&] {
+        auto runs = parse_random_runs(
+            count,
+            words,
+            "Values at corners with random seams, with all choices of OpenSubdiv's face-varying linear "
+            "interpolation, refined with OpenSubdiv and with kith: on the shapes of the tests, and on "
+            "random meshes with random creases");
+        if (not runs)
+            return;
+        const int levels = runs->levels;
+        tally sum;
+        const auto of_shapes = [&](const auto& shapes, const auto& compare) {
+            for (const auto& [name, shape] : shapes)
+                for (const std::size_t density : densities)
+                    runs->attempt(name, [&] {
+                        random_numbers random(density);
+                        compare(shape, density, random);
+                    });
+        };
+        of_shapes(shapes::all_shapes(), [&](const auto& shape, std::size_t density, random_numbers& random) {
+            compare_creases<kith::catmull_clark>(shape, density, random, levels, sum);
+        });
+        of_shapes(shapes::triangle_shapes(), [&](const auto& shape, std::size_t density, random_numbers& random) {
+            compare_creases<kith::loop>(shape, density, random, levels, sum);
+        });
+        runs->attempt_seeds([&](random_numbers& random) {
+            const std::size_t density = densities[random.below(densities.size())];
             compare_creases<kith::catmull_clark>(random_polygons(random), density, random, levels, sum);
             compare_creases<kith::loop>(random_triangles(random), density, random, levels, sum);
         });
-    }
-    for (const auto& [what, number] : sum.count)
-        std::cout << what << ": " << number << '\n';
-    std::cout << opensubdiv_peer::version() << ", " << values["count"].as<std::size_t>()
-              << " random meshes for each scheme and the shapes of the tests, " << different
-              << " different; largest distance " << sum.largest << " of values between -1 and 1\n";
-    return different == 0 ? 0 : 1;
+        for (const auto& [what, number] : sum.count)
+            std::cout << what << ": " << number << '\n';
+        std::cout << opensubdiv_peer::version() << ", " << runs->count
+                  << " random meshes for each scheme and the shapes of the tests, " << runs->different()
+                  << " different; largest distance " << sum.largest << " of values between -1 and 1\n";
+        runs->require_same();
+    });
 }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "exit_code.hpp"
 #include "opensubdiv_numbers.hpp"
 #include "random_meshes.hpp"
+#include "random_runs.hpp"
 
 #include <kith/hierarchy.hpp>
 #include <kith/presets.hpp>
 #include <kith/step/scheme.hpp>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <exception>
 #include <iostream>
 #include <map>
@@ -194,42 +193,21 @@ void compare_options(const shapes::shape& shape, int levels, random_numbers& ran
 
 int main(int count, char** words)
 {
-    namespace options = boost::program_options;
-    options::options_description description(
-        "Random meshes with random creases, refined with OpenSubdiv and with kith");
-    description.add_options()("help", "this text")(
-        "count", options::value<std::size_t>()->default_value(1000), "so many meshes for each scheme")(
-        "seed", options::value<std::uint64_t>()->default_value(1), "of the first mesh; the next ones follow it")(
-        "levels", options::value<int>()->default_value(3), "how often to refine");
-    options::variables_map values;
-    try {
-        store(parse_command_line(count, words, description), values);
-        notify(values);
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 2;
-    }
-    if (values.count("help")) {
-        std::cout << description;
-        return 0;
-    }
-    tally sum;
-    std::size_t different = 0;
-    const auto seed = values["seed"].as<std::uint64_t>();
-    for (std::uint64_t i = seed; i < seed + values["count"].as<std::size_t>(); ++i) {
-        random_numbers random(i);
-        try {
-            compare_options<kith::catmull_clark>(random_polygons(random), values["levels"].as<int>(), random, sum);
-            compare_options<kith::loop>(random_triangles(random), values["levels"].as<int>(), random, sum);
-        } catch (const std::exception& error) {
-            std::cout << "seed " << i << ": DIFFERENT: " << error.what() << '\n';
-            ++different;
-        }
-    }
-    for (const auto& [what, number] : sum.count)
-        std::cout << what << ": " << number << '\n';
-    std::cout << opensubdiv_peer::version() << ", " << values["count"].as<std::size_t>() << " meshes for each scheme, "
-              << different << " different; largest distance " << sum.exact << " of the mesh, " << sum.rounded
-              << " where OpenSubdiv rounds sharpness to floats\n";
-    return different == 0 ? 0 : 1;
+    return exit_code_of([&] {
+        auto runs = parse_random_runs(
+            count, words, "Random meshes with random creases, refined with OpenSubdiv and with kith");
+        if (not runs)
+            return;
+        tally sum;
+        runs->attempt_seeds([&](random_numbers& random) {
+            compare_options<kith::catmull_clark>(random_polygons(random), runs->levels, random, sum);
+            compare_options<kith::loop>(random_triangles(random), runs->levels, random, sum);
+        });
+        for (const auto& [what, number] : sum.count)
+            std::cout << what << ": " << number << '\n';
+        std::cout << opensubdiv_peer::version() << ", " << runs->count << " meshes for each scheme, "
+                  << runs->different() << " different; largest distance " << sum.exact << " of the mesh, "
+                  << sum.rounded << " where OpenSubdiv rounds sharpness to floats\n";
+        runs->require_same();
+    });
 }

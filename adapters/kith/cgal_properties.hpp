@@ -4,7 +4,7 @@
 #include "cgal.hpp"
 
 #include <kith/carry_properties.hpp>
-#include <kith/field/standard_property.hpp>
+#include <kith/property/standard_property.hpp>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>

@@ -4,14 +4,14 @@
 #include "hierarchy.hpp"
 
 #include <kith/field/field.hpp>
+#include <kith/property/averaged_value.hpp>
+#include <kith/property/property_access.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -27,89 +27,6 @@ struct property_report {
         left_out; ///< of a type that is not known, on half-edges and not to be averaged, or normals
 };
 
-/// How properties with names are reached in a library's meshes; specialised beside mesh_traits, with
-///
-///   number                             the type in which values are averaged
-///   value_types                        std::tuple of the types of values that are looked for
-///   names<Handle>(mesh)                of all properties on elements with such handles, but those of the library itself
-///   is_reserved(name)                  whether the library itself has, or may have, a property of that name
-///   follows_from_points(name)          whether the library makes it, as normals
-///   find<Handle, T>(mesh, name)        std::optional of something with [handle]; of a mesh that is not const, to write
-///   add<Handle, T>(mesh, name)         the same, new where there is none
-///   standard_name<Handle>(which)       what the library calls a standard_property on such elements; empty if it does not
-///   standard_type<which>               and the type of its values; void for any
-template <class M>
-struct property_access;
-
-/// A mesh whose properties have names.
-template <class M>
-concept mesh_with_properties = mesh<M> and requires { typename property_access<M>::value_types; };
-
-/// A type whose values can be averaged: as up to four coordinates, and back.
-template <class T>
-struct averaged_value;
-
-namespace detail {
-
-template <class Number>
-using four_numbers = std::array<Number, 4>;
-
-/// Integers, such as the channels of a colour, are rounded, and kept in range where masks have negative weights.
-template <class T, class Number>
-T as_coordinate(const Number& x)
-{
-    if constexpr (std::same_as<T, Number>)
-        return x;
-    else if constexpr (not std::constructible_from<double, const Number&>)
-        return as_coordinate<T>(to_double(x)); // of the exact number's own library
-    else if constexpr (std::integral<T>)
-        return T(std::lround(
-            std::clamp(double(x), double(std::numeric_limits<T>::min()), double(std::numeric_limits<T>::max()))));
-    else
-        return T(x);
-}
-
-} // namespace detail
-
-template <std::floating_point T>
-struct averaged_value<T> {
-    template <class Number>
-    static detail::four_numbers<Number> load(const T& value)
-    {
-        return {Number(value)};
-    }
-    template <class Number>
-    static T store(const detail::four_numbers<Number>& x)
-    {
-        return detail::as_coordinate<T>(x[0]);
-    }
-};
-
-/// Types with N coordinates, read and written by [i].
-template <class T, class Coordinate, std::size_t N>
-    requires(N <= 4)
-struct averaged_coordinates {
-    template <class Number>
-    static detail::four_numbers<Number> load(const T& value)
-    {
-        detail::four_numbers<Number> x{};
-        for (std::size_t i = 0; i < N; ++i)
-            x[i] = Number(value[i]);
-        return x;
-    }
-    template <class Number>
-    static T store(const detail::four_numbers<Number>& x)
-    {
-        T value;
-        for (std::size_t i = 0; i < N; ++i)
-            value[i] = detail::as_coordinate<Coordinate>(x[i]);
-        return value;
-    }
-};
-template <class T, std::size_t N>
-    requires(N <= 4 and (std::floating_point<T> or std::same_as<T, unsigned char>))
-struct averaged_value<std::array<T, N>> : averaged_coordinates<std::array<T, N>, T, N> {};
-
 namespace detail {
 
 /// T(), which elements have that inherit nothing; zero where its constructor leaves it open, as those of OpenMesh's vectors do.
@@ -118,36 +35,6 @@ const T& value_of_nothing()
 {
     static const T value = T(); // what is static is cleared before it is constructed
     return value;
-}
-
-template <class T>
-concept can_be_averaged = requires(const T& value) { averaged_value<T>::template load<double>(value); };
-
-/// Calls f(handle) in the order of dense numbers. A half-edge stands for the corner at its target, as is usual for texture
-/// coordinates.
-template <class Handle, mesh M, class F>
-void for_each_handle(const M& mesh, const F& f)
-{
-    using traits = mesh_traits<M>;
-    if constexpr (std::same_as<Handle, typename traits::vertex>) {
-        for (const Handle v : traits::vertices(mesh))
-            f(v);
-    } else if constexpr (std::same_as<Handle, typename traits::edge>) {
-        for (const Handle e : traits::edges(mesh))
-            f(e);
-    } else if constexpr (std::same_as<Handle, typename traits::face>) {
-        for (const Handle x : traits::faces(mesh))
-            f(x);
-    } else {
-        for (const auto x : traits::faces(mesh)) {
-            const Handle first = traits::halfedge_of(mesh, x);
-            Handle h = first;
-            do {
-                f(traits::prev(mesh, h));
-                h = traits::next(mesh, h);
-            } while (h != first);
-        }
-    }
 }
 
 /// The properties of elements of one kind: those to be averaged each by itself, the others by the number of the element that

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "carry_properties.hpp"
-
 #include <kith/base/storage.hpp>
 #include <kith/field/field.hpp>
-#include <kith/field/standard_property.hpp>
+#include <kith/property/averaged_value.hpp>
+#include <kith/property/property_access.hpp>
+#include <kith/property/standard_property.hpp>
 #include <kith/level/lift.hpp>
 
 #include <any>

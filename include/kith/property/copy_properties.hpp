@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "averaged_value.hpp"
+#include "number_conversion.hpp"
+#include "property_access.hpp"
+#include "standard_property.hpp"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// What has become of the properties of a mesh that was converted, by the names they had there.
+struct conversion_report {
+    struct omission {
+        std::string name;
+        std::string why;
+    };
+    std::vector<std::string> carried;
+    /// Of those carried, and "points": whose values the new mesh cannot all hold exactly, such as doubles in floats.
+    std::vector<std::string> narrowed;
+    std::vector<omission> left_out;
+};
+
+namespace detail {
+
+/// The elements of one kind in their order; of half-edges that of the edges, first the side that directs the edge or, where
+/// that has no face, the other one.
+template <class Handle, mesh M>
+std::vector<Handle> all_handles(const M& mesh)
+{
+    using traits = mesh_traits<M>;
+    std::vector<Handle> result;
+    if constexpr (std::same_as<Handle, typename traits::halfedge>)
+        for (const auto e : traits::edges(mesh)) {
+            const Handle directs = traits::halfedge_of(mesh, e), other = traits::opposite(mesh, directs);
+            const bool is_first = not traits::is_boundary(mesh, directs);
+            result.push_back(is_first ? directs : other);
+            result.push_back(is_first ? other : directs);
+        }
+    else
+        for_each_handle<Handle>(mesh, [&](Handle x) { result.push_back(x); });
+    return result;
+}
+
+/// Copies the properties on elements of one kind to a mesh with the same elements.
+template <class FromHandle, class ToHandle, mesh_with_properties From, mesh_with_properties To>
+class property_copier {
+    using from_access = property_access<From>;
+    using to_access = property_access<To>;
+    /// Where one of the meshes has exact numbers these are.
+    using number = std::conditional_t<std::floating_point<typename from_access::number>, typename to_access::number,
+                                      typename from_access::number>;
+
+public:
+    property_copier(const From& from, To& to, conversion_report& report)
+        : from_(from)
+        , to_(to)
+        , report_(report)
+        , from_handles_(all_handles<FromHandle>(from))
+        , to_handles_(all_handles<ToHandle>(to))
+    {
+    }
+
+    template <class... T>
+    void copy_all(std::tuple<T...>*)
+    {
+        for (const std::string& name : from_access::template names<FromHandle>(from_)) {
+            const standard_property which = meaning_of(name);
+            const one_property one{name, to_access::template standard_name<ToHandle>(which), which};
+            if (not(copy<T>(one) or ...))
+                leave_out(name, "its type is none of those that are looked for; name it, convert<mesh, type>(...)");
+        }
+    }
+
+private:
+    struct one_property {
+        std::string name;
+        std::string standard_name; ///< what the new library calls it, if it does
+        standard_property which;
+    };
+    static standard_property meaning_of(const std::string& name)
+    {
+        using enum standard_property;
+        for (const standard_property which : {color, normal, texture_coordinates})
+            if (from_access::template standard_name<FromHandle>(which) == name)
+                return which;
+        return none;
+    }
+    template <standard_property Which>
+    using own_type = typename to_access::template standard_type<Which>;
+    template <class T, standard_property Which>
+    static constexpr bool is_own = std::is_void_v<own_type<Which>> or std::same_as<T, own_type<Which>>;
+
+    /// Whether it is of this type.
+    template <class T>
+    bool copy(const one_property& one)
+    {
+        const auto from = from_access::template find<FromHandle, T>(from_, one.name);
+        if (not from)
+            return false;
+        using enum standard_property;
+        constexpr std::array own{is_own<T, color>, is_own<T, normal>, is_own<T, texture_coordinates>};
+        const bool is_standard = not one.standard_name.empty();
+        const bool keeps_type = not is_standard or own[std::size_t(one.which)];
+        if constexpr (can_be_averaged<T> and not std::is_arithmetic_v<T>)
+            if (not keeps_type) {
+                numbers_of_values<number> values{{}, numbers_of_values<number>::template rounded<T>};
+                for (const FromHandle x : from_handles_)
+                    values.values.push_back(averaged_value<T>::template load<number>((*from)[x]));
+                copy_numbers(values, one);
+                return true;
+            }
+        const std::string& to_name = is_standard and keeps_type ? one.standard_name : one.name;
+        if (is_free(one.name, to_name, bool(to_access::template find<ToHandle, T>(to_, to_name)))) {
+            auto to = to_access::template add<ToHandle, T>(to_, to_name);
+            for (std::size_t i = 0; i < from_handles_.size(); ++i)
+                to[to_handles_[i]] = (*from)[from_handles_[i]];
+        }
+        return true;
+    }
+    void copy_numbers(const numbers_of_values<number>& values, const one_property& one)
+    {
+        using enum standard_property;
+        if (one.which == color)
+            write<own_type<color>>(values, one);
+        else if (one.which == normal)
+            write<own_type<normal>>(values, one);
+        else
+            write<own_type<texture_coordinates>>(values, one);
+    }
+    template <class Own>
+    void write(const numbers_of_values<number>& values, const one_property& one)
+    {
+        const bool is_there = bool(to_access::template find<ToHandle, Own>(to_, one.standard_name));
+        if (not is_free(one.name, one.standard_name, is_there))
+            return;
+        const number_conversion<number> rule{
+            one.which == standard_property::color, values.round, numbers_of_values<number>::template rounded<Own>};
+        auto to = to_access::template add<ToHandle, Own>(to_, one.standard_name);
+        bool is_exact = true;
+        for (std::size_t i = 0; i < to_handles_.size(); ++i) {
+            to[to_handles_[i]] = averaged_value<Own>::template store<number>(rule.convert(values.values[i]));
+            is_exact = is_exact and rule.is_exact(values.values[i]);
+        }
+        if (not is_exact)
+            report_.narrowed.push_back(one.name);
+    }
+    template <class Own>
+        requires std::is_void_v<Own>
+    void write(const numbers_of_values<number>&, const one_property&) // a mesh that takes any type
+    {
+    }
+    /// Whether the new mesh has room for a property of this name, which it then has; else it is left out.
+    bool is_free(const std::string& name, const std::string& to_name, bool is_there_in_its_type)
+    {
+        const auto there = to_access::template names<ToHandle>(to_);
+        std::string why;
+        if (to_access::is_reserved(to_name))
+            why = "the new mesh keeps that name for itself";
+        else if (std::ranges::find(made_, to_name) != made_.end())
+            why = "another property has become '" + to_name + "'";
+        else if (std::ranges::find(there, to_name) != there.end() and not is_there_in_its_type)
+            why = "the new mesh has '" + to_name + "' in another type";
+        if (not why.empty()) {
+            leave_out(name, std::move(why));
+            return false;
+        }
+        made_.push_back(to_name);
+        report_.carried.push_back(name);
+        return true;
+    }
+    void leave_out(const std::string& name, std::string why) { report_.left_out.push_back({name, std::move(why)}); }
+
+    const From& from_;
+    To& to_;
+    conversion_report& report_;
+    std::vector<FromHandle> from_handles_;
+    std::vector<ToHandle> to_handles_;
+    std::vector<std::string> made_;
+};
+
+template <class... More, mesh From, mesh To>
+void copy_properties(const From& from, To& to, conversion_report& report)
+{
+    using from_traits = mesh_traits<From>;
+    using to_traits = mesh_traits<To>;
+    const auto for_each_kind = [](const auto& f) {
+        f(typename from_traits::vertex(), typename to_traits::vertex());
+        f(typename from_traits::halfedge(), typename to_traits::halfedge());
+        f(typename from_traits::edge(), typename to_traits::edge());
+        f(typename from_traits::face(), typename to_traits::face());
+    };
+    for_each_kind([&]<class FromHandle, class ToHandle>(FromHandle, ToHandle) {
+        if constexpr (mesh_with_properties<From> and mesh_with_properties<To>) {
+            using types = decltype(std::tuple_cat(std::declval<typename property_access<From>::value_types>(),
+                                                  std::declval<typename property_access<To>::value_types>(),
+                                                  std::declval<std::tuple<More...>>()));
+            property_copier<FromHandle, ToHandle, From, To>(from, to, report).copy_all(static_cast<types*>(nullptr));
+        } else if constexpr (mesh_with_properties<From>) {
+            for (const std::string& name : property_access<From>::template names<FromHandle>(from))
+                report.left_out.push_back({name, "the new mesh has no properties; property_mesh has"});
+        }
+    });
+}
+
+} // namespace detail
+
+} // namespace kith

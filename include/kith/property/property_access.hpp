@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/mesh/mesh_traits.hpp>
+
+#include <concepts>
+
+namespace kith {
+
+/// How properties with names are reached in a library's meshes; specialised beside mesh_traits, with
+///
+///   number                             the type in which values are averaged
+///   value_types                        std::tuple of the types of values that are looked for
+///   names<Handle>(mesh)                of all properties on elements with such handles, but those of the library itself
+///   is_reserved(name)                  whether the library itself has, or may have, a property of that name
+///   follows_from_points(name)          whether the library makes it, as normals
+///   find<Handle, T>(mesh, name)        std::optional of something with [handle]; of a mesh that is not const, to write
+///   add<Handle, T>(mesh, name)         the same, new where there is none
+///   standard_name<Handle>(which)       what the library calls a standard_property on such elements; empty if it does not
+///   standard_type<which>               and the type of its values; void for any
+template <class M>
+struct property_access;
+
+/// A mesh whose properties have names.
+template <class M>
+concept mesh_with_properties = mesh<M> and requires { typename property_access<M>::value_types; };
+
+namespace detail {
+
+/// Calls f(handle) in the order of dense numbers. A half-edge stands for the corner at its target, as is usual for texture
+/// coordinates.
+template <class Handle, mesh M, class F>
+void for_each_handle(const M& mesh, const F& f)
+{
+    using traits = mesh_traits<M>;
+    if constexpr (std::same_as<Handle, typename traits::vertex>) {
+        for (const Handle v : traits::vertices(mesh))
+            f(v);
+    } else if constexpr (std::same_as<Handle, typename traits::edge>) {
+        for (const Handle e : traits::edges(mesh))
+            f(e);
+    } else if constexpr (std::same_as<Handle, typename traits::face>) {
+        for (const Handle x : traits::faces(mesh))
+            f(x);
+    } else {
+        for (const auto x : traits::faces(mesh)) {
+            const Handle first = traits::halfedge_of(mesh, x);
+            Handle h = first;
+            do {
+                f(traits::prev(mesh, h));
+                h = traits::next(mesh, h);
+            } while (h != first);
+        }
+    }
+}
+
+} // namespace detail
+
+} // namespace kith
