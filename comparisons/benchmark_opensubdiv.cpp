@@ -2,10 +2,12 @@
 #include "contests.hpp"
 #include "opensubdiv_peer.hpp"
 
+#include <kith/evaluator.hpp>
 #include <kith/presets.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <type_traits>
 
 namespace kith::comparison {
@@ -54,6 +56,38 @@ contest make_contest(const course& course, const Scheme& scheme, bool full)
                                full ? connect::everything : connect::faces)}};
 }
 
+/// The points of the last level for control points that have moved, and what refining again would cost.
+template <class Scheme>
+contest make_evaluation_contest(const course& course, const Scheme& scheme)
+{
+    const auto theirs = [=]() -> work {
+        const auto topology = opensubdiv_peer::make(*course.control, scheme);
+        opensubdiv_peer::refine(topology, course.levels, false);
+        return [table = std::shared_ptr(opensubdiv_peer::stencils<double>(topology)),
+                control_points = opensubdiv_peer::points_of<double>(*course.control)] {
+            const auto points = std::make_shared_for_overwrite<opensubdiv_point<double>[]>(
+                std::size_t(table->GetNumStencils()));
+            table->UpdateValues(control_points.data(), points.get());
+            return points;
+        };
+    };
+    const auto ours = [=]() -> work {
+        return [surface = std::make_shared<evaluator<std::array<double, 3>, std::uint32_t, Scheme>>(
+                    *course.control, scheme, course.levels),
+                control = course.control] {
+            return std::make_shared<storage<std::array<double, 3>>>(surface->evaluate(control->points()));
+        };
+    };
+    return {
+        std::string(scheme_name<Scheme>()),
+        course.name + ", moved points",
+        course.levels,
+        course.faces,
+        {{opensubdiv_peer::version() + ", stencil table", theirs, {}},
+         {"kith, evaluator", ours, {}},
+         native_contestant("kith, refined again, faces only", course.control, scheme, course.levels, connect::faces)}};
+}
+
 template <class Scheme>
 void add_opensubdiv_contests(std::vector<contest>& list, const course_settings& settings)
 {
@@ -62,6 +96,7 @@ void add_opensubdiv_contests(std::vector<contest>& list, const course_settings& 
         list.push_back(make_contest<double>(course, scheme, false));
         list.push_back(make_contest<float>(course, scheme, false));
         list.push_back(make_contest<double>(course, scheme, true));
+        list.push_back(make_evaluation_contest(course, scheme));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <kith/polygon_soup.hpp>
 
 #include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/stencilTableFactory.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefiner.h>
 #include <opensubdiv/far/topologyRefinerFactory.h>
@@ -130,6 +131,18 @@ struct opensubdiv_peer {
             coarse = last.get();
         }
         return last;
+    }
+
+    /// The weights of the points of the last level over the control points, multiplied out.
+    template <class Real>
+    static std::unique_ptr<const OpenSubdiv::Far::StencilTableReal<Real>> stencils(const mesh& refiner)
+    {
+        using factory = OpenSubdiv::Far::StencilTableFactoryReal<Real>;
+        typename factory::Options options;
+        options.generateIntermediateLevels = false;
+        options.generateOffsets = true;
+        options.maxLevel = unsigned(refiner->GetMaxLevel()) & 15U;
+        return std::unique_ptr<const OpenSubdiv::Far::StencilTableReal<Real>>(factory::Create(*refiner, options));
     }
 
     /// The control points in the form that `interpolate` takes.

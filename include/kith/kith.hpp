@@ -2,6 +2,7 @@
 #pragma once
 
 // All that a user of kith::kith calls; the folders beside hold what it is made of.
+#include "evaluator.hpp"
 #include "hierarchy.hpp"
 #include "plan.hpp"
 #include "refine.hpp"

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <concepts>
 #include <cstddef>
 
 /// As many numbers as a register of the processor holds, added and scaled side by side: each lane is what one number would
 /// be, to the bit. Vectors are those of g++ and clang. On x86-64 functions marked KITH_LANES use registers that most, not all
 /// processors have; has_lanes() looks.
+
+namespace kith {
+
+/// Points that are arrays of numbers, which fit into lanes where there are any.
+template <class Point>
+inline constexpr bool fits_lanes = false;
+
+} // namespace kith
 
 #if defined(__GNUC__)
 #define KITH_HAS_LANES 1
@@ -16,6 +26,10 @@
 #endif
 
 namespace kith {
+
+template <std::floating_point Scalar, std::size_t N>
+    requires(N > 0 and N <= 4)
+inline constexpr bool fits_lanes<std::array<Scalar, N>> = true;
 
 #if defined(__x86_64__)
 inline constexpr std::size_t lane_bytes = 32;
@@ -51,6 +65,17 @@ template <class Pack>
 #elif defined(__aarch64__) && !defined(__clang__)
     __asm__("" : "+w"(product));
 #endif
+}
+
+} // namespace kith
+
+#else
+
+namespace kith {
+
+inline bool has_lanes()
+{
+    return false;
 }
 
 } // namespace kith

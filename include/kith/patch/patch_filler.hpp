@@ -15,13 +15,16 @@
 
 namespace kith {
 
-/// Points that are arrays of numbers, which fit into lanes.
-template <class Point>
-inline constexpr bool fits_lanes = false;
 #ifdef KITH_HAS_LANES
-template <std::floating_point Scalar, std::size_t N>
-    requires(N > 0 and N <= 4)
-inline constexpr bool fits_lanes<std::array<Scalar, N>> = true;
+
+/// Where a level is written: its points, and the vertices of its faces corner by corner, or nowhere.
+template <class Point, std::unsigned_integral Index>
+struct patch_output {
+    Point* points;
+    Index* corner_vertex = nullptr;
+
+    [[nodiscard]] bool has_faces() const { return corner_vertex != nullptr; }
+};
 
 /// Writes the points and faces that some faces of a level own, after templates, as many faces at a time as there are lanes.
 template <class Point, std::unsigned_integral Index, std::size_t Degree>
@@ -37,10 +40,9 @@ public:
     /// How many faces are filled at a time.
     static constexpr std::size_t width = lanes<scalar>::count;
 
-    /// For faces of a mesh that all have this degree; into the points and the vertices of the faces of a level that has room,
-    /// where all are of this degree, too.
-    patch_filler(const basic_mesh<Point, Index>& coarse, storage<Point>& points, connectivity<Index>& fine)
-        : coarse_(&coarse), points_(points.data()), corner_vertex_(fine.corner_vertex.data())
+    /// For faces of a mesh that all have this degree, as have those of the level that is written.
+    patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to)
+        : coarse_(&coarse), to_(to)
     {
     }
 
@@ -60,7 +62,8 @@ public:
         t.program.template run<size>(reinterpret_cast<pack*>(slots_.data()));
         for (std::size_t lane = 0; lane < faces.size(); ++lane) {
             store(t, lane, numbers_of(t, lane));
-            connect(t, faces[lane], numbers_of(t, lane));
+            if (to_.has_faces())
+                connect(t, faces[lane], numbers_of(t, lane));
         }
     }
 
@@ -124,17 +127,19 @@ private:
     {
         constexpr std::size_t indices_of_line = 64 / sizeof(Index);
         for (std::size_t v = 0; v < t.outputs.size(); v += 2)
-            __builtin_prefetch(points_ + numbers[t.outputs[v]], 1);
+            __builtin_prefetch(to_.points + numbers[t.outputs[v]], 1);
+        if (not to_.has_faces())
+            return;
         for (const auto& run : t.runs)
             for (std::size_t i = 0; i < Degree * run.count; i += indices_of_line)
-                __builtin_prefetch(corner_vertex_ + first_corner(run, face) + i, 1);
+                __builtin_prefetch(to_.corner_vertex + first_corner(run, face) + i, 1);
     }
     [[gnu::always_inline]] void store(const patch& t, std::size_t lane, const Index* numbers) const
     {
         const std::span<const std::uint16_t> slots = t.program.outputs();
         for (std::size_t v = 0; v < slots.size(); ++v) {
             const scalar* const value = slots_.data() + lane + slots[v] * size * width;
-            Point& point = points_[numbers[t.outputs[v]]];
+            Point& point = to_.points[numbers[t.outputs[v]]];
             for (std::size_t i = 0; i < size; ++i)
                 point[i] = value[i * width];
         }
@@ -143,7 +148,7 @@ private:
     {
         const typename patch::place* vertex = t.corners.data();
         for (const auto& run : t.runs) {
-            Index* to = corner_vertex_ + first_corner(run, face);
+            Index* to = to_.corner_vertex + first_corner(run, face);
             for (std::size_t f = 0; f < run.count; ++f, to += Degree, vertex += Degree)
                 for (std::size_t i = 0; i < Degree; ++i)
                     to[i] = numbers[vertex[i]];
@@ -151,8 +156,7 @@ private:
     }
 
     const basic_mesh<Point, Index>* coarse_;
-    Point* points_;
-    Index* corner_vertex_;
+    patch_output<Point, Index> to_;
     storage<scalar> slots_;
     storage<Index> first_corners_, numbers_;
 };

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -28,6 +29,10 @@ concept scheme = requires(const S& s) {
     requires std::copy_constructible<S>; // each level has its own
     { columns_of(s, 0) } -> declared_columns;
 };
+
+/// The numbering that one step of a scheme leaves behind.
+template <scheme Scheme, std::unsigned_integral Index>
+using numbering_of = numbering<decltype(columns_of(std::declval<const Scheme&>(), 0)), Index>;
 
 /// A scheme whose levels can be counted before they are made; a scheme that takes closed meshes only need say nothing of
 /// the boundary.
@@ -63,6 +68,41 @@ counts next_counts(const S& scheme, const counts& coarse, int generation)
 {
     return next_counts<needs_closed<S>>(columns_of(scheme, generation), coarse, generation);
 }
+
+namespace detail {
+
+/// Whether ids follow from tuples in one way in meshes that differ in the order of their elements: no column picks tuples by
+/// a condition or, in a closed mesh, none but by the boundary.
+template <class... Columns>
+constexpr bool is_free_of_order(const std::tuple<Columns...>*, bool closed)
+{
+    const auto column_is_free = []<tuple_kind K, class W, class D>(const column<K, W, D>*, bool without_boundary) {
+        if constexpr (requires { W::inner; })
+            return without_boundary;
+        else
+            return std::same_as<W, everywhere> or std::same_as<W, all_or_none>;
+    };
+    return (column_is_free(static_cast<const Columns*>(nullptr), closed) and ...);
+}
+
+template <scheme Scheme>
+constexpr bool is_free_of_order(bool closed)
+{
+    using columns = decltype(columns_of(std::declval<const Scheme&>(), 0));
+    return is_free_of_order(static_cast<const decltype(columns::vertices.list)*>(nullptr), closed) and
+           is_free_of_order(static_cast<const decltype(columns::edges.list)*>(nullptr), closed) and
+           is_free_of_order(static_cast<const decltype(columns::faces.list)*>(nullptr), closed);
+}
+
+} // namespace detail
+
+/// A scheme that may refine a mesh in another order of its elements, with the numbers of the given one: the same bits.
+template <class Scheme, class Index>
+concept orderable_scheme = is_trusted<Scheme> and countable_scheme<Scheme> and
+                           numbering_of<Scheme, Index>::has_edges and
+                           numbering_of<Scheme, Index>::common_degree != 0 and
+                           detail::is_free_of_order<Scheme>(true) and
+                           detail::says_ignores_numbers<Scheme, traits_type<Scheme>>;
 
 /// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh, or its boundary.
 template <class S, level Level>

@@ -15,10 +15,6 @@
 
 namespace kith {
 
-/// The numbering that one step of a scheme leaves behind.
-template <scheme Scheme, std::unsigned_integral Index>
-using numbering_of = numbering<decltype(columns_of(std::declval<const Scheme&>(), 0)), Index>;
-
 /// One step over the points of a level: the next level as a native mesh, and its numbering.
 /// Errors: mesh_error for more elements than the index can number, association_error for faults of the scheme.
 template <connect Connect, level Level, scheme Scheme>

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "face_classes.hpp"
+#include "patch_filler.hpp"
+#include "patch_plan.hpp"
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1.
+struct patch_costs {
+    double in_patch = .4;
+    double among_few = 3;           ///< of few faces with their rings, where making a template is not worth it
+    double of_template = 4000;      ///< of making one, in final faces
+    double of_walk = 40;            ///< of walking around a face of the first level to find its class
+    double share_of_walks = .05;    ///< nobody looks where all walks cost more than this share of the whole
+    double to_be_cheaper = .9;      ///< patches must come to less than so much
+    std::size_t least_faces = 8192; ///< of the level whose faces own patches; for fewer nobody looks
+};
+
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+    requires patchable_scheme<Scheme, Point, Index>
+class patched_level;
+
+#ifdef KITH_HAS_LANES
+
+/// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of other
+/// classes are refined as meshes of their own.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+    requires patchable_scheme<Scheme, Point, Index>
+class patched_level {
+public:
+    using output = patch_output<Point, Index>;
+
+    /// Of a mesh whose faces have these classes; nothing where it is no gain. Cost: that of the templates.
+    static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
+                                             const Scheme& scheme, const patch_plan& plan, const patch_costs& costs)
+    {
+        std::vector<std::size_t> members(classes.count(), 0);
+        for (const class_number c : classes.of_faces())
+            if (c != classes.unlike)
+                ++members[c];
+        const double faces_of_patch = double(plan.last().faces) / double(mesh.face_count());
+        const auto gains = [&](std::size_t count) {
+            return double(count) * faces_of_patch * (costs.among_few - costs.in_patch) > costs.of_template;
+        };
+        double cost = 0;
+        std::size_t in_templates = 0;
+        for (const std::size_t count : members)
+            if (gains(count)) {
+                cost += costs.of_template + double(count) * faces_of_patch * costs.in_patch;
+                in_templates += count;
+            }
+        cost += double(mesh.face_count() - in_templates) * faces_of_patch * costs.among_few;
+        if (cost > costs.to_be_cheaper * double(plan.last().faces))
+            return {};
+        return patched_level(mesh, classes, scheme, plan.bases, [&](class_number c) { return gains(members[c]); });
+    }
+
+    /// Makes the points of the last level, and its faces where there is room for them. The mesh is that of `make`, or one with other
+    /// points. Cost: that of the programs, and of refining the faces that have no template.
+    void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
+    {
+        constexpr std::size_t width = patch_filler<Point, Index, degree>::width;
+        detail::for_parts(
+            mesh.face_count(),
+            true,
+            [&](std::size_t begin, std::size_t end) {
+                patch_filler<Point, Index, degree> filler(mesh, to);
+                std::vector<Index> waiting(templates_.size() * width);
+                std::vector<std::uint8_t> count(templates_.size(), 0);
+                const auto flush = [&](std::size_t c) {
+                    filler.fill(templates_[c], std::span(waiting).subspan(c * width, count[c]));
+                    count[c] = 0;
+                };
+                for (std::size_t f = begin; f < end; ++f) {
+                    const class_number c = template_of_face_[f];
+                    if (c == none)
+                        continue;
+                    waiting[c * width + count[c]++] = Index(f);
+                    if (count[c] == width)
+                        flush(c);
+                }
+                for (std::size_t c = 0; c < count.size(); ++c)
+                    if (count[c] != 0)
+                        flush(c);
+            },
+            1);
+        refine_few(mesh, to);
+    }
+
+private:
+    using numbering = numbering_of<Scheme, Index>;
+    using class_number = typename face_classes<Index>::number;
+    static constexpr class_number none = face_classes<Index>::unlike;
+    static constexpr std::size_t degree = numbering::common_degree;
+
+    template <class Gains>
+    patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
+                  std::span<const column_bases> bases, const Gains& gains)
+        : scheme_(scheme), bases_(bases.begin(), bases.end()), template_of_face_(mesh.face_count())
+    {
+        template_maker<Scheme, Point, Index> maker(mesh, scheme, bases_);
+        face_walk<Index> walk(mesh.topology(), classes.rings());
+        constexpr class_number unknown = none - 1;
+        std::vector<class_number> template_of_class(classes.count(), unknown);
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            class_number made = none;
+            if (const class_number c = classes.of_faces()[f]; c != classes.unlike) {
+                if (template_of_class[c] == unknown)
+                    template_of_class[c] = gains(c) ? make_template(maker, walk, f) : none;
+                made = template_of_class[c];
+            }
+            template_of_face_[f] = made;
+            if (made == none)
+                few_.push_back(Index(f));
+        }
+    }
+
+    /// Its number; none for a face around which there is too much to be numbered.
+    class_number make_template(template_maker<Scheme, Point, Index>& maker, face_walk<Index>& walk, std::size_t face)
+    {
+        walk.around(face);
+        auto made = maker.make(walk);
+        if (not made)
+            return none;
+        templates_.push_back(std::move(*made));
+        return class_number(templates_.size() - 1);
+    }
+
+    /// The patches of the faces that have no template, as meshes of their own, level by level.
+    void refine_few(const basic_mesh<Point, Index>& mesh, const output& to) const
+    {
+        constexpr std::size_t at_once = 1024;
+        if (few_.empty())
+            return;
+        const connectivity<Index>& whole = mesh.topology();
+        const std::vector<int> rings = rings_before_steps(scheme_, bases_.size());
+        submesh_cutter<Point, Index> cutter(mesh);
+        std::vector<bool> is_one(mesh.face_count(), false);
+        for (std::span<const Index> few = few_; not few.empty(); few = few.subspan(std::min(at_once, few.size()))) {
+            const auto here = few.first(std::min(at_once, few.size()));
+            for (const Index f : here)
+                is_one[f] = true;
+            auto part = cutter.cut(cutter.faces_around(here, rings.front()));
+            part_of_whole<owned_number<Index>> numbers{{}, {}, {}, degree};
+            for (const Index v : part.vertex_from)
+                numbers.vertices.push_back({v, is_one[whole.vertex_corner[v] / degree]});
+            for (const Index e : part.edge_from)
+                numbers.edges.push_back({e, is_one[whole.halfedge_corner[2 * std::size_t(e)] / degree]});
+            for (const Index f : part.face_from)
+                numbers.faces.push_back({f, is_one[f]});
+            for (const Index f : here)
+                is_one[f] = false;
+            const auto fine = refine_part<numbering>(
+                std::move(part.mesh),
+                numbers,
+                bases_,
+                rings,
+                [](const auto& face) { return face.owned; },
+                [&](const auto& level, auto& ids) { return refine_mesh<connect::everything>(level, scheme_, ids); },
+                [&](const auto& level, auto& ids) { return refine_mesh<connect::faces>(level, scheme_, ids); });
+            copy_owned(fine, numbers, to);
+        }
+    }
+
+    static void copy_owned(const basic_mesh<Point, Index>& part, const part_of_whole<owned_number<Index>>& numbers,
+                           const output& to)
+    {
+        for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
+            if (numbers.vertices[v].owned)
+                to.points[numbers.vertices[v].number] = part.point(v);
+        if (not to.has_faces())
+            return;
+        for (std::size_t f = 0; f < numbers.faces.size(); ++f) {
+            if (not numbers.faces[f].owned)
+                continue;
+            Index* corner = to.corner_vertex + degree * std::size_t(numbers.faces[f].number);
+            for (const Index v : part.face(f))
+                *corner++ = numbers.vertices[v].number;
+        }
+    }
+
+    Scheme scheme_;
+    std::vector<column_bases> bases_;
+    std::vector<patch_template<scalar_of<Point>, Index>> templates_;
+    storage<class_number> template_of_face_;
+    std::vector<Index> few_; // faces without a template, in increasing order
+};
+
+#endif
+
+} // namespace kith

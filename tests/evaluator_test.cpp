@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/evaluator.hpp>
+
+#include "all_shapes.hpp"
+#include "error_text.hpp"
+#include "native_shape.hpp"
+#include "same_mesh.hpp"
+#include "thread_count.hpp"
+
+#include <kith/compiled_schemes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace {
+
+using point = std::array<double, 3>;
+
+/// The mesh with other points.
+mesh3d moved(const mesh3d& mesh, double by)
+{
+    kith::storage<point> points(mesh.points());
+    for (std::size_t v = 0; v < points.size(); ++v)
+        points[v][v % 3] += by * std::sin(double(v + 1));
+    return {std::move(points), mesh.topology(), mesh.generation()};
+}
+
+template <class Points>
+bool same_points(const Points& a, std::span<const point> b)
+{
+    return std::ranges::equal(a, b);
+}
+
+/// Whether an evaluator makes the points of `refine` for control points that move, and back again.
+template <class Scheme>
+void expect_points_of_refine(const mesh3d& mesh, const Scheme& scheme, int levels)
+{
+    kith::evaluator surface(mesh, scheme, levels);
+    for (const double by : {.1, .7, 0.}) {
+        const auto control = moved(mesh, by);
+        EXPECT_TRUE(same_points(surface.evaluate(control.points()), refine(control, scheme, levels).points()))
+            << levels << ' ' << by;
+    }
+}
+
+TEST(evaluator, makes_the_points_of_refine)
+{
+    for (const auto& [name, shape] : shapes::all_shapes()) {
+        SCOPED_TRACE(name);
+        const auto mesh = native(shape);
+        for (const int levels : {0, 1, 3}) {
+            expect_points_of_refine(mesh, kith::catmull_clark{}, levels);
+            expect_points_of_refine(mesh, kith::nasri_hasbini{}, levels); // without patches
+        }
+    }
+    for (const auto& [name, shape] : shapes::triangle_shapes()) {
+        SCOPED_TRACE(name);
+        expect_points_of_refine(native(shape), kith::sqrt3{}, 3);
+    }
+}
+
+TEST(evaluator, makes_them_by_templates_and_without)
+{
+    const auto torus = native(shapes::shaken(shapes::torus(12, 24))); // few classes
+    const auto irregular = native(
+        shapes::shaken(shapes::shuffled(shapes::both(shapes::house(), shapes::torus(7, 9)), 3)));
+    const auto triangles = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(15, 16)), 7)));
+    for (const int threads : {1, 3}) {
+        const thread_count count(threads);
+        expect_points_of_refine(torus, kith::catmull_clark{}, 4);
+        expect_points_of_refine(irregular, kith::catmull_clark{}, 4);
+        expect_points_of_refine(triangles, kith::loop{}, 4);
+    }
+}
+
+TEST(evaluator, keeps_creases)
+{
+    const auto torus = native(shapes::shaken(shapes::torus(12, 24)));
+    kith::catmull_clark creased;
+    creased.sharpness.sharpen_edge(5, 1.5);
+    creased.sharpness.sharpen_vertex(7, 2.);
+    expect_points_of_refine(torus, creased, 4);
+}
+
+TEST(evaluator, refuses_other_numbers_of_points_and_infinite_ones)
+{
+    const auto torus = native(shapes::torus(12, 24));
+    for (const int levels : {1, 4}) {
+        kith::evaluator surface(torus, kith::catmull_clark{}, levels);
+        std::vector<point> control(torus.points().begin(), torus.points().end());
+        control[3][1] = std::numeric_limits<double>::infinity();
+        EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(surface.evaluate(control)); }),
+                  "level 0: the new point of vertex 3 is not finite; give all vertices finite coordinates");
+        control.pop_back();
+        control[3][1] = 0;
+        EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(surface.evaluate(control)); }),
+                  "level 0 has 288 vertices, 287 values were given; give one per vertex");
+        EXPECT_TRUE(
+            same_points(surface.evaluate(torus.points()), refine(torus, kith::catmull_clark{}, levels).points()));
+    }
+    EXPECT_NE(error_text<kith::mesh_error>([&] { kith::evaluator(torus, kith::catmull_clark{}, -1); }), "");
+}
+
+} // namespace
