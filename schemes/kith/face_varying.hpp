@@ -71,18 +71,13 @@ private:
         const varied_level<T, Step> varied(step, values, marks, linear);
         storage<T> result(fine.corner_count());
         storage<corner_mark> next_marks(fine.corner_count());
-        detail::for_parts(fine.face_count(), fine.parallel, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f) {
-                const auto face = step.ids.faces.origin(f);
-                for (const auto c : fine.faces()[f].corners()) {
-                    const std::size_t v = c.v().index();
-                    const auto vertex = step.ids.vertices.origin(v);
-                    const auto [value, rule] = varied.at(face, vertex, v);
-                    result[c.index()] = value;
-                    next_marks[c.index()] = {
-                        rule, varied.is_seam(face, vertex, step.ids.vertices.origin(c.next().v().index()))};
-                }
-            }
+        detail::for_new_corners(fine, step.ids, [&](const auto& c, const auto& face) {
+            const std::size_t v = c.v().index();
+            const auto vertex = step.ids.vertices.origin(v);
+            const auto [value, rule] = varied.at(face, vertex, v);
+            result[c.index()] = value;
+            next_marks[c.index()] = {rule,
+                                     varied.is_seam(face, vertex, step.ids.vertices.origin(c.next().v().index()))};
         });
         return {std::move(result), std::move(next_marks)};
     }

@@ -137,18 +137,12 @@ struct linear_in_faces {
     template <affine_value T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
-        const auto fine = step.fine();
         const detail::linear_in_level<T, Step> linear(values, step);
+        const auto fine = step.fine();
         storage<T> result(fine.corner_count());
-        detail::for_parts(fine.face_count(), fine.parallel, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f) {
-                const auto face = step.ids.faces.origin(f);
-                for (const auto c : fine.faces()[f].corners()) {
-                    const std::size_t v = c.v().index();
-                    result[c.index()] = v < step.ids.vertices.total() ? linear.at(face, step.ids.vertices.origin(v))
-                                                                      : T();
-                }
-            }
+        detail::for_new_corners(fine, step.ids, [&](const auto& c, const auto& face) {
+            const std::size_t v = c.v().index();
+            result[c.index()] = v < step.ids.vertices.total() ? linear.at(face, step.ids.vertices.origin(v)) : T();
         });
         return result;
     }

@@ -77,6 +77,18 @@ void for_new_elements(const Level& coarse, const Ids& ids, const std::tuple<Colu
     };
     std::apply([&](const auto&... c) { (in_column(c), ...); }, list);
 }
+/// Calls f(corner, tuple) for each corner of the next level with the tuple that gave birth to its face, on threads.
+template <level Level, level_numbering Numbering, class F>
+void for_new_corners(const Level& fine, const Numbering& ids, const F& f)
+{
+    for_parts(fine.face_count(), fine.parallel, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto face = ids.faces.origin(i);
+            for (const auto c : fine.faces()[i].corners())
+                f(c, face);
+        }
+    });
+}
 template <finished_step Step>
 auto columns_of_step(const Step& step)
 {
