@@ -4,17 +4,13 @@
 #include "hierarchy.hpp"
 
 #include <kith/field/field.hpp>
-#include <kith/property/averaged_value.hpp>
 #include <kith/property/property_access.hpp>
+#include <kith/property/property_values.hpp>
 
-#include <algorithm>
 #include <array>
-#include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,114 +25,38 @@ struct property_report {
 
 namespace detail {
 
-/// T(), which elements have that inherit nothing; zero where its constructor leaves it open, as those of OpenMesh's vectors do.
-template <class T>
-const T& value_of_nothing()
+template <mesh M, scheme Scheme>
+void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
+                  const property_values<typename mesh_traits<M>::vertex, M>& at_vertices)
 {
-    static const T value = T(); // what is static is cleared before it is constructed
-    return value;
+    for (const auto& each : at_vertices.means())
+        at_vertices.write_mean(fine, each, levels.carry(from, to, on_vertices(each.values, by_mask())).values());
+    if (at_vertices.has_heirs())
+        at_vertices.write_heirs(fine,
+                                levels.carry(from, to, on_vertices(at_vertices.own_heirs(), from_vertex())).values());
 }
-
-/// The properties of elements of one kind: those to be averaged each by itself, the others by the number of the element that
-/// they inherit from, which is carried once.
-template <class Handle, mesh M, scheme Scheme>
-class property_carrier {
-    using traits = mesh_traits<M>;
-    using access = property_access<M>;
-    using number = typename access::number;
-    static constexpr bool of_vertices = std::same_as<Handle, typename traits::vertex>;
-    static constexpr bool of_edges = std::same_as<Handle, typename traits::edge>;
-    static constexpr bool of_halfedges = std::same_as<Handle, typename traits::halfedge>;
-
-public:
-    property_carrier(const hierarchy<M, Scheme>& levels, int from, int to, M& fine)
-        : levels_(levels), from_(from), to_(to), fine_(fine)
-    {
-        for_each_handle<Handle>(source(), [&](Handle x) { handles_.push_back(x); });
-    }
-
-    template <class... T>
-    void carry_all(std::tuple<T...>*, property_report& report)
-    {
-        for (const std::string& name : access::template names<Handle>(source())) {
-            const bool is_carried = not access::follows_from_points(name) and (carry<T>(name) or ...);
-            (is_carried ? report.carried : report.left_out).push_back(name);
-        }
-    }
-
-private:
-    const M& source() const { return levels_[from_]; }
-
-    template <class T>
-    bool carry(const std::string& name)
-    {
-        constexpr bool averages = (of_vertices or of_halfedges) and can_be_averaged<T>;
-        if constexpr (not averages and
-                      (of_halfedges or (of_edges and not numbering_of<Scheme, std::uint32_t>::has_edges))) {
-            return false;
-        } else {
-            const auto from = access::template find<Handle, T>(source(), name);
-            if (not from)
-                return false;
-            auto to = access::template add<Handle, T>(fine_, name);
-            if constexpr (averages)
-                average<T>(*from, to);
-            else
-                inherit<T>(*from, to);
-            return true;
-        }
-    }
-    template <class T, class From, class To>
-    void average(const From& from, To& to) const
-    {
-        storage<four_numbers<number>> coarse(handles_.size());
-        std::transform(handles_.begin(), handles_.end(), coarse.begin(), [&](Handle x) {
-            return averaged_value<T>::template load<number>(from[x]);
-        });
-        const auto write = [&](const auto& result) {
-            std::size_t i = 0;
-            for_each_handle<Handle>(fine_,
-                                    [&](Handle x) { to[x] = averaged_value<T>::template store<number>(result[i++]); });
-        };
-        if constexpr (of_vertices)
-            write(levels_.carry(from_, to_, on_vertices(coarse, by_mask())));
-        else
-            write(levels_.carry(from_, to_, on_corners(coarse)));
-    }
-    template <class T, class From, class To>
-    void inherit(const From& from, To& to)
-    {
-        if (heirs_.empty())
-            heirs_ = find_heirs();
-        std::size_t i = 0;
-        for_each_handle<Handle>(fine_, [&](Handle x) {
-            const std::uint32_t heir = heirs_[i++];
-            to[x] = heir == 0 ? value_of_nothing<T>() : T(from[handles_[heir - 1]]);
-        });
-    }
-    /// One more than the number of what an element inherits from, 0 for those that inherit nothing.
-    storage<std::uint32_t> find_heirs() const
-    {
-        storage<std::uint32_t> numbers(handles_.size());
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            numbers[i] = std::uint32_t(i + 1);
-        const auto carried = [&](auto field) {
-            return storage<std::uint32_t>(levels_.carry(from_, to_, std::move(field)).values());
-        };
-        if constexpr (of_vertices)
-            return carried(on_vertices(numbers, from_vertex()));
-        else if constexpr (of_edges)
-            return carried(on_edges(numbers));
-        else
-            return carried(on_faces(numbers));
-    }
-
-    const hierarchy<M, Scheme>& levels_;
-    int from_, to_;
-    M& fine_;
-    std::vector<Handle> handles_;
-    storage<std::uint32_t> heirs_;
-};
+template <mesh M, scheme Scheme>
+void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
+                  const property_values<typename mesh_traits<M>::halfedge, M>& at_corners)
+{
+    for (const auto& each : at_corners.means())
+        at_corners.write_mean(fine, each, levels.carry(from, to, on_corners(each.values)).values());
+}
+template <mesh M, scheme Scheme>
+    requires numbering_of<Scheme, std::uint32_t>::has_edges
+void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
+                  const property_values<typename mesh_traits<M>::edge, M>& on_all_edges)
+{
+    if (on_all_edges.has_heirs())
+        on_all_edges.write_heirs(fine, levels.carry(from, to, on_edges(on_all_edges.own_heirs())).values());
+}
+template <mesh M, scheme Scheme>
+void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
+                  const property_values<typename mesh_traits<M>::face, M>& on_all_faces)
+{
+    if (on_all_faces.has_heirs())
+        on_all_faces.write_heirs(fine, levels.carry(from, to, on_faces(on_all_faces.own_heirs())).values());
+}
 
 } // namespace detail
 
@@ -160,9 +80,16 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
     using types = decltype(std::tuple_cat(std::declval<typename property_access<M>::value_types>(),
                                           std::declval<std::tuple<More...>>()));
     property_report report;
+    const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& names) {
+        to.insert(to.end(), names.begin(), names.end());
+    };
     const auto carry = [&]<class Handle>(Handle) {
-        detail::property_carrier<Handle, M, Scheme>(levels, from, to, fine)
-            .carry_all(static_cast<types*>(nullptr), report);
+        const detail::property_values<Handle, M> values(levels[from], static_cast<types*>(nullptr));
+        constexpr bool can_carry = requires { detail::carry_values(levels, from, to, fine, values); };
+        if constexpr (can_carry)
+            detail::carry_values(levels, from, to, fine, values);
+        add(can_carry ? report.carried : report.left_out, values.known());
+        add(report.left_out, values.unknown());
     };
     carry(typename traits::vertex());
     carry(typename traits::halfedge());
