@@ -8,6 +8,7 @@
 #include <kith/property/property_values.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -43,7 +44,6 @@ void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
         at_corners.write_mean(fine, each, levels.carry(from, to, on_corners(each.values)).values());
 }
 template <mesh M, scheme Scheme>
-    requires numbering_of<Scheme, std::uint32_t>::has_edges
 void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
                   const property_values<typename mesh_traits<M>::edge, M>& on_all_edges)
 {
@@ -66,7 +66,7 @@ void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
 /// come from a vertex. Faces inherit from their parent, edges from the edge along which they lie; all others have T(). On
 /// half-edges, corners that is, what can be averaged is linear in each face, with its seams.
 /// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without connectivity
-/// per property that is averaged, and one pass over the levels for the others of a kind.
+/// per property that is averaged, and one pass over the levels for the others of a kind; a copy of the values of level `from`.
 template <class... More, mesh M, scheme Scheme>
 property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, int to, M& fine)
 {
@@ -85,7 +85,8 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
     };
     const auto carry = [&]<class Handle>(Handle) {
         const detail::property_values<Handle, M> values(levels[from], static_cast<types*>(nullptr));
-        constexpr bool can_carry = requires { detail::carry_values(levels, from, to, fine, values); };
+        constexpr bool is_edge = std::same_as<Handle, typename traits::edge>;
+        constexpr bool can_carry = not is_edge or numbering_of<Scheme, std::uint32_t>::has_edges;
         if constexpr (can_carry)
             detail::carry_values(levels, from, to, fine, values);
         add(can_carry ? report.carried : report.left_out, values.known());
