@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -237,4 +238,159 @@ TEST(hierarchy, refuses_what_refine_refuses)
     EXPECT_EQ(levels.depth(), 0);
     EXPECT_THROW(hierarchy(native(shapes::cube()), kith::loop()), kith::mesh_error);
     EXPECT_THROW(hierarchy(mesh3d(), kith::catmull_clark()), kith::mesh_error);
+}
+
+namespace {
+
+/// Which levels are in memory, as a word: "1001".
+template <class Levels>
+std::string held(const Levels& levels)
+{
+    std::string result;
+    for (int level = 0; level <= levels.depth(); ++level)
+        result += levels.holds(level) ? '1' : '0';
+    return result;
+}
+
+} // namespace
+
+TEST(hierarchy, keeps_the_last_levels_and_restores_others)
+{
+    for_each_of_all_schemes_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        hierarchy levels(mesh, scheme);
+        levels.keep_last(1);
+        levels.refine(3);
+        EXPECT_EQ(held(levels), "1001");
+        EXPECT_TRUE(same_bits(levels.finest(), kith::refine(mesh, scheme, 3)));
+        levels.restore(2);
+        EXPECT_EQ(held(levels), "1011");
+        EXPECT_TRUE(same_bits(levels[2], kith::refine(mesh, scheme, 2)));
+        levels.refine();
+        EXPECT_EQ(held(levels), "10001");
+        levels.restore(1);
+        EXPECT_EQ(held(levels), "11001");
+        EXPECT_TRUE(same_bits(levels[1], kith::refine(mesh, scheme, 1)));
+        EXPECT_TRUE(same_bits(levels[4], kith::refine(mesh, scheme, 4)));
+    });
+}
+
+TEST(hierarchy, drops_levels_that_are_there_when_it_is_told)
+{
+    refined_house h;
+    h.levels.refine();
+    h.levels.keep_last(2);
+    EXPECT_EQ(held(h.levels), "1011");
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { h.levels.keep_last(0); }),
+              "0 levels were to be kept; keep at least the last one");
+}
+
+TEST(hierarchy, restored_levels_know_their_relations)
+{
+    refined_house all, some;
+    all.levels.refine();
+    some.levels.keep_last(1);
+    some.levels.refine();
+    some.levels.restore(2);
+    some.levels.restore(1);
+    for (const auto f : all.levels.elements(3).faces()) {
+        EXPECT_EQ(some.levels.ancestor(3, f.handle(), 0).f, all.levels.ancestor(3, f.handle(), 0).f);
+        EXPECT_EQ(some.levels.origin(3, f.handle()).v, all.levels.origin(3, f.handle()).v);
+    }
+    for (const auto e : all.levels.elements(1).edges())
+        EXPECT_EQ(some.levels.assoc(1, e.handle(), V), all.levels.assoc(1, e.handle(), V));
+}
+
+TEST(hierarchy, keeps_the_state_of_dropped_levels)
+{
+    kith::catmull_clark creased;
+    creased.sharpness.sharpen_edge(4, 2.5);
+    const auto mesh = native(shapes::house());
+    hierarchy all(mesh, creased), some(mesh, creased);
+    some.keep_last(1);
+    for (auto* levels : {&all, &some})
+        levels->refine(4);
+    some.restore(3);
+    EXPECT_TRUE(same_bits(some[3], all[3]));
+    for (int level = 0; level <= 4; ++level)
+        for (const auto e : all.elements(level).edges())
+            EXPECT_EQ(some.scheme(level).sharpness.of_edge(e.index()), all.scheme(level).sharpness.of_edge(e.index()));
+}
+
+TEST(hierarchy, says_which_level_was_dropped)
+{
+    refined_house h;
+    h.levels.keep_last(1);
+    const std::string expected = "level 1 was dropped, as only the last 1 are kept; restore(1) makes it again";
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(h.levels[1]); }), expected);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(h.levels.matrix(0, 2)); }), expected);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(h.levels.ancestor(2, handles::face{0}, 0)); }),
+              expected);
+    const std::vector<std::array<double, 3>> zero(h.control.vertex_count());
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { h.levels.move_points(0, zero); }), expected);
+    EXPECT_TRUE(same_bits(h.levels[0], h.control)) << "nothing was moved";
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { h.levels.restore(3); }),
+              "level 3 was asked for, there are 0 to 2; ask for one of them, or refine() first");
+}
+
+TEST(hierarchy, does_not_drop_what_no_rule_makes_again)
+{
+    refined_house h;
+    std::vector<std::array<double, 3>> points(h.levels[1].points().begin(), h.levels[1].points().end());
+    points[7][2] += 3;
+    h.levels.move_points(1, points);
+    h.levels.keep_last(1);
+    EXPECT_EQ(held(h.levels), "111");
+    h.levels.refine();
+    EXPECT_EQ(held(h.levels), "1101");
+    EXPECT_EQ(h.levels[1].point(7)[2], points[7][2]);
+    h.levels.restore(2);
+    EXPECT_TRUE(same_bits(h.levels[3], kith::refine(h.levels[2], kith::catmull_clark(), 1)));
+    EXPECT_TRUE(same_bits(h.levels[2], kith::refine(h.levels[1], kith::catmull_clark(), 1)));
+
+    h.levels.move_points(0, std::vector<std::array<double, 3>>(h.control.points().begin(), h.control.points().end()));
+    h.levels.refine(); // level 1 follows level 0 again
+    EXPECT_EQ(held(h.levels), "10001");
+}
+
+TEST(hierarchy, needs_less_memory_where_it_keeps_fewer_levels)
+{
+    const auto mesh = native(shapes::cube());
+    const auto planned = kith::plan(count(mesh.topology()), kith::catmull_clark(), 4);
+    const auto need = kith::peak_bytes_keeping_last(planned, 1);
+    EXPECT_EQ(need, planned[0].bytes + planned[3].bytes + planned[4].bytes);
+    EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 2), need + planned[2].bytes);
+    EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 9), kith::peak_bytes(planned, true));
+    hierarchy levels(mesh, kith::catmull_clark(), {.memory_limit = need});
+    EXPECT_THROW(levels.refine(4), kith::mesh_error);
+    levels.keep_last(1);
+    levels.refine(4);
+    EXPECT_EQ(levels.finest().face_count(), 6U * 256);
+}
+
+TEST(hierarchy, tells_how_much_is_done)
+{
+    hierarchy levels(native(shapes::cube()), kith::catmull_clark());
+    std::vector<double> told;
+    EXPECT_TRUE(levels.refine(3, [&](double done) {
+        told.push_back(done);
+        return true;
+    }));
+    EXPECT_EQ(told, (std::vector{24. / (24 + 96 + 384), (24. + 96) / (24 + 96 + 384), 1.}));
+    EXPECT_TRUE(levels.refine(0, [](double) { return false; })) << "there is nothing to ask";
+}
+
+TEST(hierarchy, is_what_it_was_when_it_is_stopped)
+{
+    for (const int kept : {1, 2, 9}) {
+        refined_house h;
+        h.levels.keep_last(kept);
+        h.levels.restore(1);
+        const auto level_1 = h.levels[1], level_2 = h.levels[2];
+        EXPECT_FALSE(h.levels.refine(3, [](double done) { return done < .2; }));
+        EXPECT_EQ(held(h.levels), "111");
+        EXPECT_TRUE(same_bits(h.levels[1], level_1));
+        EXPECT_TRUE(same_bits(h.levels[2], level_2));
+        EXPECT_TRUE(h.levels.refine(1, [](double) { return true; }));
+        EXPECT_TRUE(same_bits(h.levels[3], kith::refine(h.control, kith::catmull_clark(), 3)));
+    }
 }

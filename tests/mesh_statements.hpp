@@ -279,6 +279,22 @@ TYPED_TEST_P(mesh_statements, vertices_have_the_types_that_creases_give_them)
     }
 }
 
+TYPED_TEST_P(mesh_statements, dropped_levels_are_made_again)
+{
+    const auto mesh = TestFixture::make(shapes::shaken(shapes::tetrahedron()));
+    kith::hierarchy all(mesh, typename TestFixture::scheme()), some(mesh, typename TestFixture::scheme());
+    some.keep_last(1);
+    all.refine(3), some.refine(3);
+    EXPECT_FALSE(some.holds(1) or some.holds(2));
+    some.restore(2);
+    for (const int level : {2, 3})
+        EXPECT_TRUE(same_bits(kith::lift(some[level]), kith::lift(all[level]))) << level;
+    for (const auto f : all.elements(3).faces())
+        EXPECT_EQ(some.origin(3, f.handle()).f, all.origin(3, f.handle()).f);
+    EXPECT_FALSE(some.refine(1, [](double) { return false; }));
+    EXPECT_EQ(some.depth(), 3);
+}
+
 TYPED_TEST_P(mesh_statements, negative_levels_are_refused)
 {
     EXPECT_THROW(kith::refine(TestFixture::make(shapes::tetrahedron()), typename TestFixture::scheme(), -1),
@@ -301,5 +317,5 @@ REGISTER_TYPED_TEST_SUITE_P(mesh_statements, is_a_refinable_mesh, the_users_mesh
                             the_input_is_left_as_it_was, good_meshes_are_valid, a_mesh_without_faces_is_refused,
                             vertices_without_faces_are_refused, fans_that_only_meet_in_a_vertex_are_refused,
                             closed_fans_that_only_meet_in_a_vertex_are_refused, sqrt3_twice_once_is_once_twice,
-                            vertices_have_the_types_that_creases_give_them, negative_levels_are_refused,
-                            too_much_memory_is_refused);
+                            vertices_have_the_types_that_creases_give_them, dropped_levels_are_made_again,
+                            negative_levels_are_refused, too_much_memory_is_refused);

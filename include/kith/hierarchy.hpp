@@ -10,7 +10,9 @@
 #include <kith/lineage/retrieve.hpp>
 #include <kith/mask/stencil.hpp>
 
+#include <concepts>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -23,7 +25,7 @@ namespace kith {
 
 /// A surface with all its levels on the user's own mesh type, and the associations between them: down by `assoc`, up by
 /// `origin`, at any level, in handles of that mesh. Thesis 2.2: M(i) retained for all i.
-/// Reading may be done from several threads; refining may not.
+/// Reading may be done from several threads; refining, dropping and restoring may not.
 template <mesh M, scheme Scheme>
 class hierarchy {
 public:
@@ -38,46 +40,86 @@ public:
         if constexpr (requires { detail::with_edges(control); })
             control = detail::with_edges(control);
         generation_ = generation_of(control);
-        levels_.push_back(
-            std::make_unique<entry>([&] { return std::move(control); }, [&] { return std::move(scheme); }));
+        levels_.push_back(std::make_unique<entry>(std::move(scheme)));
+        levels_[0]->hold([&] { return std::move(control); });
         require_input<Scheme>(elements(0), generation_);
     }
 
     /// Adds n levels; refine(1) twice is refine(2), bit for bit. Errors: as the function `refine`; the levels so far stay.
     void refine(int n = 1)
     {
+        static_cast<void>(refine(n, [](double) { return true; }));
+    }
+
+    /// The same; after each level go_on(done) is told the share of the work that is done, 0 to 1, and may return false: then the
+    /// hierarchy becomes what it was before the call. Returns whether it went on to the end.
+    template <std::predicate<double> GoOn>
+    bool refine(int n, const GoOn& go_on)
+    {
         detail::require_levels<Scheme>(n);
         if (n == 0)
-            return;
-        detail::require_room<typename traits::point, index_type>(elements(0).counts(),
-                                                                 levels_[0]->scheme,
-                                                                 depth() + n,
-                                                                 generation_,
-                                                                 true,
-                                                                 {connect::everything, options_.memory_limit});
-        for (int i = 0; i < n; ++i) {
+            return true;
+        require_room(n);
+        const auto shares = shares_of_work(
+            elements(depth()).counts(), levels_.back()->scheme, n, generation_ + depth());
+        const std::vector<bool> held = held_levels();
+        for (int i = 1; i <= n; ++i) {
             entry& last = *levels_.back();
-            auto next = std::make_unique<entry>([&] { return refine_last(last); }, [&] { return last.scheme; });
-            advance(next->scheme, elements(depth()), generation_ + depth(), last.ids, next->mesh);
+            auto next = std::make_unique<entry>(last.scheme);
+            next->hold([&] { return refined(depth()); });
+            advance(next->scheme, elements(depth()), generation_ + depth(), last.ids, next->here->mesh);
             levels_.push_back(std::move(next));
+            drop_old();
+            if (not go_on(shares[std::size_t(i)])) {
+                go_back(held);
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// From now on level 0 and the last `count` levels stay in memory; the others are dropped, now and whenever levels are
+    /// added. Of a dropped level the scheme with its state stays; `restore` makes the rest again. A level whose points
+    /// `move_points` has moved itself stays, as no rule would make it again. Errors: mesh_error for less than one.
+    void keep_last(int count)
+    {
+        if (count < 1)
+            throw mesh_error(std::to_string(count) + " levels were to be kept; keep at least the last one");
+        kept_levels_ = count;
+        drop_old();
+    }
+    /// Whether a level is in memory. Errors: as below.
+    [[nodiscard]] bool holds(int level) const { return entry_at(level).here != nullptr; }
+    /// Makes a dropped level again, the same bits; it stays until levels are added. Errors: as below.
+    /// Cost: that of refining from the last level before it that is there.
+    void restore(int level)
+    {
+        static_cast<void>(entry_at(level));
+        int from = level;
+        while (not holds(from))
+            --from;
+        for (int next = from + 1; next <= level; ++next) {
+            levels_[std::size_t(next)]->hold([&] { return refined(next - 1); });
+            if (next - 1 != from)
+                levels_[std::size_t(next - 1)]->here.reset();
         }
     }
 
     /// The number of the last level.
     [[nodiscard]] int depth() const { return int(levels_.size()) - 1; }
     /// Level 0 is the control mesh. Errors, here and below: mesh_error for levels that are not there.
-    [[nodiscard]] const M& operator[](int level) const { return at(level).mesh; }
-    [[nodiscard]] const M& finest() const& { return levels_.back()->mesh; }
+    [[nodiscard]] const M& operator[](int level) const { return at(level).here->mesh; }
+    [[nodiscard]] const M& finest() const& { return levels_.back()->here->mesh; }
     /// Taken out of a hierarchy that is given up: std::move(levels).finest().
-    [[nodiscard]] M finest() && { return std::move(levels_.back()->mesh); }
+    [[nodiscard]] M finest() && { return std::move(levels_.back()->here->mesh); }
 
     /// The scheme as it is at a level, with the state of that level (creases).
-    [[nodiscard]] const Scheme& scheme(int level) const { return at(level).scheme; }
+    [[nodiscard]] const Scheme& scheme(int level) const { return entry_at(level).scheme; }
 
     /// The elements of a level as schemes see them: coarse.vertices(), v.corners() and so on.
     [[nodiscard]] const level_type& elements(int level) const
     {
-        const entry& here = at(level);
+        const held_mesh& here = *at(level).here;
         std::call_once(here.viewed, [&] { here.view.emplace(here.mesh); });
         return *here.view;
     }
@@ -149,10 +191,14 @@ public:
     {
         require_finite(level, points);
         auto moved = carry(level, level, points);
+        for (int finer = level; finer <= depth(); ++finer)
+            static_cast<void>(at(finer)); // refused before anything is moved
+        levels_[std::size_t(level)]->is_moved = true;
         for (;; ++level) {
-            set_points(levels_[std::size_t(level)]->mesh, elements(level), moved);
+            set_points(levels_[std::size_t(level)]->here->mesh, elements(level), moved);
             if (level == depth())
                 return;
+            levels_[std::size_t(level) + 1]->is_moved = false;
             moved = carry(level, level + 1, std::span<const typename traits::point>(moved.data(), moved.size()));
         }
     }
@@ -188,8 +234,8 @@ public:
     {
         require_order(from, to);
         for (int level = from; level < to; ++level)
-            values = values.after(
-                made_step{at(level).scheme, elements(level), generation_ + level, at(level).ids, at(level + 1).mesh});
+            values = values.after(made_step{
+                at(level).scheme, elements(level), generation_ + level, at(level).ids, at(level + 1).here->mesh});
         return values;
     }
 
@@ -205,46 +251,107 @@ public:
 private:
     using numbering_type = numbering_of<Scheme, index_type>;
 
-    struct entry {
+    struct held_mesh {
         /// Made in place: meshes of OpenMesh cannot be moved.
-        template <class MakeMesh, class MakeScheme>
-        entry(const MakeMesh& make_mesh, const MakeScheme& make_scheme) : mesh(make_mesh()), scheme(make_scheme())
+        template <class MakeMesh>
+        explicit held_mesh(const MakeMesh& make_mesh) : mesh(make_mesh())
         {
         }
 
         M mesh;
-        Scheme scheme;      ///< of the step to the next level
-        numbering_type ids; ///< of the next level
         mutable std::optional<level_type> view;
         mutable std::once_flag viewed;
     };
 
-    M refine_last(entry& last)
+    struct entry {
+        explicit entry(Scheme here_scheme) : scheme(std::move(here_scheme)) {}
+        template <class MakeMesh>
+        void hold(const MakeMesh& make_mesh)
+        {
+            here = std::make_unique<held_mesh>(make_mesh);
+        }
+
+        std::unique_ptr<held_mesh> here; ///< none of a level that was dropped
+        Scheme scheme;                   ///< of the step to the next level
+        numbering_type ids;              ///< of the next level
+        bool is_moved = false;           ///< its points are no longer those that the step before has made
+    };
+
+    /// The mesh of the next level, and the numbering of the step to it.
+    M refined(int level)
     {
-        if constexpr (requires { last.mesh.topology(); })
-            return refine_mesh<connect::everything>(last.mesh, last.scheme, last.ids);
+        entry& coarse = *levels_[std::size_t(level)];
+        if constexpr (requires { coarse.here->mesh.topology(); })
+            return refine_mesh<connect::everything>(coarse.here->mesh, coarse.scheme, coarse.ids);
         else
-            return refine_level_like(last.mesh, elements(depth()), last.scheme, generation_ + depth(), last.ids);
+            return refine_level_like(
+                coarse.here->mesh, elements(level), coarse.scheme, generation_ + level, coarse.ids);
     }
 
-    [[nodiscard]] const entry& at(int level) const
+    /// Errors: mesh_error if n more levels do not fit.
+    void require_room(int n) const
+    {
+        if constexpr (countable_scheme<Scheme>) {
+            const auto planned = plan(elements(0).counts(),
+                                      levels_[0]->scheme,
+                                      depth() + n,
+                                      generation_,
+                                      sizeof(typename traits::point),
+                                      sizeof(index_type));
+            detail::require_bytes<Scheme>(
+                peak_bytes_keeping_last(planned, kept_levels_), depth() + n, options_.memory_limit);
+        }
+    }
+
+    [[nodiscard]] std::vector<bool> held_levels() const
+    {
+        std::vector<bool> result;
+        for (const auto& level : levels_)
+            result.push_back(level->here != nullptr);
+        return result;
+    }
+    void drop_old()
+    {
+        for (int level = 1; level <= depth() - kept_levels_; ++level)
+            if (not levels_[std::size_t(level)]->is_moved)
+                levels_[std::size_t(level)]->here.reset();
+    }
+    /// Takes the levels back that were not there, and restores those that were held.
+    void go_back(const std::vector<bool>& held)
+    {
+        levels_.resize(held.size());
+        for (int level = 0; level <= depth(); ++level)
+            if (held[std::size_t(level)] and not holds(level))
+                restore(level);
+    }
+
+    [[nodiscard]] const entry& entry_at(int level) const
     {
         if (level < 0 or level > depth())
             throw mesh_error("level " + std::to_string(level) + " was asked for, there are 0 to " +
                              std::to_string(depth()) + "; ask for one of them, or refine() first");
         return *levels_[std::size_t(level)];
     }
+    [[nodiscard]] const entry& at(int level) const
+    {
+        const entry& result = entry_at(level);
+        if (not result.here)
+            throw mesh_error("level " + std::to_string(level) + " was dropped, as only the last " +
+                             std::to_string(kept_levels_) + " are kept; restore(" + std::to_string(level) +
+                             ") makes it again");
+        return result;
+    }
     [[nodiscard]] auto at(int level, typename traits::vertex v) const
     {
-        return vertex<level_type>(require_element(elements(level), at(level).mesh, v, level), v);
+        return vertex<level_type>(require_element(elements(level), at(level).here->mesh, v, level), v);
     }
     [[nodiscard]] auto at(int level, typename traits::edge e) const
     {
-        return edge<level_type>(require_element(elements(level), at(level).mesh, e, level), e);
+        return edge<level_type>(require_element(elements(level), at(level).here->mesh, e, level), e);
     }
     [[nodiscard]] auto at(int level, typename traits::face f) const
     {
-        return face<level_type>(require_element(elements(level), at(level).mesh, f, level), f);
+        return face<level_type>(require_element(elements(level), at(level).here->mesh, f, level), f);
     }
     void require_order(int from, int to) const
     {
@@ -294,6 +401,7 @@ private:
 
     refine_options options_;
     int generation_ = 0;
+    int kept_levels_ = std::numeric_limits<int>::max();
     std::vector<std::unique_ptr<entry>> levels_;
 };
 

@@ -100,4 +100,37 @@ inline std::uint64_t peak_bytes(const std::vector<planned_level>& plan, bool kee
     return peak;
 }
 
+/// The same where level 0 and the last `kept` levels are kept, and those before them until the next one is made.
+inline std::uint64_t peak_bytes_keeping_last(const std::vector<planned_level>& plan, int kept)
+{
+    std::uint64_t held = plan.front().bytes, peak = held;
+    for (int level = 1; level < int(plan.size()); ++level) {
+        held += plan[std::size_t(level)].bytes;
+        peak = std::max(peak, held);
+        if (level > kept)
+            held -= plan[std::size_t(level - kept)].bytes;
+    }
+    return peak;
+}
+
+/// Which share of the work to n levels is done when level 0, 1, ... n is there, 0 to 1: by the faces of the levels where they can be
+/// counted ahead, else in equal parts. Errors: as `plan`. Cost: O(n).
+template <scheme S>
+std::vector<double> shares_of_work(const counts& control, const S& scheme, int levels, int generation = 0)
+{
+    std::vector<double> result{0};
+    if constexpr (countable_scheme<S>) {
+        const auto planned = plan(control, scheme, levels, generation);
+        for (int level = 1; level <= levels; ++level)
+            result.push_back(result.back() + double(planned[std::size_t(level)].counts.faces));
+    } else {
+        for (int level = 1; level <= levels; ++level)
+            result.push_back(level);
+    }
+    const double all = result.back();
+    for (double& share : result)
+        share = all == 0 ? 1 : share / all;
+    return result;
+}
+
 } // namespace kith

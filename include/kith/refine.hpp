@@ -37,6 +37,16 @@ void require_levels(int levels)
                          " levels were asked for; ask for 0 or more");
 }
 
+/// Errors: mesh_error if the levels need more bytes than the limit.
+template <scheme Scheme>
+void require_bytes(std::uint64_t need, int levels, std::uint64_t limit)
+{
+    if (need > limit)
+        throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(levels) + " levels need " +
+                         std::to_string(need) + " bytes at once, the limit is " + std::to_string(limit) +
+                         "; refine fewer times");
+}
+
 /// Refuses what cannot be numbered or does not fit and returns how many bytes are left; schemes that cannot say their
 /// counts are checked step by step.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
@@ -46,10 +56,7 @@ std::uint64_t require_room(const counts& control, const Scheme& scheme, int leve
     if constexpr (countable_scheme<Scheme>) {
         const auto levels_planned = plan(control, scheme, levels, generation, sizeof(Point), sizeof(Index));
         const std::uint64_t need = peak_bytes(levels_planned, keep_levels, options.last_level == connect::faces);
-        if (need > options.memory_limit)
-            throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(levels) + " levels need " +
-                             std::to_string(need) + " bytes at once, the limit is " +
-                             std::to_string(options.memory_limit) + "; refine fewer times");
+        require_bytes<Scheme>(need, levels, options.memory_limit);
         return options.memory_limit - need;
     } else {
         return options.memory_limit;

@@ -17,7 +17,8 @@
 #include <kith/base/error.hpp>
 
 #include <algorithm>
-#include <initializer_list>
+#include <array>
+#include <cstddef>
 #include <string>
 
 namespace kith {
@@ -25,119 +26,77 @@ namespace kith {
 /// Libraries whose conventions a scheme can follow. docs/schemes.md lists the differences.
 enum class library : unsigned char { kith, cgal, openmesh, opensubdiv, libigl };
 
-/// The scheme with the options that make it that of the library: `like<loop>(library::cgal)`.
-/// Errors: mesh_error when that library does not have the scheme.
-template <scheme Scheme>
-Scheme like(library) = delete;
-
 namespace detail {
 
+/// The libraries that have a scheme, beside kith itself.
 template <scheme Scheme>
-void require_preset(library wanted, std::initializer_list<library> present, const char* who_has_it)
+inline constexpr std::array<library, 0> also_in{};
+template <>
+inline constexpr std::array also_in<catmull_clark>{library::cgal, library::openmesh, library::opensubdiv};
+template <>
+inline constexpr std::array also_in<loop>{library::cgal, library::openmesh, library::opensubdiv, library::libigl};
+template <>
+inline constexpr std::array also_in<doo_sabin>{library::cgal};
+template <>
+inline constexpr std::array also_in<sqrt3>{library::cgal, library::openmesh};
+template <>
+inline constexpr std::array also_in<interpolatory_sqrt3>{library::openmesh};
+template <>
+inline constexpr std::array also_in<butterfly>{library::openmesh};
+template <>
+inline constexpr std::array also_in<mid_edge>{library::openmesh};
+template <>
+inline constexpr std::array also_in<linear>{library::cgal, library::openmesh, library::opensubdiv, library::libigl};
+template <>
+inline constexpr std::array also_in<linear_triangles> = also_in<linear>;
+
+/// CGAL and OpenMesh smooth boundary corners. OpenMesh's boundary curve is not the B-spline; see boundary_curve.
+inline void follow(catmull_clark& scheme, library other)
 {
-    if (std::ranges::find(present, wanted) == present.end())
-        throw mesh_error(std::string(scheme_name<Scheme>()) + ": that library does not have it; it is in " +
-                         who_has_it);
+    if (other == library::cgal or other == library::openmesh)
+        scheme.corners = boundary_corner::smoothed;
+    if (other == library::openmesh)
+        scheme.boundary = boundary_curve::thirds;
+}
+/// CGAL, OpenMesh and libigl smooth boundary corners; libigl takes Warren's weights.
+inline void follow(loop& scheme, library other)
+{
+    if (other == library::cgal or other == library::openmesh or other == library::libigl)
+        scheme.corners = boundary_corner::smoothed;
+    if (other == library::libigl)
+        scheme.weights = loop_weights::warren;
+}
+inline void follow(doo_sabin& scheme, library other)
+{
+    if (other == library::cgal)
+        scheme.boundary = doo_sabin_boundary::drop;
+}
+/// All others are the same everywhere; but CGAL counts the even and odd steps of sqrt(3) anew in every call, so refine there, as
+/// here, in one call; and OpenMesh's mid-edge takes closed meshes only.
+template <scheme Scheme>
+void follow(Scheme&, library)
+{
 }
 
 } // namespace detail
 
-/// CGAL and OpenMesh smooth boundary corners. OpenMesh's boundary curve is not the B-spline; see boundary_curve.
-template <>
-inline catmull_clark like<catmull_clark>(library other)
+/// The scheme with the options that make it that of the library: `like<loop>(library::cgal)`.
+/// Errors: mesh_error when that library does not have the scheme.
+template <scheme Scheme>
+Scheme like(library other)
 {
-    detail::require_preset<catmull_clark>(other,
-                                          {library::kith, library::cgal, library::openmesh, library::opensubdiv},
-                                          "kith, CGAL, OpenMesh and OpenSubdiv");
-    const bool smooth = other == library::cgal or other == library::openmesh;
-    return {.corners = smooth ? boundary_corner::smoothed : boundary_corner::kept,
-            .boundary = other == library::openmesh ? boundary_curve::thirds : boundary_curve::cubic};
-}
-
-/// CGAL, OpenMesh and libigl smooth boundary corners; libigl takes Warren's weights.
-template <>
-inline loop like<loop>(library other)
-{
-    const bool keep = other == library::kith or other == library::opensubdiv;
-    return {.weights = other == library::libigl ? loop_weights::warren : loop_weights::loop,
-            .corners = keep ? boundary_corner::kept : boundary_corner::smoothed};
-}
-
-template <>
-inline doo_sabin like<doo_sabin>(library other)
-{
-    detail::require_preset<doo_sabin>(other, {library::kith, library::cgal}, "kith and CGAL");
-    return {.boundary = other == library::cgal ? doo_sabin_boundary::drop : doo_sabin_boundary::thesis};
-}
-
-/// CGAL counts its even and odd steps anew in every call; refine there, as here, in one call.
-template <>
-inline sqrt3 like<sqrt3>(library other)
-{
-    detail::require_preset<sqrt3>(other, {library::kith, library::cgal, library::openmesh}, "kith, CGAL and OpenMesh");
-    return {};
-}
-
-template <>
-inline interpolatory_sqrt3 like<interpolatory_sqrt3>(library other)
-{
-    detail::require_preset<interpolatory_sqrt3>(other, {library::kith, library::openmesh}, "kith and OpenMesh");
-    return {};
-}
-
-template <>
-inline butterfly like<butterfly>(library other)
-{
-    detail::require_preset<butterfly>(other, {library::kith, library::openmesh}, "kith and OpenMesh");
-    return {};
-}
-
-template <>
-inline mid_edge like<mid_edge>(library other)
-{
-    detail::require_preset<mid_edge>(
-        other, {library::kith, library::openmesh}, "kith and, for closed meshes, OpenMesh");
-    return {};
-}
-
-template <>
-inline kobbelt like<kobbelt>(library other)
-{
-    detail::require_preset<kobbelt>(other, {library::kith}, "kith alone");
-    return {};
-}
-
-template <>
-inline nasri_hasbini like<nasri_hasbini>(library other)
-{
-    detail::require_preset<nasri_hasbini>(other, {library::kith}, "kith alone");
-    return {};
-}
-
-template <>
-inline four_eight like<four_eight>(library other)
-{
-    detail::require_preset<four_eight>(other, {library::kith}, "kith alone");
-    return {};
-}
-
-template <>
-inline unified like<unified>(library other)
-{
-    detail::require_preset<unified>(other, {library::kith}, "kith");
-    return {};
-}
-
-template <>
-inline linear like<linear>(library)
-{
-    return {};
-}
-
-template <>
-inline linear_triangles like<linear_triangles>(library)
-{
-    return {};
+    constexpr std::array names{"kith", "CGAL", "OpenMesh", "OpenSubdiv", "libigl"};
+    const auto& libraries = detail::also_in<Scheme>;
+    if (other != library::kith and std::ranges::find(libraries, other) == libraries.end()) {
+        std::string who = names[0];
+        for (const library has_it : libraries)
+            who += (has_it == libraries.back() ? " and " : ", ") + std::string(names[std::size_t(has_it)]);
+        throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + names[std::size_t(other)] +
+                         " does not have it; it is in " + who);
+    }
+    Scheme result;
+    detail::follow(result, other);
+    return result;
 }
 
 } // namespace kith

@@ -93,24 +93,6 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
     }
 }
 
-/// How much of all levels is there when some are: by their faces, where these can be planned.
-template <class Point, class Scheme>
-std::vector<double> shares(const native_mesh<Point>& control, const Scheme& scheme, int levels)
-{
-    std::vector<double> result;
-    if constexpr (countable_scheme<Scheme>) {
-        for (const auto& level : plan(count(control.topology()), scheme, levels, control.generation()))
-            result.push_back((result.empty() ? 0. : result.back()) + double(level.counts.faces));
-    } else {
-        for (int level = 0; level <= levels; ++level)
-            result.push_back(1 + level);
-    }
-    const double first = result.front(), last = result.back();
-    for (double& share : result)
-        share = last == first ? 1 : (share - first) / (last - first);
-    return result;
-}
-
 /// Refines, and makes the scheme that of the last level. After each level go_on(share of the work) may say no; then nothing
 /// is returned. Errors: as `refine`.
 template <class Point, scheme Scheme, class Carried, class GoOn>
@@ -120,7 +102,7 @@ std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme,
     refined<Point> surface{std::move(control), true};
     prepare(surface, scheme, carried);
     detail::require_refinable(surface.mesh, scheme, levels, {});
-    const auto done = shares(surface.mesh, scheme, levels);
+    const auto done = shares_of_work(count(surface.mesh.topology()), scheme, levels, surface.mesh.generation());
     for (int level = 1; level <= levels; ++level) {
         step(surface, scheme, carried, points_stay);
         if (not go_on(done[std::size_t(level)]))
