@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An OpenMesh user keeps all levels and asks who is related to whom, in OpenMesh's own handles.
+// An OpenMesh user keeps all levels, asks who is related to whom, in OpenMesh's own handles, saves them and loads them again.
 // Sample run: refine_openmesh
 
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
 #include <kith/openmesh.hpp>
+#include <kith/saved_levels.hpp>
 
 #include <iostream>
+#include <sstream>
 
 int main()
 {
@@ -31,5 +33,12 @@ int main()
     for (int level = 3; level > 0; --level)
         face = *levels.origin(level, face).f;
     std::cout << "face 100 of level 3 lies in face " << face << " of level 0\n";
+
+    std::stringstream file;
+    kith::io::write_levels(file, levels);
+    const auto again = kith::io::read_levels<mesh, kith::loop>(file);
+    for (const auto v : levels.finest().vertices())
+        if (again.finest().point(v) != levels.finest().point(v))
+            return 1;
     return *parents.e == edge and levels.finest().n_faces() == 256 ? 0 : 1;
 }

@@ -90,6 +90,10 @@ public:
     }
     /// Whether a level is in memory. Errors: as below.
     [[nodiscard]] bool holds(int level) const { return entry_at(level).here != nullptr; }
+    /// How many of the last levels are kept.
+    [[nodiscard]] int kept_levels() const { return kept_levels_; }
+    /// Whether `move_points` has moved this level itself. Errors: as below.
+    [[nodiscard]] bool is_moved(int level) const { return entry_at(level).is_moved; }
     /// Makes a dropped level again, the same bits; it stays until levels are added. Errors: as below.
     /// Cost: that of refining from the last level before it that is there.
     void restore(int level)

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/hierarchy.hpp>
+#include <kith/text/file_error.hpp>
+#include <kith/tile/pack.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <istream>
+#include <iterator>
+#include <ostream>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kith::io {
+
+namespace detail {
+
+template <class Point, std::unsigned_integral Index>
+constexpr std::uint64_t kind_of_levels()
+{
+    constexpr std::uint64_t version = 1;
+    return 0x6b69746c'00000000U | version << 16 | sizeof(Point) << 8 | sizeof(Index); // turned round elsewhere
+}
+
+template <class Topology, class F>
+void for_each_array(Topology& t, const F& f)
+{
+    f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner), f(t.vertex_corner), f(t.face_corner),
+        f(t.corner_face);
+}
+
+/// Whether the arrays of a mesh from elsewhere fit each other, so that walking on them stays inside and ends.
+template <std::unsigned_integral Index>
+bool is_consistent(const connectivity<Index>& t, std::size_t points)
+{
+    constexpr Index none = connectivity<Index>::none;
+    const std::size_t corners = t.corner_vertex.size(), sides = t.halfedge_corner.size();
+    const bool is_mixed = t.degree == 0;
+    if (points != t.vertices or t.vertex_corner.size() != t.vertices or t.corner_halfedge.size() != corners or
+        sides % 2 != 0 or t.corner_face.size() != (is_mixed ? corners : 0) or
+        (is_mixed ? t.face_corner.size() != t.faces + 1
+                  : (t.degree != 3 and t.degree != 4) or t.faces != corners / std::size_t(t.degree) or
+                        corners % std::size_t(t.degree) != 0))
+        return false;
+    if (is_mixed) {
+        if (t.face_corner[0] != 0 or t.face_corner[t.faces] != corners)
+            return false;
+        for (std::size_t f = 0; f < t.faces; ++f) {
+            if (t.face_corner[f + 1] < t.face_corner[f] or t.face_corner[f + 1] > corners)
+                return false;
+            for (std::size_t c = t.face_corner[f]; c < t.face_corner[f + 1]; ++c)
+                if (t.corner_face[c] != f)
+                    return false;
+        }
+    }
+    for (std::size_t c = 0; c < corners; ++c)
+        if (t.corner_vertex[c] >= t.vertices or t.corner_halfedge[c] >= sides or
+            t.halfedge_corner[t.corner_halfedge[c]] != c)
+            return false;
+    for (std::size_t h = 0; h < sides; ++h)
+        if (const Index c = t.halfedge_corner[h]; c != none) {
+            if (c >= corners or t.corner_halfedge[c] != h)
+                return false;
+            if (const Index across = t.halfedge_corner[h ^ 1];
+                across != none and (across >= corners or t.corner_vertex[t.next(c)] != t.corner_vertex[across]))
+                return false;
+        }
+    for (std::size_t v = 0; v < t.vertices; ++v)
+        if (t.vertex_corner[v] >= corners or t.corner_vertex[t.vertex_corner[v]] != v)
+            return false;
+    return true;
+}
+
+template <level Level>
+auto points_of(const Level& level)
+{
+    storage<typename Level::point_type> result(level.vertex_count());
+    for (const auto v : level.vertices())
+        result[v.index()] = v.point();
+    return result;
+}
+template <class Point>
+std::uint64_t checksum_of(const storage<Point>& points)
+{
+    return kith::detail::checksum_of_bytes(std::as_bytes(std::span(points.data(), points.size())));
+}
+
+/// The native mesh with the elements of this one.
+template <mesh M>
+auto native(const M& mesh)
+{
+    if constexpr (requires { mesh.topology(); })
+        return mesh;
+    else
+        return lift(mesh);
+}
+
+} // namespace detail
+
+/// Writes a hierarchy with the state of its scheme (creases, fields) so that `read_levels` makes it again: the control mesh, how
+/// often it was refined and the points that `move_points` has moved, as all else follows from them. The bytes are those of
+/// this kind of machine. Left out are removed elements of the control mesh and properties that are no fields of the scheme.
+/// Errors: those of the stream, in its state. Cost: that of the control mesh and of levels that were moved.
+template <mesh M, scheme Scheme>
+void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
+{
+    using point = typename mesh_traits<M>::point;
+    static_assert(std::is_trivially_copyable_v<point>, "points that are plain bytes can be written, others not");
+    const auto control = detail::native(levels[0]);
+    const auto& t = control.topology();
+    packer bytes;
+    bytes.add(detail::kind_of_levels<point, typename hierarchy<M, Scheme>::index_type>());
+    bytes.add_array(scheme_name<Scheme>());
+    bytes.add(levels.depth()).add(levels.kept_levels()).add(control.generation());
+    bytes.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree);
+    bytes.add_array(control.points());
+    detail::for_each_array(t, [&](const auto& array) { bytes.add_array(array); });
+    kith::detail::pack_state(bytes, levels.scheme(0));
+    for (int level = 1; level <= levels.depth(); ++level) {
+        bytes.add(std::uint8_t(levels.is_moved(level)));
+        if (levels.is_moved(level))
+            bytes.add_array(detail::points_of(levels.elements(level)));
+    }
+    bytes.add(detail::checksum_of(detail::points_of(levels.elements(levels.depth()))));
+    const auto all = bytes.take();
+    const std::uint64_t sum = kith::detail::checksum_of_bytes(all);
+    out.write(reinterpret_cast<const char*>(all.data()), std::streamsize(all.size()));
+    out.write(reinterpret_cast<const char*>(&sum), sizeof sum);
+}
+
+/// The hierarchy that `write_levels` has written, with all its levels, the same bits. `scheme` has the options that it had then;
+/// its state is read. Errors: file_error for bytes that are damaged, of other types or of another scheme, and where the options
+/// make other levels; mesh_error if it does not fit into the memory limit. Cost: that of refining.
+template <mesh M, scheme Scheme>
+hierarchy<M, Scheme> read_levels(std::istream& in, Scheme scheme = {}, refine_options options = {})
+try {
+    using point = typename mesh_traits<M>::point;
+    using index = typename hierarchy<M, Scheme>::index_type;
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::uint64_t sum = 0;
+    if (text.size() < sizeof sum)
+        throw file_error("saved levels: there are " + std::to_string(text.size()) + " bytes, too few to hold any");
+    const auto all = std::as_bytes(std::span(text)).first(text.size() - sizeof sum);
+    std::memcpy(&sum, text.data() + all.size(), sizeof sum);
+    if (sum != kith::detail::checksum_of_bytes(all))
+        throw file_error("saved levels: the checksum is wrong; they were damaged or cut, save them again");
+    unpacker bytes(all);
+    if (bytes.get<std::uint64_t>() != detail::kind_of_levels<point, index>())
+        throw file_error("saved levels: they are of another type of mesh, version or kind of machine");
+    const auto letters = bytes.get_array<std::vector<char>>();
+    const std::string name(letters.begin(), letters.end());
+    if (name != scheme_name<Scheme>())
+        throw file_error("saved levels: they are of the scheme " + name + ", not of " +
+                         std::string(scheme_name<Scheme>()));
+    const int depth = bytes.get<int>(), kept = bytes.get<int>(), generation = bytes.get<int>();
+    connectivity<index> t;
+    t.vertices = bytes.get<std::uint64_t>();
+    t.faces = bytes.get<std::uint64_t>();
+    t.degree = bytes.get<int>();
+    auto points = bytes.get_array<storage<point>>();
+    detail::for_each_array(t, [&]<class Array>(Array& array) { array = bytes.get_array<Array>(); });
+    if (not detail::is_consistent(t, points.size()))
+        throw file_error(
+            "saved levels: the arrays of the control mesh do not fit each other; who wrote them is at fault");
+    kith::detail::unpack_state(bytes, scheme);
+    basic_mesh<point, index> control(std::move(points), std::move(t), generation);
+    hierarchy<M, Scheme> levels(
+        [&] {
+            if constexpr (std::same_as<M, basic_mesh<point, index>>)
+                return std::move(control);
+            else
+                return mesh_traits<M>::build(std::move(control));
+        }(),
+        std::move(scheme),
+        options);
+    levels.keep_last(kept);
+    for (int level = 1; level <= depth; ++level) {
+        levels.refine();
+        if (bytes.get<std::uint8_t>() != 0) {
+            const auto moved = bytes.get_array<storage<point>>();
+            if constexpr (movable_mesh<M>) // of others none was
+                levels.move_points(level, {moved.data(), moved.size()});
+        }
+    }
+    if (bytes.get<std::uint64_t>() != detail::checksum_of(detail::points_of(levels.elements(depth))))
+        throw file_error("saved levels: the scheme makes other points of them; give it the options that it had");
+    return levels;
+} catch (const pack_error& error) {
+    throw file_error(std::string("saved levels: ") + error.what());
+}
+
+} // namespace kith::io

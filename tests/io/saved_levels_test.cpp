@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/saved_levels.hpp>
+
+#include "../error_text.hpp"
+#include "../every_scheme.hpp"
+#include "../same_mesh.hpp"
+
+#include <kith/field/with_fields.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace kith;
+
+namespace {
+
+using points3d = std::vector<std::array<double, 3>>;
+
+template <class Levels>
+std::string saved(const Levels& levels)
+{
+    std::ostringstream out;
+    io::write_levels(out, levels);
+    return out.str();
+}
+
+template <class Scheme>
+hierarchy<mesh3d, Scheme> loaded(const std::string& bytes, Scheme scheme)
+{
+    std::istringstream in(bytes);
+    return io::read_levels<mesh3d>(in, std::move(scheme));
+}
+
+/// A house with creases, whose first two levels were moved, of four levels.
+struct moved_house {
+    catmull_clark scheme;
+    hierarchy<mesh3d, catmull_clark> levels;
+
+    moved_house() : scheme(creased()), levels(native(shapes::shaken(shapes::house())), scheme)
+    {
+        levels.refine(3);
+        move(0), move(2);
+    }
+    static catmull_clark creased()
+    {
+        catmull_clark result;
+        result.sharpness.sharpen_edge(4, 1.5);
+        result.sharpness.sharpen_vertex(2, 2.5);
+        return result;
+    }
+    void move(int level)
+    {
+        points3d points(levels[level].points().begin(), levels[level].points().end());
+        points[5][1] += .75;
+        levels.move_points(level, points);
+    }
+};
+
+} // namespace
+
+TEST(saved_levels, are_those_that_were_saved)
+{
+    for_each_of_all_schemes_and_shape([](const auto& scheme, const mesh3d& mesh) {
+        hierarchy levels(mesh, scheme);
+        levels.refine(2);
+        const auto again = loaded(saved(levels), scheme);
+        ASSERT_EQ(again.depth(), 2);
+        for (int level = 0; level <= 2; ++level)
+            EXPECT_TRUE(same_bits(again[level], levels[level]));
+    });
+}
+
+TEST(saved_levels, start_from_a_mesh_that_was_refined_before)
+{
+    const auto mesh = refine(native(shapes::tetrahedron()), sqrt3(), 1); // its edges are numbered by the scheme
+    hierarchy levels(mesh, sqrt3());
+    levels.refine(2);
+    const auto again = loaded(saved(levels), sqrt3());
+    EXPECT_TRUE(same_bits(again[0], mesh));
+    EXPECT_TRUE(same_bits(again[2], levels[2]));
+}
+
+TEST(saved_levels, have_their_creases_and_moved_points)
+{
+    const moved_house h;
+    const auto again = loaded(saved(h.levels), catmull_clark());
+    for (int level = 0; level <= 3; ++level) {
+        EXPECT_TRUE(same_bits(again[level], h.levels[level]));
+        for (const auto e : again.elements(level).edges())
+            EXPECT_EQ(again.scheme(level).sharpness.of_edge(e.index()),
+                      h.levels.scheme(level).sharpness.of_edge(e.index()));
+    }
+    EXPECT_TRUE(again.is_moved(2));
+    EXPECT_FALSE(again.is_moved(1));
+}
+
+TEST(saved_levels, have_their_fields)
+{
+    const auto mesh = native(shapes::house());
+    std::vector<int> labels(mesh.face_count());
+    for (std::size_t f = 0; f < labels.size(); ++f)
+        labels[f] = int(10 + f);
+    std::vector<std::array<double, 2>> texture(mesh.corner_count());
+    for (std::size_t c = 0; c < texture.size(); ++c)
+        texture[c] = {double(c), 1. / double(c + 1)};
+    hierarchy levels(mesh, with_fields(catmull_clark(), on_faces(labels), on_corners(texture)));
+    levels.refine(2);
+    const auto nothing = with_fields(
+        catmull_clark(), on_faces(std::vector<int>()), on_corners(std::vector<std::array<double, 2>>()));
+    const auto again = loaded(saved(levels), nothing);
+    for (int level = 0; level <= 2; ++level) {
+        const auto &ours = again.scheme(level), &theirs = levels.scheme(level);
+        ASSERT_EQ(ours.template field<0>().size(), levels[level].face_count());
+        for (std::size_t f = 0; f < levels[level].face_count(); ++f)
+            EXPECT_EQ(ours.template field<0>()[f], theirs.template field<0>()[f]);
+        for (std::size_t c = 0; c < levels[level].corner_count(); ++c)
+            EXPECT_EQ(ours.template field<1>()[c], theirs.template field<1>()[c]);
+    }
+}
+
+TEST(saved_levels, keep_as_many_levels_as_before)
+{
+    moved_house h;
+    h.levels.keep_last(1);
+    auto again = loaded(saved(h.levels), catmull_clark());
+    EXPECT_FALSE(again.holds(1));
+    EXPECT_TRUE(again.holds(2)) << "it was moved";
+    EXPECT_TRUE(same_bits(again[3], h.levels[3]));
+    again.refine();
+    h.levels.refine();
+    EXPECT_TRUE(same_bits(again[4], h.levels[4]));
+}
+
+TEST(saved_levels, refuse_other_schemes_options_and_types)
+{
+    hierarchy levels(native(shapes::grid(3, 3)), catmull_clark());
+    levels.refine(1);
+    const auto bytes = saved(levels);
+    EXPECT_EQ(error_text<io::file_error>([&] { loaded(bytes, doo_sabin()); }),
+              "saved levels: they are of the scheme catmull-clark, not of doo-sabin");
+    EXPECT_EQ(error_text<io::file_error>([&] { loaded(bytes, catmull_clark{.corners = boundary_corner::smoothed}); }),
+              "saved levels: the scheme makes other points of them; give it the options that it had");
+    EXPECT_EQ(error_text<io::file_error>([&] {
+                  std::istringstream in(bytes);
+                  io::read_levels<basic_mesh<std::array<float, 3>>, catmull_clark>(in);
+              }),
+              "saved levels: they are of another type of mesh, version or kind of machine");
+    EXPECT_EQ(error_text<io::file_error>([&] { loaded("kith", catmull_clark()); }),
+              "saved levels: there are 4 bytes, too few to hold any");
+}
+
+TEST(saved_levels, refuse_damage_anywhere)
+{
+    hierarchy levels(native(shapes::tetrahedron()), loop());
+    levels.refine(1);
+    const auto bytes = saved(levels);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        auto damaged = bytes;
+        damaged[i] = char(damaged[i] ^ 4);
+        EXPECT_THROW(loaded(damaged, loop()), io::file_error) << i;
+        EXPECT_THROW(loaded(bytes.substr(0, i), loop()), io::file_error) << i;
+    }
+    EXPECT_THROW(loaded(bytes + "x", loop()), io::file_error);
+}
+
+TEST(saved_levels, refuse_arrays_that_do_not_fit_each_other)
+{
+    const auto mesh = native(shapes::house()); // of triangles and quads
+    const auto is_refused = [&](const auto& change) {
+        auto t = mesh.topology();
+        change(t);
+        return not io::detail::is_consistent(t, mesh.vertex_count());
+    };
+    EXPECT_FALSE(is_refused([](auto&) {}));
+    EXPECT_TRUE(is_refused([](auto& t) { t.corner_vertex[3] = 999; }));
+    EXPECT_TRUE(is_refused([](auto& t) { t.corner_vertex[3] = t.corner_vertex[4]; }));
+    EXPECT_TRUE(is_refused([](auto& t) { t.corner_halfedge[3] = 9999; }));
+    EXPECT_TRUE(is_refused([](auto& t) { std::swap(t.halfedge_corner[0], t.halfedge_corner[2]); }));
+    EXPECT_TRUE(is_refused([](auto& t) { std::swap(t.vertex_corner[0], t.vertex_corner[1]); }));
+    EXPECT_TRUE(is_refused([](auto& t) { t.face_corner[1] = 99; }));
+    EXPECT_TRUE(is_refused([](auto& t) { t.corner_face[0] = 1; }));
+    EXPECT_TRUE(is_refused([](auto& t) { t.degree = 3; }));
+    EXPECT_TRUE(is_refused([](auto& t) { t.vertices += 1; }));
+}
