@@ -2,6 +2,7 @@
 #include "contest_picture.hpp"
 #include "contest_report.hpp"
 #include "contests.hpp"
+#include "curve_picture.hpp"
 #include "exit_code.hpp"
 
 #include <kith/read_mesh.hpp>
@@ -76,10 +77,12 @@ std::optional<options::variables_map> parse(int count, char** words)
                                "torus (closed), patch (bounded), or both: torus,patch")(
         "mesh", options::value<std::string>(), "refine this mesh, too: OFF, OBJ, PLY, STL")(
         "faces-target", options::value<double>()->default_value(4718592), "about how many faces to refine to")(
+        "sizes", options::value<std::string>(), "or to each of these numbers of faces, as 1000,100000")(
         "repeats", options::value<int>()->default_value(5), "runs of each; medians are printed")(
         "threads", options::value<int>()->default_value(1), "kith's threads; the peers have one")(
         "json", options::value<std::string>(), "write all runs to this file")(
-        "svg", options::value<std::string>(), "draw the medians into this file");
+        "svg", options::value<std::string>(), "draw the medians into this file")(
+        "curves", options::value<std::string>(), "draw them over the number of faces into this file");
     options::variables_map values;
     store(options::parse_command_line(count, words, all), values);
     notify(values);
@@ -93,6 +96,23 @@ std::optional<options::variables_map> parse(int count, char** words)
     if (values["repeats"].as<int>() < 1 or values["threads"].as<int>() < 1 or values["faces-target"].as<double>() < 1)
         throw options::error("--repeats, --threads and --faces-target are 1 or more");
     return values;
+}
+
+/// The numbers of faces to refine to. Errors: options::error for what is none.
+std::vector<double> sizes_from(const options::variables_map& values)
+{
+    if (not values.count("sizes"))
+        return {values["faces-target"].as<double>()};
+    std::vector<double> result;
+    std::istringstream words(values["sizes"].as<std::string>());
+    for (std::string one; std::getline(words, one, ',');) {
+        std::istringstream word(one);
+        if (double size = 0; word >> size and word.eof() and size >= 1)
+            result.push_back(size);
+        else
+            throw options::error("--sizes: '" + one + "' is no number of faces; write them as 1000,100000");
+    }
+    return result;
 }
 
 course_settings settings_from(const options::variables_map& values)
@@ -115,7 +135,8 @@ void run_all(const options::variables_map& values)
 #if defined(_OPENMP)
     omp_set_num_threads(1); // no threads in this process: it forks
 #endif
-    const auto settings = settings_from(values);
+    auto settings = settings_from(values);
+    const auto sizes = sizes_from(values);
     auto facts = machine();
     facts["threads of kith"] = std::to_string(values["threads"].as<int>());
     facts["runs"] = std::to_string(values["repeats"].as<int>()) + " of each in turn, medians";
@@ -123,7 +144,10 @@ void run_all(const options::variables_map& values)
     for (const auto& peer : peers)
         if (is_in(values["peers"].as<std::string>(), peer.name)) {
             facts[peer.name] = peer.version();
-            std::ranges::move(peer.contests(settings), std::back_inserter(contests));
+            for (const double size : sizes) {
+                settings.faces_target = size;
+                std::ranges::move(peer.contests(settings), std::back_inserter(contests));
+            }
         }
     std::erase_if(contests,
                   [&](const contest& one) { return not is_in(values["schemes"].as<std::string>(), one.scheme); });
@@ -138,6 +162,8 @@ void run_all(const options::variables_map& values)
         write_json(values["json"].as<std::string>(), facts, contests);
     if (values.count("svg"))
         write_svg(values["svg"].as<std::string>(), facts, contests);
+    if (values.count("curves"))
+        write_curves(values["curves"].as<std::string>(), facts, contests);
 }
 
 } // namespace
