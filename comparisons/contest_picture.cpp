@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contest_picture.hpp"
 
-#include <kith/text/file_error.hpp>
+#include "svg_file.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 #include <string_view>
@@ -75,14 +74,12 @@ void write_svg(const std::string& path, const std::map<std::string, std::string>
     y += 16;
     for (const auto& contest : contests)
         y += draw(body, y, contest);
-    std::ofstream file(path);
-    file << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << names + bars + right << "\" height=\"" << y + 10
-         << "\" font-family=\"sans-serif\" font-size=\"12\">\n"
-         << "<style>.title{font-weight:bold}.name{text-anchor:end}.note,.value{fill:#444}.ours{fill:#1f77b4}"
-            ".theirs{fill:#bbb}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-         << body.str() << "</svg>\n";
-    if (not file.flush())
-        throw io::file_error(path + ": could not be written completely");
+    write_svg_file(path,
+                   names + bars + right,
+                   y + 10,
+                   ".title{font-weight:bold}.name{text-anchor:end}.note,.value{fill:#444}.ours{fill:#1f77b4}"
+                   ".theirs{fill:#bbb}",
+                   body.str());
 }
 
 } // namespace kith::comparison

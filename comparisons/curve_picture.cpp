@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "curve_picture.hpp"
 
-#include <kith/text/file_error.hpp>
+#include "svg_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <sstream>
 #include <utility>
 
@@ -62,11 +61,10 @@ struct axis {
     [[nodiscard]] std::vector<double> ticks() const
     {
         std::vector<double> result;
-        const std::array steps = most / least > 300 ? std::array{1., 1., 1.} : std::array{1., 2., 5.};
+        const std::vector<double> steps = most / least > 300 ? std::vector{1.} : std::vector{1., 2., 5.};
         for (double power = std::pow(10, std::floor(std::log10(least))); power <= most; power *= 10)
             for (const double step : steps)
-                if (const double value = step * power;
-                    value >= least and value <= most and (result.empty() or result.back() != value))
+                if (const double value = step * power; value >= least and value <= most)
                     result.push_back(value);
         return result;
     }
@@ -153,14 +151,12 @@ void write_curves(const std::string& path, const std::map<std::string, std::stri
         draw(body, y, scheme, contests);
         y += top + height + below;
     }
-    std::ofstream file(path);
-    file << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << left + width + names << "\" height=\"" << y
-         << "\" font-family=\"sans-serif\" font-size=\"12\">\n"
-         << "<style>.title{font-weight:bold}.end{text-anchor:end}.middle{text-anchor:middle}.name{fill:#444}"
-            ".grid{stroke:#ddd}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-         << body.str() << "</svg>\n";
-    if (not file.flush())
-        throw io::file_error(path + ": could not be written completely");
+    write_svg_file(path,
+                   left + width + names,
+                   y,
+                   ".title{font-weight:bold}.end{text-anchor:end}.middle{text-anchor:middle}.name{fill:#444}"
+                   ".grid{stroke:#ddd}",
+                   body.str());
 }
 
 } // namespace kith::comparison

@@ -47,9 +47,9 @@ int main()
     const mesh cube = dressed_cube();
     kith::catmull_clark scheme;
     scheme.sharpness = kith::creases_from_features(cube);
-    const auto [smooth, report] = kith::refine_with_properties(cube, scheme, 3);
+    auto [smooth, report] = kith::refine_with_properties(cube, scheme, 3);
 
-    const auto label = OpenMesh::getProperty<OpenMesh::FaceHandle, std::string>(const_cast<mesh&>(smooth), "label");
+    const auto label = OpenMesh::getProperty<OpenMesh::FaceHandle, std::string>(smooth, "label");
     const auto first = *smooth.faces_begin();
     const auto colour = smooth.color(*smooth.cfv_begin(first));
     std::cout << report.carried.size() << " properties; " << label[first] << " has colour " << int(colour[0]) << ' '

@@ -4,6 +4,7 @@
 #include "refine.hpp"
 
 #include <kith/field/field.hpp>
+#include <kith/lineage/level_store.hpp>
 #include <kith/lineage/moved_points.hpp>
 #include <kith/lineage/parent_of.hpp>
 #include <kith/lineage/relatives.hpp>
@@ -12,10 +13,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <limits>
-#include <memory>
-#include <mutex>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,15 +31,10 @@ public:
     using index_type = typename level_type::index_type;
 
     /// Level 0 is a copy of the control mesh. Errors: as `refine`.
-    explicit hierarchy(M control, Scheme scheme = {}, refine_options options = {}) : options_(options)
+    explicit hierarchy(M control, Scheme scheme = {}, refine_options options = {})
+        : options_(options), levels_(checked(control), std::move(scheme))
     {
-        validate(control).require_ok();
-        if constexpr (requires { detail::with_edges(control); })
-            control = detail::with_edges(control);
-        generation_ = generation_of(control);
-        levels_.push_back(std::make_unique<entry>(std::move(scheme)));
-        levels_[0]->hold([&] { return std::move(control); });
-        require_input<Scheme>(elements(0), generation_);
+        require_input<Scheme>(elements(0), levels_.generation(0));
     }
 
     /// Adds n levels; refine(1) twice is refine(2), bit for bit. Errors: as the function `refine`; the levels so far stay.
@@ -60,18 +52,12 @@ public:
         if (n == 0)
             return true;
         require_room(n);
-        const auto shares = shares_of_work(
-            elements(depth()).counts(), levels_.back()->scheme, n, generation_ + depth());
-        const std::vector<bool> held = held_levels();
+        const auto shares = shares_of_work(elements(depth()).counts(), scheme(depth()), n, levels_.generation(depth()));
+        const std::vector<bool> held = levels_.held();
         for (int i = 1; i <= n; ++i) {
-            entry& last = *levels_.back();
-            auto next = std::make_unique<entry>(last.scheme);
-            next->hold([&] { return refined(depth()); });
-            advance(next->scheme, elements(depth()), generation_ + depth(), last.ids, next->here->mesh);
-            levels_.push_back(std::move(next));
-            drop_old();
+            levels_.add();
             if (not go_on(shares[std::size_t(i)])) {
-                go_back(held);
+                levels_.go_back(held);
                 return false;
             }
         }
@@ -85,48 +71,31 @@ public:
     {
         if (count < 1)
             throw mesh_error(std::to_string(count) + " levels were to be kept; keep at least the last one");
-        kept_levels_ = count;
-        drop_old();
+        levels_.keep_last(count);
     }
     /// Whether a level is in memory. Errors: as below.
-    [[nodiscard]] bool holds(int level) const { return entry_at(level).here != nullptr; }
+    [[nodiscard]] bool holds(int level) const { return levels_.entry_at(level).here != nullptr; }
     /// How many of the last levels are kept.
-    [[nodiscard]] int kept_levels() const { return kept_levels_; }
+    [[nodiscard]] int kept_levels() const { return levels_.kept(); }
     /// Whether `move_points` has moved this level itself. Errors: as below.
-    [[nodiscard]] bool is_moved(int level) const { return entry_at(level).is_moved; }
+    [[nodiscard]] bool is_moved(int level) const { return levels_.entry_at(level).is_moved; }
     /// Makes a dropped level again, the same bits; it stays until levels are added. Errors: as below.
     /// Cost: that of refining from the last level before it that is there.
-    void restore(int level)
-    {
-        static_cast<void>(entry_at(level));
-        int from = level;
-        while (not holds(from))
-            --from;
-        for (int next = from + 1; next <= level; ++next) {
-            levels_[std::size_t(next)]->hold([&] { return refined(next - 1); });
-            if (next - 1 != from)
-                levels_[std::size_t(next - 1)]->here.reset();
-        }
-    }
+    void restore(int level) { levels_.restore(level); }
 
     /// The number of the last level.
-    [[nodiscard]] int depth() const { return int(levels_.size()) - 1; }
+    [[nodiscard]] int depth() const { return levels_.depth(); }
     /// Level 0 is the control mesh. Errors, here and below: mesh_error for levels that are not there.
-    [[nodiscard]] const M& operator[](int level) const { return at(level).here->mesh; }
-    [[nodiscard]] const M& finest() const& { return levels_.back()->here->mesh; }
+    [[nodiscard]] const M& operator[](int level) const { return levels_.at(level).here->mesh; }
+    [[nodiscard]] const M& finest() const& { return levels_.at(depth()).here->mesh; }
     /// Taken out of a hierarchy that is given up: std::move(levels).finest().
-    [[nodiscard]] M finest() && { return std::move(levels_.back()->here->mesh); }
+    [[nodiscard]] M finest() && { return std::move(levels_.mesh(depth())); }
 
     /// The scheme as it is at a level, with the state of that level (creases).
-    [[nodiscard]] const Scheme& scheme(int level) const { return entry_at(level).scheme; }
+    [[nodiscard]] const Scheme& scheme(int level) const { return levels_.entry_at(level).scheme; }
 
     /// The elements of a level as schemes see them: coarse.vertices(), v.corners() and so on.
-    [[nodiscard]] const level_type& elements(int level) const
-    {
-        const held_mesh& here = *at(level).here;
-        std::call_once(here.viewed, [&] { here.view.emplace(here.mesh); });
-        return *here.view;
-    }
+    [[nodiscard]] const level_type& elements(int level) const { return levels_.elements(level); }
 
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
     /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary, and on the
@@ -134,17 +103,17 @@ public:
     template <handle_of<M> X, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const
     {
-        return child(level, index_tuple(at(level, x)), target);
+        return child(level, index_tuple(levels_.at(level, x)), target);
     }
     template <handle_of<M> X, handle_of<M> Y, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, Target target) const
     {
-        return child(level, index_tuple(at(level, x), at(level, y)), target);
+        return child(level, index_tuple(levels_.at(level, x), levels_.at(level, y)), target);
     }
     template <handle_of<M> X, handle_of<M> Y, handle_of<M> Z, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, const Z& z, Target target) const
     {
-        return child(level, index_tuple(at(level, x), at(level, y), at(level, z)), target);
+        return child(level, index_tuple(levels_.at(level, x), levels_.at(level, y), levels_.at(level, z)), target);
     }
 
     /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and for
@@ -152,7 +121,7 @@ public:
     template <handle_of<M> X>
     [[nodiscard]] birth<M> origin(int level, const X& x) const
     {
-        return birth_of(level, at(level, x));
+        return birth_of(level, levels_.at(level, x));
     }
 
     /// The element of a coarser level from which an element of `level` descends. Each new element has one parent: (v) is the
@@ -164,9 +133,9 @@ public:
     [[nodiscard]] ancestor_element<M> ancestor(int level, const X& x, int coarser) const
     {
         require_finer(level, coarser);
-        numbered_element here = numbered(at(level, x));
+        numbered_element here = numbered(levels_.at(level, x));
         for (; level > coarser; --level) {
-            const auto found = parent_of(elements(level - 1), at(level - 1).ids, elements(level), here);
+            const auto found = parent_of(elements(level - 1), levels_.at(level - 1).ids, elements(level), here);
             if (not found)
                 no_tuple(level);
             here = *found;
@@ -181,9 +150,9 @@ public:
     [[nodiscard]] descendant_elements<level_type> descendants(int level, const X& x, int finer) const
     {
         require_finer(finer, level);
-        auto ranges = only(numbered(at(level, x)));
+        auto ranges = only(numbered(levels_.at(level, x)));
         for (; level < finer; ++level)
-            ranges = children(elements(level), at(level).ids, elements(level + 1), ranges);
+            ranges = children(elements(level), levels_.at(level).ids, elements(level + 1), ranges);
         return {elements(finer), std::move(ranges)};
     }
 
@@ -196,13 +165,12 @@ public:
         require_finite(level, points);
         auto moved = carry(level, level, points);
         for (int finer = level; finer <= depth(); ++finer)
-            static_cast<void>(at(finer)); // refused before anything is moved
-        levels_[std::size_t(level)]->is_moved = true;
-        for (;; ++level) {
-            set_points(levels_[std::size_t(level)]->here->mesh, elements(level), moved);
+            static_cast<void>(levels_.at(finer)); // refused before anything is moved
+        for (bool by_hand = true;; by_hand = false, ++level) {
+            set_points(levels_.mesh(level), elements(level), moved);
+            levels_.set_moved(level, by_hand);
             if (level == depth())
                 return;
-            levels_[std::size_t(level) + 1]->is_moved = false;
             moved = carry(level, level + 1, std::span<const typename traits::point>(moved.data(), moved.size()));
         }
     }
@@ -219,13 +187,13 @@ public:
                              " vertices, " + std::to_string(values.size()) + " values were given; give one per vertex");
         storage<T> result(values);
         for (int level = from; level < to; ++level) {
-            const entry& here = at(level);
+            const auto& here = levels_.at(level);
             attribute_values<T> run({result.data(), result.size()});
             run_scheme<connect::nothing, false>(elements(level),
                                                 here.scheme,
-                                                generation_ + level,
+                                                levels_.generation(level),
                                                 here.ids,
-                                                columns_of(here.scheme, generation_ + level),
+                                                columns_of(here.scheme, levels_.generation(level)),
                                                 run);
             result = run.take();
         }
@@ -238,8 +206,11 @@ public:
     {
         require_order(from, to);
         for (int level = from; level < to; ++level)
-            values = values.after(made_step{
-                at(level).scheme, elements(level), generation_ + level, at(level).ids, at(level + 1).here->mesh});
+            values = values.after(made_step{levels_.at(level).scheme,
+                                            elements(level),
+                                            levels_.generation(level),
+                                            levels_.at(level).ids,
+                                            levels_.at(level + 1).here->mesh});
         return values;
     }
 
@@ -253,43 +224,13 @@ public:
     }
 
 private:
-    using numbering_type = numbering_of<Scheme, index_type>;
-
-    struct held_mesh {
-        /// Made in place: meshes of OpenMesh cannot be moved.
-        template <class MakeMesh>
-        explicit held_mesh(const MakeMesh& make_mesh) : mesh(make_mesh())
-        {
-        }
-
-        M mesh;
-        mutable std::optional<level_type> view;
-        mutable std::once_flag viewed;
-    };
-
-    struct entry {
-        explicit entry(Scheme here_scheme) : scheme(std::move(here_scheme)) {}
-        template <class MakeMesh>
-        void hold(const MakeMesh& make_mesh)
-        {
-            here = std::make_unique<held_mesh>(make_mesh);
-        }
-
-        std::unique_ptr<held_mesh> here; ///< none of a level that was dropped
-        Scheme scheme;                   ///< of the step to the next level
-        numbering_type ids;              ///< of the next level
-        bool is_moved = false;           ///< its points are no longer those that the step before has made
-    };
-
-    /// The mesh of the next level, and the numbering of the step to it.
-    M refined(int level)
+    /// The control mesh with its edges. Errors: mesh_error for all that is wrong with it.
+    static M&& checked(M& control)
     {
-        entry& coarse = *levels_[std::size_t(level)];
-        if constexpr (requires { coarse.here->mesh.topology(); })
-            return refine_mesh<connect::everything>(coarse.here->mesh, coarse.scheme, coarse.ids);
-        else
-            return refine_level_like(
-                coarse.here->mesh, elements(level), coarse.scheme, generation_ + level, coarse.ids);
+        validate(control).require_ok();
+        if constexpr (requires { detail::with_edges(control); })
+            control = detail::with_edges(control);
+        return std::move(control);
     }
 
     /// Errors: mesh_error if n more levels do not fit.
@@ -297,78 +238,28 @@ private:
     {
         if constexpr (countable_scheme<Scheme>) {
             const auto planned = plan(elements(0).counts(),
-                                      levels_[0]->scheme,
+                                      scheme(0),
                                       depth() + n,
-                                      generation_,
+                                      levels_.generation(0),
                                       sizeof(typename traits::point),
                                       sizeof(index_type));
             detail::require_bytes<Scheme>(
-                peak_bytes_keeping_last(planned, kept_levels_), depth() + n, options_.memory_limit);
+                peak_bytes_keeping_last(planned, levels_.kept()), depth() + n, options_.memory_limit);
         }
     }
 
-    [[nodiscard]] std::vector<bool> held_levels() const
-    {
-        std::vector<bool> result;
-        for (const auto& level : levels_)
-            result.push_back(level->here != nullptr);
-        return result;
-    }
-    void drop_old()
-    {
-        for (int level = 1; level <= depth() - kept_levels_; ++level)
-            if (not levels_[std::size_t(level)]->is_moved)
-                levels_[std::size_t(level)]->here.reset();
-    }
-    /// Takes the levels back that were not there, and restores those that were held.
-    void go_back(const std::vector<bool>& held)
-    {
-        levels_.resize(held.size());
-        for (int level = 0; level <= depth(); ++level)
-            if (held[std::size_t(level)] and not holds(level))
-                restore(level);
-    }
-
-    [[nodiscard]] const entry& entry_at(int level) const
-    {
-        if (level < 0 or level > depth())
-            throw mesh_error("level " + std::to_string(level) + " was asked for, there are 0 to " +
-                             std::to_string(depth()) + "; ask for one of them, or refine() first");
-        return *levels_[std::size_t(level)];
-    }
-    [[nodiscard]] const entry& at(int level) const
-    {
-        const entry& result = entry_at(level);
-        if (not result.here)
-            throw mesh_error("level " + std::to_string(level) + " was dropped, as only the last " +
-                             std::to_string(kept_levels_) + " are kept; restore(" + std::to_string(level) +
-                             ") makes it again");
-        return result;
-    }
-    [[nodiscard]] auto at(int level, typename traits::vertex v) const
-    {
-        return vertex<level_type>(require_element(elements(level), at(level).here->mesh, v, level), v);
-    }
-    [[nodiscard]] auto at(int level, typename traits::edge e) const
-    {
-        return edge<level_type>(require_element(elements(level), at(level).here->mesh, e, level), e);
-    }
-    [[nodiscard]] auto at(int level, typename traits::face f) const
-    {
-        return face<level_type>(require_element(elements(level), at(level).here->mesh, f, level), f);
-    }
     void require_order(int from, int to) const
     {
-        static_cast<void>(at(from));
-        static_cast<void>(at(to));
+        static_cast<void>(levels_.at(from));
+        static_cast<void>(levels_.at(to));
         if (from > to)
             throw mesh_error("values were to be carried from level " + std::to_string(from) + " to level " +
                              std::to_string(to) + "; they are carried to the same level or a finer one");
     }
     void require_finer(int finer, int coarser) const
     {
-        static_cast<void>(at(finer));
-        static_cast<void>(at(coarser));
+        static_cast<void>(levels_.at(finer));
+        static_cast<void>(levels_.at(coarser));
         if (finer < coarser)
             throw mesh_error("level " + std::to_string(finer) + " was given as the finer, level " +
                              std::to_string(coarser) + " as the coarser one; give them the other way round");
@@ -380,7 +271,7 @@ private:
         if (level == depth())
             throw association_error("level " + std::to_string(level) +
                                     " is the last, nothing belongs to its elements yet; refine() first");
-        const auto found = retrieve(at(level).ids, elements(level + 1), tuple, to);
+        const auto found = retrieve(levels_.at(level).ids, elements(level + 1), tuple, to);
         if (not found)
             throw association_error("level " + std::to_string(level) + ": the scheme made nothing under this tuple");
         return *found;
@@ -393,7 +284,7 @@ private:
             throw mesh_error(
                 "level 0 is the control mesh, whose elements come from no others; ask for the origin of those "
                 "of level 1 or more");
-        const auto found = kith::birth_of<M>(elements(level - 1), at(level - 1).ids, elements(level), x);
+        const auto found = kith::birth_of<M>(elements(level - 1), levels_.at(level - 1).ids, elements(level), x);
         if (not found)
             no_tuple(level);
         return *found;
@@ -404,9 +295,7 @@ private:
     }
 
     refine_options options_;
-    int generation_ = 0;
-    int kept_levels_ = std::numeric_limits<int>::max();
-    std::vector<std::unique_ptr<entry>> levels_;
+    level_store<M, Scheme> levels_;
 };
 
 } // namespace kith

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/error.hpp>
+#include <kith/lineage/retrieve.hpp>
+#include <kith/step/level_state.hpp>
+#include <kith/step/step.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// The levels of a surface, one made from the other, and which of them are in memory. As a level follows from the one before, with the
+/// scheme as it is there, it may be dropped and made again.
+template <mesh M, scheme Scheme>
+class level_store {
+    using traits = mesh_traits<M>;
+    using level_type = level_of<M>;
+
+    struct held_mesh {
+        /// Made in place: meshes of OpenMesh cannot be moved.
+        template <class MakeMesh>
+        explicit held_mesh(const MakeMesh& make_mesh) : mesh(make_mesh())
+        {
+        }
+
+        M mesh;
+        mutable std::optional<level_type> view;
+        mutable std::once_flag viewed;
+    };
+
+    struct entry {
+        explicit entry(Scheme here_scheme) : scheme(std::move(here_scheme)) {}
+        template <class MakeMesh>
+        void hold(const MakeMesh& make_mesh)
+        {
+            here = std::make_unique<held_mesh>(make_mesh);
+        }
+
+        std::unique_ptr<held_mesh> here;                           ///< none of a level that was dropped
+        Scheme scheme;                                             ///< of the step to the next level
+        numbering_of<Scheme, typename level_type::index_type> ids; ///< of the next level
+        bool is_moved = false; ///< its points are no longer those that the step before has made
+    };
+
+public:
+    /// Level 0. Precondition: the mesh is valid and has its edges.
+    level_store(M&& control, Scheme scheme) : generation_(generation_of(control))
+    {
+        levels_.push_back(std::make_unique<entry>(std::move(scheme)));
+        levels_[0]->hold([&] { return std::move(control); });
+    }
+
+    [[nodiscard]] int depth() const { return int(levels_.size()) - 1; }
+    /// Steps from the control mesh of all to this level, as far as level 0 remembers them.
+    [[nodiscard]] int generation(int level) const { return generation_ + level; }
+    /// How many of the last levels are kept.
+    [[nodiscard]] int kept() const { return kept_; }
+
+    /// Adds a level, and drops the one that is kept no longer. Errors: as those of a step.
+    void add()
+    {
+        entry& last = *levels_.back();
+        auto next = std::make_unique<entry>(last.scheme);
+        next->hold([&] { return refined(depth()); });
+        advance(next->scheme, elements(depth()), generation(depth()), last.ids, next->here->mesh);
+        levels_.push_back(std::move(next));
+        drop_old();
+    }
+    void keep_last(int count)
+    {
+        kept_ = count;
+        drop_old();
+    }
+    /// Makes a level that was dropped again, from the last one before it that is there.
+    void restore(int level)
+    {
+        static_cast<void>(entry_at(level));
+        int from = level;
+        while (not levels_[std::size_t(from)]->here)
+            --from;
+        for (int next = from + 1; next <= level; ++next) {
+            levels_[std::size_t(next)]->hold([&] { return refined(next - 1); });
+            if (next - 1 != from)
+                levels_[std::size_t(next - 1)]->here.reset();
+        }
+    }
+    /// Of each level whether it is in memory.
+    [[nodiscard]] std::vector<bool> held() const
+    {
+        std::vector<bool> result;
+        for (const auto& level : levels_)
+            result.push_back(level->here != nullptr);
+        return result;
+    }
+    /// Takes the levels back that were not there, and restores those that were held.
+    void go_back(const std::vector<bool>& held)
+    {
+        levels_.resize(held.size());
+        for (int level = 0; level <= depth(); ++level)
+            if (held[std::size_t(level)] and not levels_[std::size_t(level)]->here)
+                restore(level);
+    }
+
+    /// The mesh of a level, to be changed. Precondition: the level is in memory.
+    [[nodiscard]] M& mesh(int level) { return levels_[std::size_t(level)]->here->mesh; }
+    /// Says whether the points of a level are those that the step before has made.
+    void set_moved(int level, bool is_moved) { levels_[std::size_t(level)]->is_moved = is_moved; }
+
+    /// A level, in memory or not. Errors: mesh_error where there is none.
+    [[nodiscard]] const entry& entry_at(int level) const
+    {
+        if (level < 0 or level > depth())
+            throw mesh_error("level " + std::to_string(level) + " was asked for, there are 0 to " +
+                             std::to_string(depth()) + "; ask for one of them, or refine() first");
+        return *levels_[std::size_t(level)];
+    }
+    /// A level that is in memory. Errors: mesh_error where it was dropped, or is none.
+    [[nodiscard]] const entry& at(int level) const
+    {
+        const entry& result = entry_at(level);
+        if (not result.here)
+            throw mesh_error("level " + std::to_string(level) + " was dropped, as only the last " +
+                             std::to_string(kept_) + " are kept; restore(" + std::to_string(level) +
+                             ") makes it again");
+        return result;
+    }
+    [[nodiscard]] const level_type& elements(int level) const
+    {
+        const held_mesh& here = *at(level).here;
+        std::call_once(here.viewed, [&] { here.view.emplace(here.mesh); });
+        return *here.view;
+    }
+    /// The element of a level with this handle. Errors: mesh_error for handles of none.
+    [[nodiscard]] auto at(int level, typename traits::vertex v) const
+    {
+        return vertex<level_type>(require_element(elements(level), at(level).here->mesh, v, level), v);
+    }
+    [[nodiscard]] auto at(int level, typename traits::edge e) const
+    {
+        return edge<level_type>(require_element(elements(level), at(level).here->mesh, e, level), e);
+    }
+    [[nodiscard]] auto at(int level, typename traits::face f) const
+    {
+        return face<level_type>(require_element(elements(level), at(level).here->mesh, f, level), f);
+    }
+
+private:
+    /// The mesh of the next level, and the numbering of the step to it.
+    M refined(int level)
+    {
+        entry& coarse = *levels_[std::size_t(level)];
+        if constexpr (requires { coarse.here->mesh.topology(); })
+            return refine_mesh<connect::everything>(coarse.here->mesh, coarse.scheme, coarse.ids);
+        else
+            return refine_level_like(coarse.here->mesh, elements(level), coarse.scheme, generation(level), coarse.ids);
+    }
+
+    void drop_old()
+    {
+        for (int level = 1; level <= depth() - kept_; ++level)
+            if (not levels_[std::size_t(level)]->is_moved)
+                levels_[std::size_t(level)]->here.reset();
+    }
+
+    int generation_ = 0;
+    int kept_ = std::numeric_limits<int>::max();
+    std::vector<std::unique_ptr<entry>> levels_;
+};
+
+} // namespace kith
