@@ -281,9 +281,8 @@ private:
     [[nodiscard]] birth<M> birth_of(int level, const Element& x) const
     {
         if (level == 0)
-            throw mesh_error(
-                "level 0 is the control mesh, whose elements come from no others; ask for the origin of those "
-                "of level 1 or more");
+            throw mesh_error("level 0 is the control mesh, whose elements come from no others; ask for the origin "
+                             "of those of level 1 or more");
         const auto found = kith::birth_of<M>(elements(level - 1), levels_.at(level - 1).ids, elements(level), x);
         if (not found)
             no_tuple(level);
