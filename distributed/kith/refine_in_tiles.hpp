@@ -36,6 +36,9 @@ public:
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return whole_; }
     [[nodiscard]] std::size_t tiles() const { return cutter_.parts(); }
 
+    /// Who descends from whom, over all levels and by the numbers of the whole mesh. Cost: O(control mesh).
+    [[nodiscard]] auto lineage() const { return whole_.lineage(cutter_.runs()); }
+
     /// The last level of one part, with its edges where asked for. Safe on several threads, each with a part of its own (see
     /// for_each_at_once). Errors: as `refine`.
     [[nodiscard]] tile_type refine(std::size_t part, connect last = connect::faces)

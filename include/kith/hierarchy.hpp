@@ -260,9 +260,7 @@ private:
     {
         static_cast<void>(levels_.at(finer));
         static_cast<void>(levels_.at(coarser));
-        if (finer < coarser)
-            throw mesh_error("level " + std::to_string(finer) + " was given as the finer, level " +
-                             std::to_string(coarser) + " as the coarser one; give them the other way round");
+        detail::require_finer(finer, coarser);
     }
 
     template <tuple_kind Kind, target Target>
@@ -280,9 +278,7 @@ private:
     template <element Element>
     [[nodiscard]] birth<M> birth_of(int level, const Element& x) const
     {
-        if (level == 0)
-            throw mesh_error("level 0 is the control mesh, whose elements come from no others; ask for the origin "
-                             "of those of level 1 or more");
+        detail::require_origins(level);
         const auto found = kith::birth_of<M>(elements(level - 1), levels_.at(level - 1).ids, elements(level), x);
         if (not found)
             no_tuple(level);

@@ -6,6 +6,7 @@
 #include <kith/base/error.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/number/column_facts.hpp>
+#include <kith/number/control_numbers.hpp>
 #include <kith/number/whole_counts.hpp>
 #include <kith/part/partition.hpp>
 #include <kith/part/reach.hpp>
@@ -71,6 +72,9 @@ public:
                 mesh_.corner_count(),
                 marked_before_.empty() ? 0 : marked_before_.back()};
     }
+
+    /// What no formula tells of the mesh, see whole_lineage. Cost: O(elements).
+    [[nodiscard]] control_runs runs() const { return control_runs_of<Scheme>(mesh_); }
 
     /// Part `part` with `rings` rings of shadows. Cost: O(its elements log of them).
     [[nodiscard]] job_type cut(std::size_t part, int rings) { return cut_around(faces(part), rings); }
