@@ -76,12 +76,8 @@ TEST(whole_lineage, is_made_of_what_tiles_know_as_well)
     const auto expect = []<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {
         kith::tile_cutter cutter(mesh, scheme, partitions::scattered(mesh.face_count(), 4, 1), 4);
         kith::control_runs joined;
-        const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
-        for (std::size_t part = 4; part-- > 0;) {
-            const auto runs = kith::control_runs_of<Scheme>(cutter.cut(part, 1).part);
-            append(joined.corners_of_faces, runs.corners_of_faces);
-            append(joined.faces_at_vertices, runs.faces_at_vertices);
-        }
+        for (std::size_t part = 4; part-- > 0;)
+            joined.append(kith::control_runs_of<Scheme>(cutter.cut(part, 1).part));
         const auto ours = joined.joined(), theirs = cutter.runs().joined();
         EXPECT_TRUE(same_runs(ours.corners_of_faces, theirs.corners_of_faces));
         EXPECT_TRUE(same_runs(ours.faces_at_vertices, theirs.faces_at_vertices));

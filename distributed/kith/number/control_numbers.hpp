@@ -24,6 +24,14 @@ struct control_numbers {
 struct control_runs {
     std::vector<equal_run> corners_of_faces, faces_at_vertices, marked_edges;
 
+    void append(const control_runs& more)
+    {
+        const auto to = [](auto& all, const auto& list) { all.insert(all.end(), list.begin(), list.end()); };
+        to(corners_of_faces, more.corners_of_faces);
+        to(faces_at_vertices, more.faces_at_vertices);
+        to(marked_edges, more.marked_edges);
+    }
+    /// Precondition: all are there.
     [[nodiscard]] control_numbers joined() const
     {
         return {sums_before(corners_of_faces), sums_before(faces_at_vertices), sums_before(marked_edges)};
