@@ -171,6 +171,13 @@ public:
         });
         return refine(how, keep, most_at_once);
     }
+    /// Collective. Refines all tiles and returns all levels of those of this rank. Errors: as above.
+    [[nodiscard]] std::vector<kept_type> keep_levels(sharing how)
+    {
+        std::vector<kept_type> result;
+        refine_levels(how, [&](kept_type&& kept) { result.push_back(std::move(kept)); });
+        return result;
+    }
 
 private:
     static constexpr const char* no_memory_for_tile =

@@ -14,6 +14,8 @@
 #include <kith/ranks/write_level.hpp>
 #include <kith/refine_in_tiles.hpp>
 
+#include <numeric>
+
 namespace {
 
 namespace fs = vtu_files::fs;
@@ -49,12 +51,10 @@ kept_tiles<Scheme> kept_and_moved(const mesh3d& mesh, const Scheme& given, int l
 {
     const auto without = some_fields::without_values(given);
     kith::mpi::rank_refinement refinement(world(), mesh, world().is_root() ? given : without, levels, parts, 0);
-    kept_tiles<Scheme> kept;
-    refinement.refine_levels(kith::mpi::sharing::spmd, [&](auto&& tile) { kept.push_back(std::move(tile)); });
-    std::vector<int> rank_of(parts.parts);
-    for (std::size_t t = 0; t < rank_of.size(); ++t)
-        rank_of[t] = int((2 * t + 1) % std::size_t(world().size()));
-    return kith::mpi::repartition(world(), std::move(kept), rank_of, without);
+    auto kept = refinement.keep_levels(kith::mpi::sharing::spmd);
+    const auto faces = kith::mpi::owned_faces(world(), kept, levels, parts.parts);
+    EXPECT_EQ(std::reduce(faces.begin(), faces.end()), refinement.whole().counts(levels).faces);
+    return kith::mpi::repartition(world(), std::move(kept), kith::mpi::balanced_ranks(faces, world().size()), without);
 }
 
 kith::whole_counts counts_of(const mesh3d& mesh)
@@ -158,8 +158,7 @@ TEST(write_level, says_what_is_wrong_and_leaves_nothing)
     const auto torus = native(shapes::torus(3, 4));
     const auto given = kith::with_fields(kith::catmull_clark{}, kith::on_vertices(std::vector<double>(12, 1.5)));
     kith::mpi::rank_refinement refinement(world(), torus, given, 1, in_blocks(torus, 3), 0);
-    kept_tiles<std::remove_const_t<decltype(given)>> kept;
-    refinement.refine_levels(kith::mpi::sharing::spmd, [&](auto&& tile) { kept.push_back(std::move(tile)); });
+    auto kept = refinement.keep_levels(kith::mpi::sharing::spmd);
     const auto counts = refinement.whole().counts(1);
     const shared_directory here;
     const auto text = [&](const std::string& name, int level) {

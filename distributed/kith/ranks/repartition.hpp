@@ -20,22 +20,25 @@
 
 namespace kith::mpi {
 
-/// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile that
-/// is not there, or there twice.
-template <tile_like Tile>
-std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
-                                       std::uint64_t all_tiles)
+namespace detail {
+
+/// `tiles` have a number and a part, `is_meant(tile)` says which of them are of the level.
+template <class Tiles, std::predicate<const typename Tiles::value_type&> IsMeant>
+std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, std::uint64_t all_tiles,
+                                       const IsMeant& is_meant)
 {
     std::vector<std::uint64_t> faces(all_tiles), seen(all_tiles);
     std::string problem;
-    for (const auto& [number, part] : tiles) {
-        if (number >= all_tiles) {
-            problem = "tile " + std::to_string(number) + " is not one of " + std::to_string(all_tiles) +
+    for (const auto& tile : tiles) {
+        if (not is_meant(tile))
+            continue;
+        if (tile.number >= all_tiles) {
+            problem = "tile " + std::to_string(tile.number) + " is not one of " + std::to_string(all_tiles) +
                       "; give the number of all tiles";
             break;
         }
-        ++seen[number];
-        faces[number] += owned_count(part.face_marks);
+        ++seen[tile.number];
+        faces[tile.number] += owned_count(tile.part.face_marks);
     }
     comm.agree(problem);
     seen = comm.sum(std::move(seen));
@@ -45,6 +48,24 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbe
                       " times; give all tiles of the level, each once";
     comm.agree(problem);
     return comm.sum(std::move(faces));
+}
+
+} // namespace detail
+
+/// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile that
+/// is not there, or there twice.
+template <tile_like Tile>
+std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
+                                       std::uint64_t all_tiles)
+{
+    return detail::owned_faces(comm, tiles, all_tiles, [](const auto&) { return true; });
+}
+/// Collective. The same for the tiles of `level` among those that are kept.
+template <tile_like Tile, scheme Scheme>
+std::vector<std::uint64_t> owned_faces(communicator& comm, const std::vector<kept_tile<Tile, Scheme>>& tiles, int level,
+                                       std::uint64_t all_tiles)
+{
+    return detail::owned_faces(comm, tiles, all_tiles, [&](const auto& kept) { return kept.level == level; });
 }
 
 /// A rank for each tile, so that all ranks get about as many faces: the largest tile first, each to the rank that has least
