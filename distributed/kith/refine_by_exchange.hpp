@@ -114,6 +114,14 @@ public:
     [[nodiscard]] std::span<const numbered_tile<tile_type>> tiles() const { return tiles_; }
     /// Local. Of each of these tiles the scheme, with its state (fields, creases) of this level.
     [[nodiscard]] std::span<const Scheme> schemes() const { return schemes_; }
+    /// Local. Both, taken out of a refinement that is given up: std::move(refinement).take_tiles().
+    [[nodiscard]] std::vector<kept_type> take_tiles() &&
+    {
+        std::vector<kept_type> result;
+        for (std::size_t t = 0; t < tiles_.size(); ++t)
+            result.push_back({tiles_[t].number, level_, std::move(tiles_[t].part), std::move(schemes_[t])});
+        return result;
+    }
 
     /// Collective. Who descends from whom, over all levels so far and by the numbers of the whole mesh: the same on all ranks,
     /// and local from then on, wherever the tiles are moved. Errors: mpi::error. Cost: runs_of_ranks, of which a mesh of one

@@ -89,8 +89,8 @@ void expect_all_levels(const mesh3d& mesh, const Scheme& plain)
     kith::mpi::exchanging_refinement refinement(world(), mesh, mine, parts, kith::reach_of(given, 1));
     for (int level = 0; level < 3; ++level)
         refinement.refine([&](kept_type&& tile) { kept.push_back(std::move(tile)); });
-    for (std::size_t t = 0; t < refinement.tiles().size(); ++t)
-        kept.push_back({refinement.tiles()[t].number, 3, refinement.tiles()[t].part, refinement.schemes()[t]});
+    for (auto& last : std::move(refinement).take_tiles())
+        kept.push_back(std::move(last));
     expect_levels(levels, kept, 0, 4);
 }
 
