@@ -8,6 +8,7 @@
 #include <kith/part/partition.hpp>
 #include <kith/part/phase_seconds.hpp>
 #include <kith/ranks/deal_tiles.hpp>
+#include <kith/ranks/hand_out_tiles.hpp>
 #include <kith/ranks/require_tiles.hpp>
 #include <kith/ranks/runs_of_ranks.hpp>
 #include <kith/ranks/tile_generation.hpp>
@@ -27,7 +28,6 @@
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -226,79 +226,28 @@ private:
         comm_.agree(problem);
     }
 
-    /// A worker asks for so many tiles, none after an error; the answer are up to so many, numbered, or nothing at the end.
     template <class Use>
     void refine_handed_out(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
+        const auto by_size = [&] { // the largest first
+            auto order = numbers;
+            std::stable_sort(order.begin(), order.end(), [&](std::uint64_t a, std::uint64_t b) {
+                return cutter_->faces(a).size() > cutter_->faces(b).size();
+            });
+            return order;
+        };
+        const auto refine_some = [&](const std::vector<packed_tile>& tiles) {
+            at_once_ = tiles_at_once(tiles.size(), most_at_once_);
+            for_each_at_once(tiles.size(), at_once_, [&](std::size_t i) {
+                refine_one(tiles[i].first, unpack<Point, Index>(tiles[i].second, scheme_), use, done);
+            });
+        };
         in_agreement(comm_, [&] {
             if (comm_.is_root())
-                hand_out(numbers);
+                hand_out_tiles(comm_, by_size(), [&](std::uint64_t t) { return cut(t); });
             else
-                work(use, done);
+                ask_for_tiles(comm_, tiles_at_once(SIZE_MAX, most_at_once_), no_memory_for_tile, refine_some);
         });
-    }
-    void hand_out(std::vector<std::uint64_t> order)
-    {
-        std::stable_sort(order.begin(), order.end(), [&](std::uint64_t a, std::uint64_t b) {
-            return cutter_->faces(a).size() > cutter_->faces(b).size();
-        });
-        std::size_t next = 0;
-        std::string problem;
-        for (int working = comm_.size() - 1; working > 0;) {
-            int worker = communicator::any_rank;
-            const auto question = comm_.receive(worker);
-            const auto wanted = unpacker(question).get<std::uint64_t>();
-            if (wanted == 0)
-                next = order.size(); // it has failed, so the rest is of no use
-            std::vector<std::byte> answer;
-            if (next < order.size() and problem.empty()) {
-                const std::uint64_t left = order.size() - next; // the last ones go to all that work
-                const auto count = std::clamp<std::uint64_t>(left / std::uint64_t(working), 1, wanted);
-                problem = problem_of( // after one the workers hear that nothing is left
-                    [&] {
-                        packer out;
-                        out.add(count);
-                        for (std::uint64_t i = 0; i < count; ++i)
-                            out.add(order[next + i]).add_array(cut(order[next + i]));
-                        answer = out.take();
-                    },
-                    "there is not enough memory to cut tiles");
-                next += count;
-            }
-            working -= answer.empty();
-            comm_.send(answer, worker);
-        }
-        if (not problem.empty())
-            throw std::runtime_error(problem);
-    }
-    template <class Use>
-    void work(const Use& use, work_done& done)
-    {
-        std::string problem;
-        for (;;) {
-            const std::uint64_t wanted = problem.empty() ? tiles_at_once(SIZE_MAX, most_at_once_) : 0;
-            comm_.send(packer().add(wanted).take(), 0);
-            int root = 0;
-            const auto answer = comm_.receive(root);
-            if (answer.empty())
-                break;
-            problem = problem_of(
-                [&] {
-                    unpacker in(answer);
-                    std::vector<std::pair<std::uint64_t, std::vector<std::byte>>> tiles(in.get<std::uint64_t>());
-                    for (auto& [number, packed] : tiles) {
-                        number = in.get<std::uint64_t>();
-                        packed = in.get_array<std::vector<std::byte>>();
-                    }
-                    at_once_ = tiles_at_once(tiles.size(), most_at_once_);
-                    for_each_at_once(tiles.size(), at_once_, [&](std::size_t i) {
-                        refine_one(tiles[i].first, unpack<Point, Index>(tiles[i].second, scheme_), use, done);
-                    });
-                },
-                no_memory_for_tile);
-        }
-        if (not problem.empty())
-            throw std::runtime_error(problem);
     }
 
     template <class Use>

@@ -7,8 +7,10 @@
 #include <kith/level/lift.hpp>
 #include <kith/part/tile_like.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace kith {
 

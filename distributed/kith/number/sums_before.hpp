@@ -4,7 +4,7 @@
 #include <kith/part/tile.hpp>
 
 #include <algorithm>
-#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace kith {
