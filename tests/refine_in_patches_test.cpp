@@ -121,6 +121,42 @@ TEST(refine_in_patches, takes_a_scheme_of_a_users_own)
     EXPECT_TRUE(compare(native(shapes::shaken(shapes::grid(4, 5))), own_scheme(), 3));
 }
 
+TEST(refine_in_patches, keeps_templates_for_one_scheme_and_one_size)
+{
+    const auto triangles = native(shapes::shaken(shapes::triangulated(shapes::pentacube())));
+    const auto moved = native(shapes::triangulated(shapes::pentacube()));
+    const auto more = native(shapes::shaken(shapes::triangulated(shapes::house())));
+    const kith::loop warren{.weights = kith::loop_weights::warren, .sharpness = {}};
+    for (int again = 0; again < 2; ++again) {
+        EXPECT_TRUE(compare(triangles, kith::loop{}, 3));
+        EXPECT_TRUE(compare(moved, kith::loop{}, 3));
+        EXPECT_TRUE(compare(triangles, warren, 3));
+        EXPECT_TRUE(compare(more, warren, 3));
+        EXPECT_TRUE(compare(more, warren, 2));
+    }
+    using templates = kith::kept_templates<kith::loop, double, std::uint32_t>;
+    const auto first = templates::of(warren, 0, 2, {});
+    EXPECT_EQ(templates::of(warren, 0, 2, {}), first);
+    EXPECT_NE(templates::of(kith::loop{}, 0, 2, {}), first);
+    EXPECT_EQ(templates::of(warren, 0, 2, {})->find(u""), nullptr);
+}
+
+struct derived_scheme : kith::kobbelt {
+    double added = 0;
+};
+struct empty_scheme : own_scheme {};
+
+TEST(refine_in_patches, tells_schemes_apart_by_all_their_members)
+{
+    static_assert(kith::comparable_scheme<kith::catmull_clark> and kith::comparable_scheme<kith::loop> and
+                  kith::comparable_scheme<kith::kobbelt> and kith::comparable_scheme<kith::butterfly> and
+                  kith::comparable_scheme<kith::sqrt3>);
+    static_assert(kith::comparable_scheme<empty_scheme>);
+    static_assert(std::equality_comparable<derived_scheme> and not kith::comparable_scheme<derived_scheme>);
+    using templates = kith::kept_templates<derived_scheme, double, std::uint32_t>;
+    EXPECT_NE(templates::of({}, 0, 4, {}), templates::of({}, 0, 4, {}));
+}
+
 TEST(refine_in_patches, takes_other_numbers_and_indices)
 {
     const auto shape = shapes::shaken(shapes::both(shapes::house(), shapes::pentacube()));

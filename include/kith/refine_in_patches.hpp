@@ -36,7 +36,7 @@ public:
     [[nodiscard]] bool is_worth_looking() const
     {
         return has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces and
-               costs_.of_walk * double(plan_->levels[std::size_t(plan_->first)].faces) <=
+               costs_.of_walk * double(plan_->faces_of_walk(degree) * plan_->levels[std::size_t(plan_->first)].faces) <=
                    costs_.share_of_walks * double(plan_->last().faces);
     }
 

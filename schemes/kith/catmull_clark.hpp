@@ -16,6 +16,7 @@ struct catmull_clark {
     boundary_corner corners = boundary_corner::kept;
     boundary_curve boundary = boundary_curve::cubic;
     creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level
+    friend bool operator==(const catmull_clark&, const catmull_clark&) = default;
 
     static constexpr auto traits()
     {

@@ -16,6 +16,7 @@ namespace kith {
 struct kobbelt {
     double tension = 1; ///< w, 0 < w < 2 (sqrt 5 - 1)
     double gamma = tension / (8 + tension);
+    friend bool operator==(const kobbelt&, const kobbelt&) = default;
 
     static constexpr auto traits()
     {

@@ -12,8 +12,7 @@
 
 namespace kith {
 
-/// Loop 1987, with cosines, or Warren 1995: 3/16 at valence 3, else 3/(8n).
-enum class loop_weights : unsigned char { loop, warren };
+enum class loop_weights : unsigned char { loop, warren }; ///< Loop 1987; or Warren 1995: 3/16 at valence 3, else 3/(8n)
 
 /// Loop: quartic box splines for triangle meshes. Loop 1987; boundary Hoppe et al. 1994 with the cubic B-spline curve.
 /// C2, at vertices of valence other than 6 C1. Cost: O(corners).
@@ -21,6 +20,7 @@ struct loop {
     loop_weights weights = loop_weights::loop;
     boundary_corner corners = boundary_corner::kept;
     creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level
+    friend bool operator==(const loop&, const loop&) = default;
 
     static constexpr auto traits()
     {

@@ -18,6 +18,8 @@ class sparse_values {
 public:
     using entry = std::pair<std::size_t, T>;
 
+    friend bool operator==(const sparse_values&, const sparse_values&) = default;
+
     [[nodiscard]] bool empty() const { return list_.empty(); }
     /// By number.
     [[nodiscard]] const std::vector<entry>& list() const { return list_; }

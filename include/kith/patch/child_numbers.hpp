@@ -17,6 +17,8 @@ namespace kith {
 struct column_bases {
     using by_kind = std::array<std::uint64_t, 7>;
     by_kind vertices{}, edges{}, faces{};
+
+    friend bool operator==(const column_bases&, const column_bases&) = default;
 };
 
 namespace detail {

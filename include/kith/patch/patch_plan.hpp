@@ -47,6 +47,12 @@ struct patch_plan {
 
     [[nodiscard]] const counts& of_begin() const { return levels[std::size_t(begin)]; }
     [[nodiscard]] const counts& last() const { return levels.back(); }
+    /// The faces within the rings around one, where the mesh of faces of this degree is regular.
+    [[nodiscard]] std::size_t faces_of_walk(std::size_t degree) const
+    {
+        const auto r = std::size_t(rings);
+        return degree == 3 ? 1 + 6 * r * (r + 1) : (2 * r + 1) * (2 * r + 1);
+    }
 };
 
 /// A patch has at most some hundred faces. Nothing for a mesh on which the numbers of the scheme do not follow in one way, whose

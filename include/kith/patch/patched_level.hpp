@@ -2,6 +2,7 @@
 #pragma once
 
 #include "face_classes.hpp"
+#include "kept_templates.hpp"
 #include "patch_filler.hpp"
 #include "patch_plan.hpp"
 
@@ -16,15 +17,16 @@
 
 namespace kith {
 
-/// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1.
+/// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1. Measured
+/// with the schemes of the library; a template takes 1900 (Butterfly) to 6600 (sqrt(3)) final faces.
 struct patch_costs {
-    double in_patch = .4;
-    double among_few = 3;           ///< of few faces with their rings, where making a template is not worth it
-    double of_template = 4000;      ///< of making one, in final faces
-    double of_walk = 40;            ///< of walking around a face of the first level to find its class
-    double share_of_walks = .05;    ///< nobody looks where all walks cost more than this share of the whole
-    double to_be_cheaper = .9;      ///< patches must come to less than so much
-    std::size_t least_faces = 8192; ///< of the level whose faces own patches; for fewer nobody looks
+    double in_patch = .5;
+    double among_few = 6;        ///< of few faces with their rings, where making a template is not worth it
+    double of_template = 3000;   ///< of making one, in final faces
+    double of_walk = 3;          ///< of each face that is met in a walk around one of the first level to find its class
+    double share_of_walks = .05; ///< nobody looks where all walks cost more than this share of the whole
+    double to_be_cheaper = .9;   ///< patches must come to less than so much
+    std::size_t least_faces = 4096; ///< of the level whose faces own patches; for fewer nobody looks
 };
 
 template <class Point, std::unsigned_integral Index, scheme Scheme>
@@ -63,7 +65,7 @@ public:
         cost += double(mesh.face_count() - in_templates) * faces_of_patch * costs.among_few;
         if (cost > costs.to_be_cheaper * double(plan.last().faces))
             return {};
-        return patched_level(mesh, classes, scheme, plan.bases, [&](class_number c) { return gains(members[c]); });
+        return patched_level(mesh, classes, scheme, plan, [&](class_number c) { return gains(members[c]); });
     }
 
     /// Makes the points of the last level, and its faces where there is room for them. The mesh is that of `make`, or one with other
@@ -79,7 +81,7 @@ public:
                 std::vector<Index> waiting(templates_.size() * width);
                 std::vector<std::uint8_t> count(templates_.size(), 0);
                 const auto flush = [&](std::size_t c) {
-                    filler.fill(templates_[c], std::span(waiting).subspan(c * width, count[c]));
+                    filler.fill(*templates_[c], std::span(waiting).subspan(c * width, count[c]));
                     count[c] = 0;
                 };
                 for (std::size_t f = begin; f < end; ++f) {
@@ -100,15 +102,17 @@ public:
 
 private:
     using numbering = numbering_of<Scheme, Index>;
+    using templates = kept_templates<Scheme, scalar_of<Point>, Index>;
     using class_number = typename face_classes<Index>::number;
     static constexpr class_number none = face_classes<Index>::unlike;
     static constexpr std::size_t degree = numbering::common_degree;
 
     template <class Gains>
     patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
-                  std::span<const column_bases> bases, const Gains& gains)
-        : scheme_(scheme), bases_(bases.begin(), bases.end()), template_of_face_(mesh.face_count())
+                  const patch_plan& plan, const Gains& gains)
+        : scheme_(scheme), bases_(plan.bases), template_of_face_(mesh.face_count())
     {
+        const auto kept = templates::of(scheme, mesh.generation(), plan.rings, bases_);
         template_maker<Scheme, Point, Index> maker(mesh, scheme, bases_);
         face_walk<Index> walk(mesh.topology(), classes.rings());
         constexpr class_number unknown = none - 1;
@@ -117,7 +121,7 @@ private:
             class_number made = none;
             if (const class_number c = classes.of_faces()[f]; c != classes.unlike) {
                 if (template_of_class[c] == unknown)
-                    template_of_class[c] = gains(c) ? make_template(maker, walk, f) : none;
+                    template_of_class[c] = gains(c) ? find_template(*kept, maker, walk, f) : none;
                 made = template_of_class[c];
             }
             template_of_face_[f] = made;
@@ -127,13 +131,18 @@ private:
     }
 
     /// Its number; none for a face around which there is too much to be numbered.
-    class_number make_template(template_maker<Scheme, Point, Index>& maker, face_walk<Index>& walk, std::size_t face)
+    class_number find_template(templates& kept, template_maker<Scheme, Point, Index>& maker, face_walk<Index>& walk,
+                               std::size_t face)
     {
         walk.around(face);
-        auto made = maker.make(walk);
-        if (not made)
-            return none;
-        templates_.push_back(std::move(*made));
+        auto found = kept.find(walk.key());
+        if (found == nullptr) {
+            auto made = maker.make(walk);
+            if (not made)
+                return none;
+            found = kept.keep(walk.key(), std::move(*made));
+        }
+        templates_.push_back(std::move(found));
         return class_number(templates_.size() - 1);
     }
 
@@ -192,7 +201,7 @@ private:
 
     Scheme scheme_;
     std::vector<column_bases> bases_;
-    std::vector<patch_template<scalar_of<Point>, Index>> templates_;
+    std::vector<typename templates::pointer> templates_;
     storage<class_number> template_of_face_;
     std::vector<Index> few_; // faces without a template, in increasing order
 };

@@ -30,6 +30,7 @@ public:
 
     creases() = default;
     explicit creases(crease_method method) : method(method) {}
+    friend bool operator==(const creases&, const creases&) = default;
 
     /// Precondition: sharpness >= 0. Setting anew replaces.
     void sharpen_edge(std::size_t edge, double sharpness) { edges_.set(edge, sharpness > 0 ? sharpness : 0); }

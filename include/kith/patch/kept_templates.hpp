@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "child_numbers.hpp"
+#include "patch_template.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+namespace detail {
+
+/// Becomes a Scheme and nothing else, no base of it.
+template <class Scheme>
+struct only_as {
+    template <std::same_as<Scheme> Same>
+    operator const Same&() const;
+};
+
+} // namespace detail
+
+/// Schemes that can be told apart: by their members, if they have any. The comparison must be one of their own, as that of a
+/// base would leave out the members that a derived scheme adds.
+template <class Scheme>
+concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
+                                                        requires(const detail::only_as<Scheme>& s) { s == s; });
+
+/// Templates of a scheme for levels of one size, by the neighbourhoods that they are for. Those of the last size are kept
+/// for the process, one list for each type of scheme and point, so that who refines again is spared making them; schemes that
+/// cannot be told apart have a list of their own each time. At most `most` templates, of some 10 to 30 KB each. Safe on
+/// several threads.
+template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
+class kept_templates {
+public:
+    using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
+    static constexpr std::size_t most = 256;
+
+    /// For the steps that begin at a level of this generation and have these bases.
+    static std::shared_ptr<kept_templates> of(const Scheme& scheme, int generation, int rings,
+                                              const std::vector<column_bases>& bases)
+    {
+        const auto made = std::make_shared<kept_templates>(scheme, generation, rings, bases);
+        if constexpr (comparable_scheme<Scheme>) {
+            static std::mutex mutex;
+            static std::shared_ptr<kept_templates> last;
+            const std::lock_guard lock(mutex);
+            if (last == nullptr or not last->is_for_what(*made))
+                last = made;
+            return last;
+        } else {
+            return made;
+        }
+    }
+
+    kept_templates(const Scheme& scheme, int generation, int rings, std::vector<column_bases> bases)
+        : scheme_(scheme), generation_(generation), rings_(rings), bases_(std::move(bases))
+    {
+    }
+
+    /// The template for the neighbourhoods that have this key of a walk; nullptr where none is kept.
+    [[nodiscard]] pointer find(const std::u16string& key) const
+    {
+        const std::lock_guard lock(mutex_);
+        const auto place = of_key_.find(key);
+        return place == of_key_.end() ? nullptr : place->second;
+    }
+    /// Keeps a template, if there is room for it, and hands it back.
+    pointer keep(const std::u16string& key, patch_template<Scalar, Index> made)
+    {
+        pointer shared = std::make_shared<const patch_template<Scalar, Index>>(std::move(made));
+        const std::lock_guard lock(mutex_);
+        if (of_key_.size() < most)
+            of_key_.try_emplace(key, shared);
+        return shared;
+    }
+
+private:
+    [[nodiscard]] bool is_for_what(const kept_templates& other) const
+    {
+        if (generation_ != other.generation_ or rings_ != other.rings_ or bases_ != other.bases_)
+            return false;
+        if constexpr (std::is_empty_v<Scheme>)
+            return true;
+        else
+            return scheme_ == other.scheme_;
+    }
+
+    Scheme scheme_;
+    int generation_, rings_;
+    std::vector<column_bases> bases_;
+    mutable std::mutex mutex_;
+    std::unordered_map<std::u16string, pointer> of_key_;
+};
+
+} // namespace kith
