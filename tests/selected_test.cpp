@@ -139,7 +139,8 @@ shapes::shape flat_grid()
 TEST(selected, all_faces_are_full_refinement)
 {
     for_each_scheme([](const auto& scheme, const mesh3d& mesh) {
-        hierarchy chosen(mesh, selected(scheme)), unsaid(mesh, selected(scheme)), full(mesh, scheme);
+        hierarchy chosen(mesh, selected(scheme)), unsaid(mesh, selected(scheme));
+        hierarchy full(mesh, scheme);
         for (int level = 1; level <= 3; ++level) {
             chosen.refine_if([](handles::face) { return true; });
             unsaid.refine();
@@ -293,4 +294,110 @@ TEST(selected, quads_of_a_grid_stay_squares_and_have_no_more_than_one_vertex_on_
             EXPECT_LE(std::ranges::max(sides), 2 * std::ranges::min(sides) + 1e-12);
         }
     }
+}
+
+// The faces of full refinement go down the levels with those that are chosen a ring further inside each time.
+TEST(selected, inside_the_chosen_faces_points_are_those_of_full_refinement)
+{
+    const auto look = [](const auto& scheme, const mesh3d& mesh) {
+        using namespace kith::targets;
+        hierarchy levels(mesh, selected(scheme));
+        hierarchy full(mesh, scheme);
+        std::vector<bool> is_right(mesh.face_count(), true); // faces whose points are those of full refinement
+        std::vector<handles::face> same_face;                // and their faces there
+        for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+            same_face.push_back({f});
+        std::size_t compared = 0;
+        for (int level = 0; level < 3; ++level) {
+            const auto& here = levels.elements(level);
+            std::vector<unsigned char> flags(here.face_count(), 0);
+            for (const auto f : here.faces()) {
+                bool is_inside = level > 0 or f.index() < here.face_count() / 3;
+                for (const auto v : f.vertices())
+                    for (const auto g : v.faces())
+                        is_inside = is_inside and is_right[g.index()];
+                flags[f.index()] = is_inside;
+            }
+            levels.refine_flagged(flags);
+            full.refine();
+            const auto &fine = levels.elements(level + 1), &all = full.elements(level + 1);
+            std::vector<bool> is_right_next(fine.face_count(), false);
+            std::vector<handles::face> same_next(fine.face_count());
+            for (const auto f : here.faces()) {
+                if (flags[f.index()] == 0)
+                    continue;
+                const auto there = full.elements(level).faces()[same_face[f.index()].value];
+                const auto children = levels.descendants(level, here.face_at(f.index()), level + 1).faces();
+                const auto theirs = full.descendants(level, same_face[f.index()], level + 1).faces();
+                ASSERT_EQ(children.size(), theirs.size());
+                for (std::size_t i = 0; i < children.size(); ++i) { // in the order of their corners
+                    is_right_next[children[i].value] = true;
+                    same_next[children[i].value] = theirs[i];
+                    auto c = fine.faces()[children[i].value].first_corner(),
+                         d = all.faces()[theirs[i].value].first_corner();
+                    for (std::size_t k = 0; k < c.f().degree(); ++k, c = c.next(), d = d.next()) {
+                        EXPECT_TRUE(same_points(c.v().point(), d.v().point())) << level << ' ' << there.index();
+                        ++compared;
+                    }
+                }
+            }
+            is_right = std::move(is_right_next);
+            same_face = std::move(same_next);
+        }
+        EXPECT_GT(compared, 1000U);
+    };
+    const auto grid = shapes::shaken(shapes::grid(12, 12));
+    look(kith::loop(), native(figures::triangulated(grid)));
+    look(kith::catmull_clark(), native(grid));
+    look(kith::loop(), kith::refine(native(shapes::shaken(figures::triangulated(shapes::house()))), kith::loop(), 2));
+    look(kith::catmull_clark(), kith::refine(native(shapes::shaken(shapes::house())), kith::catmull_clark(), 2));
+}
+
+TEST(selected, part_of_a_green_pair_splits_the_face_that_it_was)
+{
+    const auto mesh = native(shapes::shaken(figures::triangulated(shapes::grid())));
+    hierarchy levels(mesh, selected(kith::linear_triangles()));
+    hierarchy full(mesh, kith::linear_triangles());
+    levels.refine_faces(std::array{handles::face{9}});
+    full.refine();
+    for (std::uint32_t parent = 0; parent < mesh.face_count(); ++parent)
+        for (const auto part : levels.descendants(0, handles::face{parent}, 1).faces()) {
+            if (levels.descendants(0, handles::face{parent}, 1).faces().size() != 2)
+                continue; // not green
+            levels.refine_faces(std::array{part});
+            std::vector<point> found, expected;
+            for (const auto f : levels.descendants(0, handles::face{parent}, 2).faces())
+                for (const auto v : levels.elements(2).faces()[f.value].vertices())
+                    found.push_back(v.point());
+            for (const auto f : full.descendants(0, handles::face{parent}, 1).faces())
+                for (const auto v : full.elements(1).faces()[f.value].vertices())
+                    expected.push_back(v.point());
+            std::ranges::sort(found);
+            std::ranges::sort(expected);
+            EXPECT_EQ(found, expected);
+            levels.undo();
+        }
+}
+
+TEST(selected, a_green_polygon_splits_into_the_quads_of_the_face_that_it_was)
+{
+    const auto mesh = native(flat_grid());
+    hierarchy levels(mesh, selected(kith::linear()));
+    hierarchy full(mesh, kith::linear());
+    levels.refine_faces(std::array{handles::face{5}});
+    full.refine();
+    const auto green = levels.descendants(0, handles::face{6}, 1).faces();
+    ASSERT_EQ(green.size(), 1U);
+    EXPECT_EQ(levels.elements(1).faces()[green[0].value].degree(), 5U);
+    levels.refine_faces(green);
+    std::vector<point> found, expected;
+    for (const auto f : levels.descendants(0, handles::face{6}, 2).faces())
+        for (const auto v : levels.elements(2).faces()[f.value].vertices())
+            found.push_back(v.point());
+    for (const auto f : full.descendants(0, handles::face{6}, 1).faces())
+        for (const auto v : full.elements(1).faces()[f.value].vertices())
+            expected.push_back(v.point());
+    std::ranges::sort(found);
+    std::ranges::sort(expected);
+    EXPECT_EQ(found, expected);
 }

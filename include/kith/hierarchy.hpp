@@ -37,7 +37,7 @@ public:
         require_input<Scheme>(elements(0), levels_.generation(0));
     }
 
-    /// Adds n levels; refine(1) twice is refine(2), bit for bit. Errors: as the function `refine`; the levels so far stay.
+    /// Adds n levels; refine(1) twice is refine(2), bit for bit. Levels that were undone are given up. Errors: as the function `refine`; the levels so far stay.
     void refine(int n = 1)
     {
         static_cast<void>(refine(n, [](double) { return true; }));

@@ -74,7 +74,8 @@ public:
                              .closed_only = own.closed_only,
                              .trusted = own.trusted,
                              .require = own.require,
-                             .state = [](auto& scheme) { return states(scheme); }};
+                             .state = [](auto& scheme) { return states(scheme); },
+                             .closure = [](const auto& scheme) -> const auto& { return closure_of(scheme); }};
     }
     [[nodiscard]] auto columns() const { return split{&closure_}.columns(); }
 
@@ -115,6 +116,7 @@ public:
     }
 
 private:
+    static const closure<split>& closure_of(const selected& scheme) { return scheme.closure_; }
     template <class Self>
     static auto states(Self& scheme)
     {

@@ -3,6 +3,7 @@
 
 #include <kith/base/error.hpp>
 #include <kith/lineage/retrieve.hpp>
+#include <kith/lineage/selection.hpp>
 #include <kith/step/level_state.hpp>
 #include <kith/step/step.hpp>
 
@@ -77,17 +78,13 @@ public:
     /// How many of the last levels are kept.
     [[nodiscard]] int kept() const { return kept_; }
 
-    /// Adds a level, drops the one that is kept no longer, and gives up those that were undone. Errors: as those of a step.
+    /// Adds a level, drops the one that is kept no longer, and gives up those that were undone, with what was chosen for them.
+    /// Errors: as those of a step.
     void add()
     {
-        entry& last = *levels_[std::size_t(depth_)];
-        auto next = std::make_unique<entry>(last.scheme);
-        next->hold([&] { return refined(depth()); });
-        advance(next->scheme, elements(depth()), generation(depth()), last.ids, next->here->mesh);
-        forget_undone();
-        levels_.push_back(std::move(next));
-        ++depth_;
-        drop_old();
+        if (undone() == 0)
+            return take_step();
+        add_by(choose_all);
     }
     /// The same with another scheme from the last level on: change(scheme, elements). Errors: as above, and those of
     /// `change`; the scheme stays then.
@@ -98,7 +95,7 @@ public:
         Scheme before = scheme;
         try {
             change(scheme, elements(depth_));
-            add();
+            take_step();
         } catch (...) {
             std::swap(scheme, before);
             throw;
@@ -123,7 +120,13 @@ public:
         }
         drop_old();
     }
-    void forget_undone() { levels_.resize(std::size_t(depth_) + 1); }
+    /// Gives up levels that were undone.
+    void forget_undone()
+    {
+        if (undone() > 0)
+            choose_all(levels_[std::size_t(depth_)]->scheme, elements(depth_));
+        levels_.resize(std::size_t(depth_) + 1);
+    }
     void keep_last(int count)
     {
         kept_ = count;
@@ -154,7 +157,7 @@ public:
     void go_back(const std::vector<bool>& held)
     {
         depth_ = int(held.size()) - 1;
-        forget_undone();
+        levels_.resize(held.size());
         for (int level = 0; level <= depth(); ++level)
             if (held[std::size_t(level)] and not levels_[std::size_t(level)]->here)
                 restore(level);
@@ -204,6 +207,23 @@ public:
     }
 
 private:
+    /// What was chosen for a level that is given up does not count for the next one.
+    static void choose_all([[maybe_unused]] Scheme& scheme, [[maybe_unused]] const level_type& elements)
+    {
+        if constexpr (selecting_scheme<Scheme, level_type>)
+            scheme.select(elements, std::vector<unsigned char>(elements.face_count(), 1));
+    }
+    void take_step()
+    {
+        entry& last = *levels_[std::size_t(depth_)];
+        auto next = std::make_unique<entry>(last.scheme);
+        next->hold([&] { return refined(depth()); });
+        advance(next->scheme, elements(depth()), generation(depth()), last.ids, next->here->mesh);
+        levels_.resize(std::size_t(depth_) + 1);
+        levels_.push_back(std::move(next));
+        ++depth_;
+        drop_old();
+    }
     /// The mesh of the next level, and the numbering of the step to it.
     M refined(int level)
     {

@@ -52,6 +52,21 @@ public:
     {
         return sides_.empty() ? side_kind::whole : sides_[c.index()];
     }
+    /// The corner is a vertex on a side of a green polygon.
+    template <corner_element Corner>
+    [[nodiscard]] bool lies_on_side(const Corner& c) const
+    {
+        return Split::makes_polygons and side(c) == side_kind::second_half;
+    }
+    /// Two triangles are a green pair, one face when it comes to being split.
+    template <face_element Face>
+    [[nodiscard]] bool is_pair(const Face& f, const Face& g) const
+    {
+        for (const auto& c : f.corners())
+            if (side(c) == side_kind::inner and c.across().f() == g)
+                return true;
+        return false;
+    }
     /// An edge at the vertex is cut: the vertex has the scheme's rule, all others stay where they are.
     template <vertex_element Vertex>
     [[nodiscard]] bool is_moved(const Vertex& v) const

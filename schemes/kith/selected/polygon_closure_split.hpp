@@ -20,6 +20,8 @@ namespace kith {
 ///
 /// Numbers are those of quad_split where all is red: kept edges and those from the corners on sides come after all others.
 struct polygon_closure_split {
+    static constexpr bool makes_polygons = true;
+
     const closure<polygon_closure_split>* marks;
 
     [[nodiscard]] auto columns() const
@@ -32,10 +34,10 @@ struct polygon_closure_split {
             return marks->is_red(c.f()) and marks->side(c) == side_kind::whole;
         };
         const auto red_middle = [marks = marks](const auto& c) {
-            return marks->is_red(c.f()) and lies_on_side(*marks, c);
+            return marks->is_red(c.f()) and marks->lies_on_side(c);
         };
         const auto red_corner = [marks = marks](const auto& c) {
-            return marks->is_red(c.f()) and not lies_on_side(*marks, c);
+            return marks->is_red(c.f()) and not marks->lies_on_side(c);
         };
         const auto corners_of_quad = [marks = marks](const auto& c) {
             return std::size_t(4) + is_cut_half(*marks, c) + is_cut_half(*marks, c.prev());
@@ -54,19 +56,12 @@ struct polygon_closure_split {
                       per_face.only(green_face).of_degree(corners_of_green)));
     }
 
-    /// The corner is a vertex on a side of a green face.
-    template <corner_element Corner>
-    static bool lies_on_side(const closure<polygon_closure_split>& marks, const Corner& c)
-    {
-        return marks.side(c) == side_kind::second_half;
-    }
-
     /// It has corners on its sides.
     template <face_element Face>
     static bool is_green(const closure<polygon_closure_split>& marks, const Face& f)
     {
         for (const auto& c : f.corners())
-            if (lies_on_side(marks, c))
+            if (marks.lies_on_side(c))
                 return true;
         return false;
     }
@@ -74,7 +69,7 @@ struct polygon_closure_split {
     template <face_element Face>
     static auto own_vertices(const closure<polygon_closure_split>& marks, const Face& f)
     {
-        return f.corners().only([&marks](const auto& c) { return not lies_on_side(marks, c); }).map([](const auto& c) {
+        return f.corners().only([&marks](const auto& c) { return not marks.lies_on_side(c); }).map([](const auto& c) {
             return c.v();
         });
     }
@@ -91,7 +86,7 @@ struct polygon_closure_split {
                 in.make_green(f);
             else
                 for (const auto& c : f.corners())
-                    if (not lies_on_side(closed, c))
+                    if (not closed.lies_on_side(c))
                         in.make_quad(c);
         });
         for_each(coarse.vertices(), [&](auto v) {
@@ -110,7 +105,7 @@ struct polygon_closure_split {
             if (not closed.is_red(f))
                 return;
             auto c = f.first_corner();
-            if (lies_on_side(closed, c))
+            if (closed.lies_on_side(c))
                 c = c.next();
             assoc(f, V).starts_at(assoc(c, F).corner(2 + std::size_t(is_cut_half(closed, c))),
                                   pieces(closed, assoc).spoke(c.prev()).right);
@@ -134,7 +129,7 @@ struct polygon_closure_split {
                     if (is_cut)
                         put(face, k + 1, second_half);
                     k += is_cut ? 2 : 1;
-                } else if (not lies_on_side(marks, c)) {
+                } else if (not marks.lies_on_side(c)) {
                     const std::size_t face = ids.faces.template known_id<tuple_kind::vf>(c.index());
                     const std::size_t after = is_cut_half(marks, c), before = is_cut_half(marks, c.prev());
                     if (after != 0)
@@ -209,7 +204,7 @@ private:
             const auto side = cut(c) ? start(c) : kept(c);
             if (not marks_.is_red(c.f()))
                 return std::pair(assoc_(c.f(), F).corner(place_in_green(c)), side);
-            if (lies_on_side(marks_, c)) // the side is the last of the next corner's quad
+            if (marks_.lies_on_side(c)) // the side is the last of the next corner's quad
                 return std::pair(assoc_(c.next(), F).corner(3 + std::size_t(is_cut_half(marks_, c.next()))), side);
             return std::pair(assoc_(c, F).corner(0), side);
         }
@@ -220,7 +215,7 @@ private:
         {
             if (not marks_.is_red(c.f()))
                 return std::pair(assoc_(c.f(), F).corner(place_in_green(c) + 1), end(c));
-            if (lies_on_side(marks_, c))
+            if (marks_.lies_on_side(c))
                 return std::pair(assoc_(c.next(), F).corner(4 + std::size_t(is_cut_half(marks_, c.next()))), end(c));
             if (marks_.side(c) == side_kind::whole)
                 return std::pair(assoc_(c, F).corner(1), spoke(c).left);
@@ -233,7 +228,7 @@ private:
         {
             if (marks_.side(c) == side_kind::whole)
                 return {assoc_(c.next_edge(), c.f(), E).left(), assoc_(c.next_edge(), c.f(), E).right()};
-            const auto middle = lies_on_side(marks_, c) ? c : c.next();
+            const auto middle = marks_.lies_on_side(c) ? c : c.next();
             return {assoc_(middle, E).left(), assoc_(middle, E).right()};
         }
 

@@ -21,6 +21,8 @@ namespace kith {
 /// Numbers are those of triangle_split where all is red: kept edges come after all others, and kept faces stand in the column of
 /// the faces in the middle.
 struct red_green_split {
+    static constexpr bool makes_polygons = false;
+
     const closure<red_green_split>* marks;
 
     [[nodiscard]] auto columns() const
