@@ -5,6 +5,7 @@
 
 #include <kith/split/quad_split.hpp>
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -159,6 +160,17 @@ private:
         static constexpr targets::to_edge E{};
         static constexpr targets::to_face F{};
 
+        /// The lines of a quad, of which two sides may be cut: there are many, and none shall ask for memory.
+        class quad_lines {
+        public:
+            void push_back(const line& more) { lines_[size_++] = more; }
+            [[nodiscard]] const line* begin() const { return lines_.data(); }
+            [[nodiscard]] const line* end() const { return lines_.data() + size_; }
+
+        private:
+            std::array<line, 6> lines_;
+            std::size_t size_ = 0;
+        };
         /// The sides of a new edge, whatever gave birth to it.
         struct sides {
             new_side<typename Assoc::index_type> left, right;
@@ -170,6 +182,10 @@ private:
         template <face_element Face>
         void make_green(const Face& f) const
         {
+            if (not has_cut_side(f)) {
+                assoc_(f, F) = polygon(f.corners(), [this](const auto& c) { return assoc_(c.v(), V) >> kept(c); });
+                return;
+            }
             std::vector<line> lines;
             for (const auto& c : f.corners())
                 append(lines, c);
@@ -180,7 +196,7 @@ private:
         template <corner_element Corner>
         void make_quad(const Corner& c) const
         {
-            std::vector<line> lines;
+            quad_lines lines;
             if (marks_.side(c) == side_kind::whole) {
                 lines.push_back(assoc_(c.v(), V) >> start(c));
                 lines.push_back(assoc_(c.next_edge(), V) >> spoke(c).left);
@@ -234,6 +250,13 @@ private:
 
     private:
         [[nodiscard]] bool cut(const auto& c) const { return marks_.is_cut(c.next_edge()); }
+        [[nodiscard]] bool has_cut_side(const auto& f) const
+        {
+            for (const auto& c : f.corners())
+                if (cut(c))
+                    return true;
+            return false;
+        }
         [[nodiscard]] auto kept(const auto& c) const
         {
             const auto e = c.next_edge();
@@ -250,7 +273,7 @@ private:
             return assoc_(c.next().v(), e, E).along(e);
         }
         /// The lines along a side from a corner to before the next one.
-        void append(std::vector<line>& lines, const auto& c) const
+        void append(auto& lines, const auto& c) const
         {
             lines.push_back(assoc_(c.v(), V) >> (cut(c) ? start(c) : kept(c)));
             if (cut(c))
