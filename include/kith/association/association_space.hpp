@@ -78,8 +78,13 @@ public:
     template <class... Columns>
     [[nodiscard]] auto pass(const new_vertices<Columns...>& vertices) const
     {
-        using ids = numbering<columns<new_vertices<Columns...>, new_edges<>, new_faces<>>, index_type>;
-        return pass_space<Level, ids, Values, Checked>(*coarse_, {vertices, new_edges(), new_faces()}, *values_);
+        return pass(columns(vertices, new_edges(), new_faces()));
+    }
+    /// The same with all columns of a scheme, which may run in it: it makes its vertices and no edges and faces.
+    template <declared_columns Columns>
+    [[nodiscard]] auto pass(const Columns& columns) const
+    {
+        return pass_space<Level, numbering<Columns, index_type>, Values, Checked>(*coarse_, columns, *values_);
     }
 
     /// What a mask comes to, without a vertex: a sum that several masks have in common.

@@ -27,7 +27,7 @@ public:
     {
         for_parts(means_.size(), level().parallel, [&](std::size_t begin, std::size_t end) {
             for (std::size_t f = begin; f < end; ++f)
-                means_[f] = masks::mean(level().faces()[f], [&](const auto& c) { return values_[c.index()]; });
+                means_[f] = masks::mean(step_, level().faces()[f], [&](const auto& c) { return values_[c.index()]; });
         });
     }
 
@@ -118,7 +118,13 @@ private:
     template <face_element Face>
     [[nodiscard]] bool is_parent(std::pair<tuple_kind, std::size_t> face, const Face& f) const
     {
-        return parent_kind(face.first) == element_kind::face and parent(level(), face.first, face.second) == f.index();
+        if (parent_kind(face.first) != element_kind::face)
+            return false;
+        const std::size_t from = parent(level(), face.first, face.second);
+        if constexpr (has_closure<Step>)
+            if (closure_of(step_).is_pair(level().faces()[from], f))
+                return true;
+        return from == f.index();
     }
 
     std::span<const T> values_;

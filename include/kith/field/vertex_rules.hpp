@@ -34,7 +34,7 @@ struct linear_values {
     {
         using masks = detail::linear_masks_of<T, decltype(step.ids.vertices)>;
         const auto at = [&](const auto& c) { return values[c.v().index()]; };
-        const auto mean = [&](const auto& f) { return masks::mean(f, at); };
+        const auto mean = [&](const auto& f) { return masks::mean(step, f, at); };
         const auto middle = [&](const auto& e) {
             return masks::middle(values[e.org().index()], values[e.dst().index()]);
         };
