@@ -98,22 +98,22 @@ public:
     [[nodiscard]] const level_type& elements(int level) const { return levels_.elements(level); }
 
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
-    /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary, and on the
-    /// last level; mesh_error for handles of no element of this level. Cost: O(1), O(valence) for pairs without their edge.
+    /// under this tuple, which may be of elements that do not touch. Errors: association_error if it made none, and on the last
+    /// level; mesh_error for handles of no element of this level. Cost: that of `retrieve`.
     template <handle_of<M> X, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const
     {
-        return child(level, index_tuple(levels_.at(level, x)), target);
+        return child(level, target, levels_.at(level, x));
     }
     template <handle_of<M> X, handle_of<M> Y, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, Target target) const
     {
-        return child(level, index_tuple(levels_.at(level, x), levels_.at(level, y)), target);
+        return child(level, target, levels_.at(level, x), levels_.at(level, y));
     }
     template <handle_of<M> X, handle_of<M> Y, handle_of<M> Z, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, const Z& z, Target target) const
     {
-        return child(level, index_tuple(levels_.at(level, x), levels_.at(level, y), levels_.at(level, z)), target);
+        return child(level, target, levels_.at(level, x), levels_.at(level, y), levels_.at(level, z));
     }
 
     /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and for
@@ -265,13 +265,13 @@ private:
                              std::to_string(coarser) + " as the coarser one; give them the other way round");
     }
 
-    template <tuple_kind Kind, target Target>
-    [[nodiscard]] auto child(int level, tuple_index<Kind> tuple, Target to) const
+    template <target Target, element... X>
+    [[nodiscard]] auto child(int level, Target to, const X&... x) const
     {
         if (level == depth())
             throw association_error("level " + std::to_string(level) +
                                     " is the last, nothing belongs to its elements yet; refine() first");
-        const auto found = retrieve(levels_.at(level).ids, elements(level + 1), tuple, to);
+        const auto found = retrieve(elements(level), levels_.at(level).ids, elements(level + 1), to, x...);
         if (not found)
             throw association_error("level " + std::to_string(level) + ": the scheme made nothing under this tuple");
         return *found;
