@@ -185,19 +185,7 @@ public:
         if (values.size() != elements(from).vertex_count())
             throw mesh_error("level " + std::to_string(from) + " has " + std::to_string(elements(from).vertex_count()) +
                              " vertices, " + std::to_string(values.size()) + " values were given; give one per vertex");
-        storage<T> result(values);
-        for (int level = from; level < to; ++level) {
-            const auto& here = levels_.at(level);
-            attribute_values<T> run({result.data(), result.size()});
-            run_scheme<connect::nothing, false>(elements(level),
-                                                here.scheme,
-                                                levels_.generation(level),
-                                                here.ids,
-                                                columns_of(here.scheme, levels_.generation(level)),
-                                                run);
-            result = run.take();
-        }
-        return result;
+        return storage<T>(carry(from, to, on_vertices(values, by_mask())).values());
     }
 
     /// A field of level `from` carried to level `to` by its rule: one pass over the levels between. Errors: as above.
@@ -219,8 +207,17 @@ public:
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
         require_order(from, to);
-        const auto unit = unit_rows(elements(from).vertex_count());
-        return make_matrix(carry(from, to, std::span<const stencil_row>(unit)), unit.size());
+        return matrix<field_on::vertices>(from, to, by_mask());
+    }
+
+    /// The matrix of a rule of fields: a row for each element of that kind of level `to`, over those of level `from`. On faces
+    /// `from_parent()` sends values down, and its transpose sums them up; on corners it is that of texture coordinates, on edges that of
+    /// what lies along them. Rows of elements that inherit nothing are empty. Errors and cost: as above.
+    template <field_on Where, class Rule>
+    [[nodiscard]] subdivision_matrix matrix(int from, int to, const Rule& rule) const
+    {
+        const auto unit = unit_rows(element_values<Where, stencil_row>::count_on(elements(from)));
+        return make_matrix(carry(from, to, field<Where, stencil_row, Rule>(unit, rule)).values(), unit.size());
     }
 
 private:
