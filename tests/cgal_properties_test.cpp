@@ -211,6 +211,16 @@ TEST(cgal_properties, marks_of_half_edges_stay_with_those_that_lie_along_them)
         EXPECT_EQ(heirs[std::size_t(h) + 1], control.is_border(h) ? 0 : 4);
 }
 
+TEST(cgal_properties, of_half_edges_beyond_the_boundary_are_zero)
+{
+    mesh control = make(shapes::open_house());
+    control.add_property_map<halfedge, kernel::Point_2>("h:texcoord", kernel::Point_2(3, 4));
+    const auto fine = kith::refine_with_properties(control, kith::catmull_clark(), 1).first;
+    const auto after = map_of<halfedge, kernel::Point_2>(fine, "h:texcoord");
+    for (const auto h : fine.halfedges())
+        EXPECT_EQ(after[h], fine.is_border(h) ? kernel::Point_2(0, 0) : kernel::Point_2(3, 4));
+}
+
 TEST(cgal_properties, of_faces_without_a_parent_and_of_another_mesh)
 {
     const mesh control = with_maps(make(shapes::cube()));

@@ -56,7 +56,8 @@ struct property_access<CGAL::Surface_mesh<Point>> {
     template <class Handle, class T>
     static auto add(mesh& m, const std::string& name)
     {
-        return m.template add_property_map<Handle, T>(name).first;
+        // Points and vectors leave their coordinates open unless told.
+        return m.template add_property_map<Handle, T>(name, detail::value_of_nothing<T>()).first;
     }
 
     /// As CGAL's readers and writers call them.
