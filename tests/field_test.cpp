@@ -88,7 +88,7 @@ void expect_inherited(const mesh3d& mesh, const Scheme& scheme)
                     weight[old.edges()[index(from.e)].dst().index()]) /
                    2;
         const bool thirds = kith::scheme_name<Scheme>() == "nasri-hasbini";
-        switch (from.kind) {
+        switch (*from.kind) {
         case tuple_kind::v: expected = weight[index(from.v)]; break;
         case tuple_kind::e: expected = edge; break;
         case tuple_kind::f: expected = face; break;

@@ -136,23 +136,22 @@ public:
     [[nodiscard]] const level_type& elements(int level) const { return levels_.elements(level); }
 
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
-    /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary, and on the
-    /// last level; mesh_error for handles of no element of this level. Cost: O(1), O(valence) for pairs without their edge.
+    /// under this tuple, which may be of elements that do not touch. Errors: association_error if it made none, and on the last
+    /// level; mesh_error for handles of no element of this level. Cost: that of `retrieve`.
     template <handle_of<M> X, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const
     {
-        return child_of(levels_, level, index_tuple(levels_.at(level, x)), target);
+        return child_of(levels_, level, target, levels_.at(level, x));
     }
     template <handle_of<M> X, handle_of<M> Y, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, Target target) const
     {
-        return child_of(levels_, level, index_tuple(levels_.at(level, x), levels_.at(level, y)), target);
+        return child_of(levels_, level, target, levels_.at(level, x), levels_.at(level, y));
     }
     template <handle_of<M> X, handle_of<M> Y, handle_of<M> Z, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, const Z& z, Target target) const
     {
-        return child_of(
-            levels_, level, index_tuple(levels_.at(level, x), levels_.at(level, y), levels_.at(level, z)), target);
+        return child_of(levels_, level, target, levels_.at(level, x), levels_.at(level, y), levels_.at(level, z));
     }
 
     /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and for
@@ -213,19 +212,7 @@ public:
         if (values.size() != elements(from).vertex_count())
             throw mesh_error("level " + std::to_string(from) + " has " + std::to_string(elements(from).vertex_count()) +
                              " vertices, " + std::to_string(values.size()) + " values were given; give one per vertex");
-        storage<T> result(values);
-        for (int level = from; level < to; ++level) {
-            const auto& here = levels_.at(level);
-            attribute_values<T> run({result.data(), result.size()});
-            run_scheme<connect::nothing, false>(elements(level),
-                                                here.scheme,
-                                                levels_.generation(level),
-                                                here.ids,
-                                                columns_of(here.scheme, levels_.generation(level)),
-                                                run);
-            result = run.take();
-        }
-        return result;
+        return storage<T>(carry(from, to, on_vertices(values, by_mask())).values());
     }
 
     /// A field of level `from` carried to level `to` by its rule: one pass over the levels between. Errors: as above.
@@ -247,8 +234,17 @@ public:
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
         require_order(levels_, from, to);
-        const auto unit = unit_rows(elements(from).vertex_count());
-        return make_matrix(carry(from, to, std::span<const stencil_row>(unit)), unit.size());
+        return matrix<field_on::vertices>(from, to, by_mask());
+    }
+
+    /// The matrix of a rule of fields: a row for each element of that kind of level `to`, over those of level `from`. On faces
+    /// `from_parent()` sends values down, and its transpose sums them up; on corners it is that of texture coordinates, on edges that of
+    /// what lies along them. Rows of elements that inherit nothing are empty. Errors and cost: as above.
+    template <field_on Where, class Rule>
+    [[nodiscard]] subdivision_matrix matrix(int from, int to, const Rule& rule) const
+    {
+        const auto unit = unit_rows(element_values<Where, stencil_row>::count_on(elements(from)));
+        return make_matrix(carry(from, to, field<Where, stencil_row, Rule>(unit, rule)).values(), unit.size());
     }
 
 private:

@@ -90,6 +90,9 @@ public:
     /// What a mask comes to, without a vertex: a sum that several masks have in common.
     [[nodiscard]] sum evaluate(const mask auto& mask) const { return mask.evaluate(*values_); }
 
+    /// The vertices that are in no column, moved out of this space.
+    [[nodiscard]] vertex_dictionary<index_type> take_dictionary() { return std::move(dictionary_); }
+
     /// Which elements have been made; empty unless Checked.
     [[nodiscard]] const made_elements<index_type>& made() const { return made_; }
 
@@ -133,7 +136,7 @@ private:
             const bool incident = tuple.value != tuple.not_incident;
             return dictionary_association<const association_space>(
                 *this,
-                incident ? list_tuple(*coarse_, kind, tuple.value) : list_tuple(x...),
+                listed_tuple(*coarse_, tuple, x...),
                 incident and has_vertices<kind> ? tuple.value
                                                 : dictionary_association<const association_space>::no_edge);
         } else {
@@ -188,7 +191,7 @@ private:
     }
     [[nodiscard]] decltype(auto) listed_value(const tuple_elements& tuple) const
     {
-        const index_type id = dictionary_.find(tuple);
+        const index_type id = dictionary_.at(tuple);
         if constexpr (Checked)
             if (id < made_.vertices().size() and not made_.vertices()[id]) // it refers to a vertex of a column
                 faults::refuse(tuple, faults::vertex_read_early);

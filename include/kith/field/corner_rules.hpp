@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "edge_rules.hpp"
 #include "inherit.hpp"
 
 #include <kith/association/tuples.hpp>
@@ -149,6 +150,28 @@ struct linear_in_faces {
         detail::for_new_corners(fine, step.ids, [&](const auto& c, const auto& face) {
             const std::size_t v = c.v().index();
             result[c.index()] = v < step.ids.vertices.total() ? linear.at(face, step.ids.vertices.origin(v)) : T();
+        });
+        return result;
+    }
+};
+
+/// The rule of marks on the sides of faces, as half-edges of CGAL and OpenMesh have them: a corner has that of the side which leads to
+/// it. A new side that lies along a side of the face from which its own face comes has the same; all others have T().
+/// Cost: O(corners) for faces of bounded degree.
+struct along_sides {
+    template <class T, finished_step Step>
+    [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
+    {
+        const auto fine = step.fine();
+        storage<T> result(fine.corner_count());
+        detail::for_new_corners(fine, step.ids, [&](const auto& c, const auto& face) {
+            result[c.index()] = T();
+            if (parent_kind(face.first) != element_kind::face)
+                return;
+            const std::size_t from = c.prev().v().index(), to = c.v().index();
+            for (const auto old : step.coarse.faces()[parent(step.coarse, face.first, face.second)].corners())
+                if (detail::is_born_on(step, from, old.prev_edge()) and detail::is_born_on(step, to, old.prev_edge()))
+                    result[c.index()] = values[old.index()];
         });
         return result;
     }

@@ -42,13 +42,13 @@ namespace detail {
 
 } // namespace detail
 
-template <mesh M, scheme Scheme, tuple_kind Kind, target Target>
-auto child_of(const level_store<M, Scheme>& levels, int level, tuple_index<Kind> tuple, Target to)
+template <mesh M, scheme Scheme, target Target, element... X>
+auto child_of(const level_store<M, Scheme>& levels, int level, Target to, const X&... x)
 {
     if (level == levels.depth())
         throw association_error("level " + std::to_string(level) +
                                 " is the last, nothing belongs to its elements yet; refine() first");
-    const auto found = retrieve(levels.at(level).ids, levels.elements(level + 1), tuple, to);
+    const auto found = retrieve(levels.elements(level), levels.at(level).ids, levels.elements(level + 1), to, x...);
     if (not found)
         throw association_error("level " + std::to_string(level) + ": the scheme made nothing under this tuple");
     return *found;
