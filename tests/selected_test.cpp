@@ -259,8 +259,8 @@ TEST(selected, angles_are_those_of_control_triangles_and_their_halves)
         }
     }
     hierarchy levels(control, selected(kith::linear_triangles()));
-    for (int level = 1; level <= 9; ++level) { // towards one point of the surface, where greens are all around
-        levels.refine_if([&](handles::face f) { return std::ranges::count(levels.finest().face(f.value), 0U) != 0; });
+    for (int level = 1; level <= 8; ++level) {
+        refine_some(levels, 1, unsigned(level), 1);
         double here = 4;
         for (std::size_t f = 0; f < levels.finest().face_count(); ++f) {
             const auto corners = levels.finest().face(f);
@@ -277,7 +277,7 @@ TEST(selected, quads_of_a_grid_stay_squares_and_have_no_more_than_one_vertex_on_
 {
     hierarchy levels(native(flat_grid()), selected(kith::linear()));
     for (int level = 1; level <= 7; ++level) {
-        levels.refine_if([&](handles::face f) { return std::ranges::count(levels.finest().face(f.value), 0U) != 0; });
+        refine_some(levels, 1, unsigned(level), 2);
         for (const auto f : levels.elements(level).faces()) {
             std::vector<double> sides; // each of a square: whole or two halves
             int corners = 0;
