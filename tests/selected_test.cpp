@@ -259,8 +259,8 @@ TEST(selected, angles_are_those_of_control_triangles_and_their_halves)
         }
     }
     hierarchy levels(control, selected(kith::linear_triangles()));
-    for (int level = 1; level <= 9; ++level) { // towards one point of the surface, where greens are all around
-        levels.refine_if([&](handles::face f) { return std::ranges::count(levels.finest().face(f.value), 0U) != 0; });
+    for (int level = 1; level <= 8; ++level) {
+        refine_some(levels, 1, unsigned(level), 1);
         double here = 4;
         for (std::size_t f = 0; f < levels.finest().face_count(); ++f) {
             const auto corners = levels.finest().face(f);
@@ -273,11 +273,36 @@ TEST(selected, angles_are_those_of_control_triangles_and_their_halves)
     }
 }
 
+// A strip that becomes narrower from level to level, so that green faces lie along all of it.
+TEST(selected, angles_of_smooth_schemes_do_not_shrink_with_depth)
+{
+    const auto look = [](const auto& scheme) {
+        const auto control = kith::refine(native(figures::triangulated(shapes::cube())), kith::loop(), 2);
+        hierarchy levels(control, selected(scheme));
+        for (int level = 1; level <= 5; ++level) {
+            levels.refine_if([&](handles::face f) {
+                return std::ranges::all_of(levels.finest().face(f.value), [&](std::uint32_t v) {
+                    const point& p = levels.finest().point(v);
+                    return p[2] > 0.2 and std::abs(p[0] - 0.1) < 0.9 * std::pow(0.6, level);
+                });
+            });
+            double least = 4;
+            for (const auto f : levels.elements(level).faces()) {
+                const auto c = f.first_corner();
+                least = std::min(least, smallest_angle(c.v().point(), c.next().v().point(), c.prev().v().point()));
+            }
+            EXPECT_GT(least * 180 / std::numbers::pi, 10) << level;
+        }
+    };
+    look(kith::loop());
+    look(kith::butterfly());
+}
+
 TEST(selected, quads_of_a_grid_stay_squares_and_have_no_more_than_one_vertex_on_a_side)
 {
     hierarchy levels(native(flat_grid()), selected(kith::linear()));
     for (int level = 1; level <= 7; ++level) {
-        levels.refine_if([&](handles::face f) { return std::ranges::count(levels.finest().face(f.value), 0U) != 0; });
+        refine_some(levels, 1, unsigned(level), 2);
         for (const auto f : levels.elements(level).faces()) {
             std::vector<double> sides; // each of a square: whole or two halves
             int corners = 0;

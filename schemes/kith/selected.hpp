@@ -37,7 +37,8 @@ concept selectable_scheme = scheme<S> and
 
 /// A scheme whose steps refine the faces that are chosen for them; of a level for which nothing was chosen all of them. What
 /// keeps the mesh conforming is `closure`: no vertex lies on the edge of another face. Vertices at cut edges have the rules of the
-/// scheme, on the mesh as it is, all others stay: so what is red has the points of full refinement, the same bits, wherever the
+/// scheme, on the mesh as it is, all others stay; but where a scheme reaches further than a ring of faces new vertices beside green
+/// faces are midpoints. So what is red has the points of full refinement, the same bits, wherever the
 /// level around it has.
 /// Bank, Sherman & Weiser 1983. Cost: that of the scheme on all faces, without their connectivity, and the new level's.
 template <selectable_scheme Scheme>
@@ -99,7 +100,11 @@ public:
                 assoc(v, V) = v;
         });
         const auto edges = at_edges([&](auto e) {
-            if (closure_.is_cut(e))
+            if (not closure_.is_cut(e))
+                return;
+            if (is_wide() and closure_.is_beside_green(e))
+                assoc(e, V) = average(e.org(), e.dst());
+            else
                 assoc(e, V) = all(e, V);
         });
         if constexpr (detail::splits_triangles<Scheme>)
@@ -116,6 +121,15 @@ public:
     }
 
 private:
+    /// Masks that reach beyond the faces at an element have negative weights, as Butterfly's, which magnify the steps in size
+    /// between green faces from level to level: angles would shrink without end.
+    [[nodiscard]] bool is_wide() const
+    {
+        if constexpr (reaching_scheme<Scheme> and std::default_initializable<Scheme>)
+            return reach_of(Scheme(), 1) > 1; // its creases aside
+        else
+            return false;
+    }
     static const closure<split>& closure_of(const selected& scheme) { return scheme.closure_; }
     template <class Self>
     static auto states(Self& scheme)

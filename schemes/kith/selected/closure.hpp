@@ -67,6 +67,17 @@ public:
                 return true;
         return false;
     }
+    /// One of the faces around an end of the edge is green.
+    template <edge_element Edge>
+    [[nodiscard]] bool is_beside_green(const Edge& e) const
+    {
+        for (const auto& end : {e.org(), e.dst()})
+            for (const auto& f : end.faces())
+                for (const auto& c : f.corners())
+                    if (side(c) != side_kind::whole)
+                        return true;
+        return false;
+    }
     /// An edge at the vertex is cut: the vertex has the scheme's rule, all others stay where they are.
     template <vertex_element Vertex>
     [[nodiscard]] bool is_moved(const Vertex& v) const

@@ -117,7 +117,7 @@ private:
     {
         return marks.is_red(c.f()) ? has_face(marks, c) : marks.is_cut(c.next().next_edge());
     }
-    /// A green face stays one, or is in the middle of a red one; of a pair the left triangle stands for the middle.
+    /// A face that stays, and the one in the middle of a red face; of a pair the left triangle has it.
     template <face_element Face>
     static bool has_face(const marks_type& marks, const Face& f)
     {
