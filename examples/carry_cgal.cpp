@@ -2,71 +2,17 @@
 // Colours, texture coordinates with seams, labels and constrained edges of a CGAL mesh go along by their names.
 // Sample run: carry_cgal
 
+#include "dressed_cube_cgal.hpp"
+
 #include <kith/catmull_clark.hpp>
 #include <kith/cgal_properties.hpp>
 #include <kith/crease/make_creases.hpp>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/Color.h>
-#include <CGAL/boost/graph/generators.h>
-
-#include <cmath>
-#include <iostream>
-#include <string>
-
-using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using mesh = CGAL::Surface_mesh<kernel::Point_3>;
-
-/// A cube; each face has the whole texture and a label, so that all edges are seams. The edges around the top are constrained.
-mesh dressed_cube()
-{
-    mesh cube;
-    const auto at = [](int x, int y, int z) { return kernel::Point_3(x, y, z); };
-    CGAL::make_hexahedron(
-        at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 1, 1), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), cube);
-    auto colour = cube.add_property_map<mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
-    auto texture = cube.add_property_map<mesh::Halfedge_index, kernel::Point_2>("h:uv").first;
-    auto label = cube.add_property_map<mesh::Face_index, std::string>("f:label").first;
-    auto constrained = cube.add_property_map<mesh::Edge_index, bool>("e:is_constrained", false).first;
-    const auto is_top = [&](auto v) { return cube.point(v).z() == 1; };
-    for (const auto v : cube.vertices())
-        colour[v] = is_top(v) ? CGAL::IO::Color(255, 0, 0) : CGAL::IO::Color(0, 0, 255);
-    for (const auto f : cube.faces()) {
-        label[f] = "side " + std::to_string(f);
-        int corner = 0;
-        for (const auto h : cube.halfedges_around_face(cube.halfedge(f)))
-            texture[h] = kernel::Point_2(corner == 1 or corner == 2, corner / 2), ++corner;
-    }
-    for (const auto e : cube.edges())
-        constrained[e] = is_top(cube.vertex(e, 0)) and is_top(cube.vertex(e, 1));
-    return cube;
-}
-
 int main()
 {
     mesh cube = dressed_cube();
-    kith::catmull_clark scheme;
-    scheme.sharpness = kith::make_creases(cube,
-                                          cube.add_property_map<mesh::Edge_index, bool>("e:is_constrained").first);
-    auto [smooth, report] = kith::refine_with_properties(cube, scheme, 3);
-
-    const auto label = smooth.add_property_map<mesh::Face_index, std::string>("f:label").first;
-    const auto texture = smooth.add_property_map<mesh::Halfedge_index, kernel::Point_2>("h:uv").first;
-    const auto constrained = smooth.add_property_map<mesh::Edge_index, bool>("e:is_constrained").first;
-    const auto colour = smooth.add_property_map<mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
-    const auto first = *smooth.faces().begin();
-    std::cout << report.carried.size() << " properties; " << label[first] << " has "
-              << colour[smooth.target(smooth.halfedge(first))] << " at " << texture[smooth.halfedge(first)] << '\n';
-    std::size_t sharp = 0, on_side_0 = 0;
-    for (const auto e : smooth.edges())
-        sharp += constrained[e];
-    for (const auto f : smooth.faces())
-        on_side_0 += label[f] == "side 0";
-    double area = 0; // of the texture, which each of the six sides has once
-    for (const auto f : smooth.faces()) {
-        const auto h = smooth.halfedge(f), opposite = smooth.next(smooth.next(h));
-        area += kernel::Vector_2(texture[h], texture[opposite]).squared_length() / 2;
-    }
-    return sharp == 4 * 8 and on_side_0 == 64 and std::abs(std::abs(area) - 6) < 1e-12 and report.left_out.empty() ? 0
-                                                                                                                   : 1;
+    const auto constrained = cube.add_property_map<mesh::Edge_index, bool>("e:is_constrained").first;
+    const kith::catmull_clark scheme{.sharpness = kith::make_creases(cube, constrained)};
+    const auto [smooth, report] = kith::refine_with_properties(cube, scheme, 3);
+    return report.left_out.empty() and is_dressed(smooth) ? 0 : 1;
 }

@@ -44,6 +44,19 @@ TEST(affine, weights_have_the_type_of_the_coordinates)
     EXPECT_TRUE((std::same_as<kith::scalar_of<long double>, long double>));
 }
 
+TEST(affine, channels_of_colours_are_rounded_at_the_end_and_kept_in_range)
+{
+    using colour = std::array<unsigned char, 3>;
+    auto total = affine<colour>::load({10, 0, 255});
+    affine<colour>::scale(total, .75);
+    auto more = affine<colour>::load({1, 255, 255});
+    affine<colour>::scale(more, .25);
+    affine<colour>::add(total, more);
+    EXPECT_EQ(affine<colour>::store(total), (colour{8, 64, 255})); // 7.75, 63.75
+    EXPECT_EQ(affine<colour>::store({-3, 255.5, 1e9}), (colour{0, 255, 255}));
+    EXPECT_TRUE((std::same_as<kith::scalar_of<colour>, double>));
+}
+
 TEST(affine, points_and_numbers_are_affine_values)
 {
     EXPECT_TRUE(kith::affine_value<point>);

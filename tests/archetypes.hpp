@@ -17,6 +17,7 @@
 #include <map>
 #include <mutex>
 #include <utility>
+#include <span>
 #include <vector>
 
 /// For each concept a class that has what the concept asks, and nothing else: what compiles with it asks for no more than what
@@ -248,6 +249,22 @@ public:
 
 private:
     double pull_;
+};
+
+/// One that is told which faces to refine.
+class selecting_scheme : public scheme {
+public:
+    using scheme::scheme;
+
+    template <class Level>
+    void select(const Level&, std::span<const unsigned char> flags)
+    {
+        chosen_.assign(flags.begin(), flags.end());
+    }
+    [[nodiscard]] std::span<const unsigned char> chosen() const { return chosen_; }
+
+private:
+    std::vector<unsigned char> chosen_;
 };
 
 } // namespace archetypes

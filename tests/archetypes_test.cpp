@@ -5,7 +5,11 @@
 #include "same_mesh.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
 #include <kith/level/values.hpp>
+#include <kith/lineage/selection.hpp>
+#include <kith/loop.hpp>
+#include <kith/selected.hpp>
 #include <kith/step/step.hpp>
 
 #include <gtest/gtest.h>
@@ -30,6 +34,8 @@ static_assert(not kith::level<archetypes::level>);
 static_assert(kith::level<own_level>);
 static_assert(kith::level_sink<archetypes::sink>);
 static_assert(kith::scheme<archetypes::scheme>);
+static_assert(kith::selecting_scheme<archetypes::selecting_scheme, own_level>);
+static_assert(not kith::selecting_scheme<archetypes::scheme, own_level>);
 
 // as are those of the library,
 
@@ -38,6 +44,8 @@ static_assert(kith::level<kith::level_elements<kith::native_level<shapes::point,
 static_assert(kith::values_of_step<kith::point_values<level_type>, level_type>);
 static_assert(kith::values_of_step<kith::attribute_values<kith::hash_value>, level_type>);
 static_assert(kith::scheme<kith::catmull_clark>);
+static_assert(kith::selecting_scheme<kith::selected<kith::catmull_clark>, level_type>);
+static_assert(kith::selectable_scheme<kith::loop> and not kith::selectable_scheme<kith::doo_sabin>);
 static_assert(not kith::level_sink<kith::connectivity<std::uint32_t>>);
 
 // and nothing can be left out.

@@ -21,6 +21,19 @@ using epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 template <class Kernel>
 using surface_mesh = CGAL::Surface_mesh<CGAL::Point_3<Kernel>>;
 
+/// A property map that is there; CGAL 5 returns a pair, CGAL 6 an optional.
+template <class Index, class T, class Point>
+auto map_of(const CGAL::Surface_mesh<Point>& mesh, const char* name)
+{
+    const auto found = mesh.template property_map<Index, T>(name);
+    if constexpr (requires { found.has_value(); })
+        return found.value();
+    else if (found.second)
+        return found.first;
+    else
+        throw std::logic_error("there is no map of this name and type");
+}
+
 template <class Point>
 struct user_mesh<CGAL::Surface_mesh<Point>> {
     using mesh = CGAL::Surface_mesh<Point>;

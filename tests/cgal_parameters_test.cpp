@@ -86,12 +86,12 @@ TEST(cgal_parameters, old_vertices_keep_their_handles_and_maps_stay)
     const auto expected = kith::refine_with_properties(before, kith::like<kith::catmull_clark>(kith::library::cgal), 2);
     ours::CatmullClark_subdivision(control, params::number_of_iterations(2));
     EXPECT_TRUE(same_bits(control, expected.first));
-    const auto expected_uv = expected.first.property_map<halfedge, std::array<float, 2>>("h:uv").first;
+    const auto expected_uv = map_of<halfedge, std::array<float, 2>>(expected.first, "h:uv");
     for (const auto v : control.vertices()) { // by the maps that were made before
         EXPECT_EQ(weight[v], control.point(v).z());
         EXPECT_EQ(unknown[v], label{v.idx() < before.num_vertices() ? int(v.idx()) : -1});
     }
-    const auto expected_material = expected.first.property_map<face, int>("f:material").first;
+    const auto expected_material = map_of<face, int>(expected.first, "f:material");
     for (const auto f : control.faces())
         EXPECT_EQ(material[f], expected_material[f]);
     for (const auto e : control.edges())
@@ -245,7 +245,7 @@ TEST(cgal_parameters, points_may_lie_in_another_map)
 TEST(cgal_parameters, geometry_may_stay)
 {
     mesh m = house(), expected = house();
-    ours::CatmullClark_subdivision(m, params::do_not_modify_geometry(true, params::number_of_iterations(2)));
+    ours::CatmullClark_subdivision(m, params::do_not_modify_geometry(true).number_of_iterations(2));
     ours::Linear_subdivision(expected, 2);
     EXPECT_TRUE(same_bits(m, expected));
     m = expected = make_graph<mesh>(shapes::tetrahedron());

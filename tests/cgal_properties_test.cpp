@@ -10,11 +10,14 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
+#include <kith/face_varying.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,18 +64,12 @@ mesh with_maps(mesh m)
         labels[f] = {int(f)};
     }
     auto texture = m.add_property_map<halfedge, uv>("h:uv").first;
-    m.add_property_map<halfedge, int>("h:mark", 1);
-    for (const auto h : m.halfedges())
+    auto mark = m.add_property_map<halfedge, int>("h:mark").first;
+    for (const auto h : m.halfedges()) {
         texture[h] = {float(h.idx()), float(h.idx() % 5)};
+        mark[h] = 1 + int(h);
+    }
     return m;
-}
-
-template <class Index, class T>
-auto map_of(const mesh& m, const char* name)
-{
-    const auto [map, found] = m.property_map<Index, T>(name);
-    EXPECT_TRUE(found) << name;
-    return map;
 }
 
 /// The control mesh with a hole in its numbers: its first faces have been removed.
@@ -95,12 +92,13 @@ TEST(cgal_properties, are_carried_by_name_and_told)
 {
     const auto [fine, report] = kith::refine_with_properties<label>(
         with_maps(make(shapes::open_house())), kith::catmull_clark(), 2);
-    EXPECT_EQ(report.carried,
-              (names{"v:place", "v:height", "v:color", "v:id", "h:uv", "e:feature", "f:material", "f:label"}));
-    EXPECT_EQ(report.left_out, names{"h:mark"});
+    EXPECT_EQ(
+        report.carried,
+        (names{"v:place", "v:height", "v:color", "v:id", "h:uv", "h:mark", "e:feature", "f:material", "f:label"}));
+    EXPECT_TRUE(report.left_out.empty());
     const auto [again,
                 other] = kith::refine_with_properties(with_maps(make(shapes::open_house())), kith::catmull_clark(), 2);
-    EXPECT_EQ(other.left_out, (names{"h:mark", "f:label"}));
+    EXPECT_EQ(other.left_out, names{"f:label"});
 }
 
 TEST(cgal_properties, at_vertices_go_as_the_points_do)
@@ -188,6 +186,41 @@ TEST(cgal_properties, at_half_edges_are_linear_in_each_face)
     }
 }
 
+TEST(cgal_properties, marks_of_half_edges_stay_with_those_that_lie_along_them)
+{
+    const mesh control = with_maps(make(shapes::open_house()));
+    kith::hierarchy<mesh, kith::catmull_clark> levels(control);
+    levels.refine(2);
+    mesh fine = levels[2];
+    kith::carry_properties(levels, 0, 2, fine);
+    const auto mark = map_of<halfedge, int>(fine, "h:mark");
+    std::vector<int> heirs(control.num_halfedges() + 1);
+    for (const auto h : fine.halfedges()) {
+        if (fine.is_border(h))
+            continue;
+        ++heirs[std::size_t(mark[h])];
+        const auto from = levels.ancestor(2, fine.edge(h), 0);
+        ASSERT_EQ(mark[h] != 0, from.e.has_value());
+        if (from.e) {
+            const halfedge old(mark[h] - 1);
+            EXPECT_EQ(control.edge(old), *from.e);
+            EXPECT_EQ(control.face(old), *levels.ancestor(2, fine.face(h), 0).f);
+        }
+    }
+    for (const auto h : control.halfedges())
+        EXPECT_EQ(heirs[std::size_t(h) + 1], control.is_border(h) ? 0 : 4);
+}
+
+TEST(cgal_properties, of_half_edges_beyond_the_boundary_are_zero)
+{
+    mesh control = make(shapes::open_house());
+    control.add_property_map<halfedge, kernel::Point_2>("h:texcoord", kernel::Point_2(3, 4));
+    const auto fine = kith::refine_with_properties(control, kith::catmull_clark(), 1).first;
+    const auto after = map_of<halfedge, kernel::Point_2>(fine, "h:texcoord");
+    for (const auto h : fine.halfedges())
+        EXPECT_EQ(after[h], fine.is_border(h) ? kernel::Point_2(0, 0) : kernel::Point_2(3, 4));
+}
+
 TEST(cgal_properties, of_faces_without_a_parent_and_of_another_mesh)
 {
     const mesh control = with_maps(make(shapes::cube()));
@@ -195,7 +228,7 @@ TEST(cgal_properties, of_faces_without_a_parent_and_of_another_mesh)
     levels.refine(1);
     mesh fine = levels[1];
     const auto report = kith::carry_properties(levels, 0, 1, fine);
-    EXPECT_EQ(report.left_out, (names{"h:mark", "f:label"}));
+    EXPECT_EQ(report.left_out, names{"f:label"});
     const auto material = map_of<face, std::string>(fine, "f:material");
     std::size_t without = 0;
     for (const auto f : fine.faces())
@@ -206,6 +239,80 @@ TEST(cgal_properties, of_faces_without_a_parent_and_of_another_mesh)
                   kith::carry_properties(levels, 0, 1, another);
               }).find("is not level 1 of the hierarchy"),
               std::string::npos);
+}
+
+TEST(cgal_properties, of_any_map_go_by_a_rule_of_the_user)
+{
+    const mesh control = with_maps(make(shapes::open_house()));
+    kith::hierarchy levels(control, kith::catmull_clark());
+    levels.refine(2);
+    mesh fine = levels[2];
+
+    const auto dynamic = get(CGAL::dynamic_vertex_property_t<label>(), control);
+    for (const auto v : control.vertices())
+        put(dynamic, v, label{int(v)});
+    const auto fine_dynamic = get(CGAL::dynamic_vertex_property_t<label>(), fine);
+    kith::carry_map<vertex>(levels, 0, 2, dynamic, fine_dynamic);
+    for (const auto v : fine.vertices()) {
+        const auto from = levels.ancestor(2, v, 0);
+        EXPECT_EQ(get(fine_dynamic, v), from.v ? label{int(*from.v)} : label());
+    }
+
+    const auto texture = map_of<halfedge, uv>(control, "h:uv");
+    auto fine_texture = fine.add_property_map<halfedge, uv>("h:uv").first;
+    const kith::face_varying smooth(kith::face_varying_linear::corners_only);
+    kith::carry_map<halfedge>(levels, 0, 2, texture, fine_texture, smooth);
+    std::vector<uv> corners, fine_corners;
+    kith::detail::for_each_handle<halfedge>(control, [&](halfedge h) { corners.push_back(texture[h]); });
+    kith::detail::for_each_handle<halfedge>(fine, [&](halfedge h) { fine_corners.push_back(fine_texture[h]); });
+    EXPECT_TRUE(std::ranges::equal(levels.carry(0, 2, kith::on_corners(corners, smooth)).values(), fine_corners));
+
+    auto share = fine.add_property_map<face, double>("f:share").first;
+    const auto quarter = [](double x) { return x / 4; };
+    kith::carry_map<face>(levels, 0, 2, [](face f) { return double(f.idx() + 1); }, share, kith::from_parent{quarter});
+    for (const auto f : fine.faces())
+        EXPECT_EQ(share[f], double(levels.ancestor(2, f, 0).f->idx() + 1) / 16);
+
+    const auto feature = map_of<edge, bool>(control, "e:feature");
+    auto fine_feature = fine.add_property_map<edge, bool>("e:feature").first;
+    kith::carry_map<edge>(levels, 0, 2, feature, fine_feature);
+    for (const auto e : fine.edges()) {
+        const auto from = levels.ancestor(2, e, 0);
+        EXPECT_EQ(fine_feature[e], from.e and feature[*from.e]);
+    }
+}
+
+TEST(cgal_properties, values_of_cgal_are_values_of_masks)
+{
+    using CGAL::IO::Color;
+    using number = epeck::FT;
+    kith::hierarchy levels(make(shapes::cube()), kith::catmull_clark());
+    levels.refine(1);
+    const auto at_first = [&]<class T>(const T& first, const T& others) {
+        std::vector<T> values(8, others);
+        values[0] = first;
+        return levels.carry(0, 1, std::span<const T>(values))[0]; // 5/12 of the first
+    };
+    const auto near = [](const auto& a, const auto& b) { return (a - b) * (a - b) < 1e-28; };
+    EXPECT_EQ(at_first(Color(255, 0, 16, 255), Color(255, 160, 0, 255)), Color(255, 93, 7, 255)); // 93.3, 6.7
+    EXPECT_PRED2(near, at_first(kernel::Point_2(12, 0), kernel::Point_2(0, 24)), kernel::Point_2(5, 14));
+    EXPECT_PRED2(near, at_first(kernel::Vector_2(12, 0), kernel::Vector_2(0, 24)), kernel::Vector_2(5, 14));
+    EXPECT_PRED2(near, at_first(kernel::Vector_3(12, 0, 1), kernel::Vector_3(0, 24, 1)), kernel::Vector_3(5, 14, 1));
+    EXPECT_EQ(at_first(epeck::Point_2(1, 0), epeck::Point_2(0, 1)), epeck::Point_2(number(5) / 12, number(7) / 12));
+    EXPECT_EQ(at_first(number(1) / 3, number(0)), number(5) / 36);
+}
+
+TEST(cgal_properties, numbers_of_exact_kernels_stay_exact)
+{
+    using exact_mesh = surface_mesh<epeck>;
+    const auto shape = shapes::cube();
+    exact_mesh cube = user_mesh<exact_mesh>::make(shape.points, shape.faces);
+    auto heat = cube.add_property_map<exact_mesh::Vertex_index, epeck::FT>("v:heat").first;
+    heat[exact_mesh::Vertex_index(0)] = epeck::FT(1) / 3;
+    auto [fine, report] = kith::refine_with_properties(cube, kith::catmull_clark(), 1);
+    EXPECT_EQ(report.carried, names{"v:heat"});
+    const auto after = fine.add_property_map<exact_mesh::Vertex_index, epeck::FT>("v:heat").first;
+    EXPECT_EQ(after[exact_mesh::Vertex_index(0)], epeck::FT(5) / 36);
 }
 
 TEST(cgal_properties, values_at_corners_with_seams_go_as_on_the_native_mesh)

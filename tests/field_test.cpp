@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/field/field.hpp>
 
+#include "error_text.hpp"
 #include "every_scheme.hpp"
 #include "same_mesh.hpp"
 #include "some_fields.hpp"
@@ -87,7 +88,7 @@ void expect_inherited(const mesh3d& mesh, const Scheme& scheme)
                     weight[old.edges()[index(from.e)].dst().index()]) /
                    2;
         const bool thirds = kith::scheme_name<Scheme>() == "nasri-hasbini";
-        switch (from.kind) {
+        switch (*from.kind) {
         case tuple_kind::v: expected = weight[index(from.v)]; break;
         case tuple_kind::e: expected = edge; break;
         case tuple_kind::f: expected = face; break;
@@ -293,6 +294,17 @@ TEST(field, goes_through_tiles_bit_for_bit)
         run(kith::butterfly{}, triangles);
         run(kith::sqrt3{}, triangles);
         run(kith::four_eight{}, kith::tri_quad(mesh));
+    }
+}
+
+TEST(field, of_another_mesh_is_refused_where_tiles_are_cut)
+{
+    const auto mesh = native(shapes::torus(4, 5));
+    for (const std::size_t values : {3, 1000}) {
+        const auto scheme = kith::with_fields(kith::catmull_clark{}, kith::on_faces(std::vector<int>(values)));
+        EXPECT_EQ(error_text<kith::mesh_error>(
+                      [&] { kith::tiled_refinement(mesh, scheme, 1, {partitions::blocks(mesh.face_count(), 2), 2}); }),
+                  "a field has " + std::to_string(values) + " values, the level has 20 faces; give it one for each");
     }
 }
 

@@ -394,3 +394,104 @@ TEST(hierarchy, is_what_it_was_when_it_is_stopped)
         EXPECT_TRUE(same_bits(h.levels[3], kith::refine(h.control, kith::catmull_clark(), 3)));
     }
 }
+
+namespace {
+
+/// Triangles around the middle of each face, which is in no column: that of a quad is kept under two opposite vertices and known under
+/// the other two as well, that of any other face is kept under the face.
+struct fans_about_diagonals {
+    static constexpr auto traits() { return kith::scheme_traits{.name = "fans-about-diagonals"}; }
+    static constexpr auto columns()
+    {
+        return kith::columns(kith::new_vertices(kith::per_vertex), kith::new_faces(triangles(kith::per_corner)));
+    }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
+        for (auto f : coarse.faces()) {
+            const auto c = f.first_corner();
+            if (f.degree() == 4) {
+                assoc(c.v(), c.next().next().v(), V) = average(f.vertices());
+                assoc(c.next().v(), c.prev().v(), V).refers_to(assoc(c.v(), c.next().next().v(), V));
+            } else {
+                assoc(f, V) = average(f.vertices());
+            }
+            for (const auto at : f.corners())
+                assoc(at, F) = f.degree() == 4 ? polygon(assoc(at.v(), V),
+                                                         assoc(at.next().v(), V),
+                                                         assoc(c.v(), c.next().next().v(), V))
+                                               : polygon(assoc(at.v(), V), assoc(at.next().v(), V), assoc(f, V));
+        }
+    }
+};
+
+/// The middles of the faces of level 0, a mesh of quads, and of level 1 are found below and know where they come from.
+template <class M>
+void expect_middles(const hierarchy<M, fans_about_diagonals>& levels)
+{
+    for (int level = 0; level < 2; ++level) {
+        const auto& coarse = levels.elements(level);
+        const std::size_t first_middle = coarse.vertex_count();
+        for (const auto f : coarse.faces()) {
+            const auto c = f.first_corner();
+            const auto v = c.v().handle(), opposite = c.next().next().v().handle();
+            const auto middle = level == 0 ? levels.assoc(level, opposite, v, V) : levels.assoc(level, f.handle(), V);
+            EXPECT_EQ(levels.elements(level + 1).index(middle), first_middle + f.index());
+            const auto born = levels.origin(level + 1, middle);
+            EXPECT_FALSE(born.kind.has_value());
+            EXPECT_FALSE(born.e or born.other_f);
+            if (level == 0) {
+                EXPECT_EQ(levels.assoc(level, c.next().v().handle(), c.prev().v().handle(), V), middle);
+                EXPECT_TRUE((born.v == v and born.other_v == opposite) or (born.v == opposite and born.other_v == v));
+                EXPECT_FALSE(born.f);
+            } else {
+                EXPECT_EQ(born.f, f.handle());
+                EXPECT_FALSE(born.v or born.other_v);
+            }
+        }
+    }
+}
+
+} // namespace
+
+TEST(hierarchy, answers_for_vertices_of_the_dictionary)
+{
+    hierarchy levels(native(shapes::cube()), fans_about_diagonals());
+    levels.refine(2);
+    expect_middles(levels);
+    EXPECT_EQ(levels[1].point(levels.assoc(0, handles::vertex{6}, handles::vertex{1}, V).value),
+              (shapes::point{1, 0, 0}));
+    EXPECT_EQ(error_text<kith::association_error>(
+                  [&] { static_cast<void>(levels.assoc(0, handles::vertex{0}, handles::vertex{6}, V)); }),
+              "level 0: the scheme made nothing under this tuple");
+    EXPECT_THROW(static_cast<void>(levels.assoc(0, handles::face{0}, V)), kith::association_error);
+    EXPECT_THROW(static_cast<void>(levels.ancestor(1, handles::vertex{8}, 0)), kith::association_error);
+    const auto moved = std::move(levels);
+    expect_middles(moved);
+}
+
+TEST(hierarchy, answers_for_vertices_of_the_dictionary_after_levels_were_dropped_and_restored)
+{
+    hierarchy levels(native(shapes::cube()), fans_about_diagonals());
+    levels.keep_last(1);
+    levels.refine(3);
+    levels.restore(1);
+    levels.restore(2);
+    expect_middles(levels);
+    EXPECT_FALSE(levels.refine(1, [](double) { return false; }));
+    expect_middles(levels);
+}
+
+TEST(hierarchy, carries_values_to_vertices_of_the_dictionary)
+{
+    hierarchy levels(native(shapes::cube()), fans_about_diagonals());
+    levels.refine(1);
+    const auto values = levels.carry(0, 1, kith::on_vertices(std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+    for (const auto f : levels.elements(0).faces()) {
+        const auto c = f.first_corner();
+        const auto a = c.v().index(), b = c.next().next().v().index();
+        EXPECT_EQ(values[8 + f.index()], (double(a + 1) + double(b + 1)) / 2);
+    }
+}

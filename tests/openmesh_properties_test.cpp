@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -129,6 +130,45 @@ TEST(openmesh_properties, of_triangles)
     for (const auto v : fine.vertices())
         EXPECT_EQ(height[v], fine.point(v)[2]);
     EXPECT_EQ(std::ranges::count(report.carried, "h:texcoords2D"), 1);
+}
+
+TEST(openmesh_properties, of_property_managers_are_carried_to_others)
+{
+    const auto shape = shapes::cube();
+    auto control = user_mesh<poly_mesh>::make(shape.points, shape.faces);
+    OpenMesh::FProp<std::string> tag(control);
+    OpenMesh::EProp<bool> hard(false, control);
+    for (const auto f : control.faces())
+        tag[f] = "face " + std::to_string(f.idx());
+    hard[EdgeHandle(3)] = true;
+    kith::hierarchy levels(control, kith::catmull_clark());
+    levels.refine(2);
+    poly_mesh fine = levels[2];
+    OpenMesh::FProp<std::string> fine_tag(fine);
+    OpenMesh::EProp<bool> fine_hard(fine);
+    kith::carry_map<FaceHandle>(levels, 0, 2, tag, fine_tag);
+    kith::carry_map<EdgeHandle>(levels, 0, 2, hard, fine_hard);
+    int hard_ones = 0;
+    for (const auto f : fine.faces())
+        EXPECT_EQ(fine_tag[f], "face " + std::to_string(levels.ancestor(2, FaceHandle(f), 0).f->idx()));
+    for (const auto e : fine.edges()) {
+        EXPECT_TRUE(not fine_hard[e] or levels.ancestor(2, EdgeHandle(e), 0).e == EdgeHandle(3));
+        hard_ones += fine_hard[e];
+    }
+    EXPECT_EQ(hard_ones, 4);
+}
+
+TEST(openmesh_properties, colours_are_values_of_masks)
+{
+    const auto shape = shapes::cube();
+    kith::hierarchy levels(user_mesh<poly_mesh>::make(shape.points, shape.faces), kith::catmull_clark());
+    levels.refine(1);
+    using colour = OpenMesh::Vec3uc;
+    std::vector<colour> colours(8, colour(0, 40, 0));
+    colours[0] = colour(255, 40, 0);
+    const auto fine = levels.carry(0, 1, std::span<const colour>(colours));
+    EXPECT_EQ(fine[0], colour(106, 40, 0)); // 255 * 5/12 = 106.25
+    EXPECT_EQ(fine[20], colour(64, 40, 0)); // a quarter of the first face
 }
 
 TEST(openmesh_properties, values_at_corners_with_seams_go_as_on_the_native_mesh)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "every_scheme.hpp"
+#include "shuffled.hpp"
 #include "tiles.hpp"
 #include "under_sanitizers.hpp"
 
@@ -32,19 +33,6 @@ std::vector<std::uint32_t> one_part_per_face(std::size_t faces)
     return partitions::blocks(faces, faces);
 }
 
-shapes::shape shape_of(const mesh3d& mesh)
-{
-    shapes::shape result{{mesh.points().begin(), mesh.points().end()}, {}};
-    for (std::size_t f = 0; f < mesh.face_count(); ++f)
-        result.faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
-    return result;
-}
-
-mesh3d of_generation(const mesh3d& mesh, int generation)
-{
-    return {kith::storage<shapes::point>(mesh.points()), mesh.topology(), generation};
-}
-
 bool has_double_edges(const mesh3d& mesh)
 {
     const auto& t = mesh.topology();
@@ -52,21 +40,6 @@ bool has_double_edges(const mesh3d& mesh)
     for (std::uint32_t c = 0; c < t.corners(); ++c)
         halfedges.emplace(t.corner_vertex[c], t.target(c));
     return halfedges.size() != t.corners();
-}
-
-/// The same surface with vertices and faces in another order; faces then start at another corner, their smallest vertex.
-template <class Scheme>
-mesh3d shuffled(const mesh3d& mesh, std::uint32_t seed)
-{
-    const auto shape = shapes::shuffled(shape_of(mesh), seed);
-    auto result = native(shape);
-    if constexpr (kith::marks_edges<Scheme>) {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> marked;
-        for (const auto& f : shape.faces)
-            marked.emplace_back(f[0], f[1]);
-        result = kith::mark_edges(result, std::move(marked));
-    }
-    return of_generation(result, mesh.generation());
 }
 
 /// Every fifth edge and two vertices of many kinds of sharpness.

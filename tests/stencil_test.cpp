@@ -123,3 +123,58 @@ TEST(stencil, sqrt3_takes_two_thirds_of_a_regular_vertex)
                    {2. / 3, 1. / 18, 1. / 18, 1. / 18, 1. / 18, 1. / 18, 1. / 18});
     expect_weights(weights_of(regular_triangles, kith::sqrt3(), face_handle{0}), {1. / 3, 1. / 3, 1. / 3});
 }
+
+TEST(stencil, matrices_on_faces_send_values_down_and_sum_them_up)
+{
+    for_each_of_all_schemes_and_shape([]<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {
+        hierarchy levels(mesh, scheme);
+        levels.refine(2);
+        const auto matrix = levels.template matrix<kith::field_on::faces>(0, 2, kith::from_parent());
+        ASSERT_EQ(matrix.rows(), levels[2].face_count());
+        ASSERT_EQ(matrix.columns, mesh.face_count());
+        std::vector<double> heirs(mesh.face_count());
+        for (const auto f : levels.elements(2).faces()) {
+            const auto parent = levels.ancestor(2, f.handle(), 1).f; // a face of Doo-Sabin's edges has none
+            const auto from = parent ? levels.ancestor(1, *parent, 0).f : parent;
+            ASSERT_EQ(matrix.row_start[f.index() + 1] - matrix.row_start[f.index()], from ? 1 : 0);
+            if (from) {
+                EXPECT_EQ(matrix.column[matrix.begin_of_row(f.index())], std::ptrdiff_t(from->value));
+                ++heirs[from->value];
+            }
+        }
+        const std::vector<double> ones(matrix.rows(), 1);
+        EXPECT_EQ(matrix.transposed().apply(std::span(ones)), heirs);
+    });
+}
+
+TEST(stencil, matrices_on_corners_and_edges_are_those_of_their_fields)
+{
+    const auto mesh = native(shapes::open_house());
+    hierarchy levels(mesh, kith::catmull_clark());
+    levels.refine(2);
+    std::vector<double> values(mesh.corner_count());
+    for (std::size_t c = 0; c < values.size(); ++c)
+        values[c] = double(c * c % 7);
+    const auto on_corners = levels.matrix<kith::field_on::corners>(0, 2, kith::linear_in_faces());
+    const auto expected = levels.carry(0, 2, kith::on_corners(values));
+    const auto made = on_corners.apply(std::span<const double>(values));
+    ASSERT_EQ(made.size(), expected.size());
+    for (std::size_t c = 0; c < made.size(); ++c)
+        EXPECT_NEAR(made[c], expected[c], 1e-14);
+
+    // A length: each edge gives its two pieces a half.
+    const auto half = [](stencil_row row) {
+        kith::affine<stencil_row>::scale(row, .5);
+        return row;
+    };
+    const auto on_edges = levels.matrix<kith::field_on::edges>(0, 2, kith::along_edges{half});
+    for (const auto e : levels.elements(2).edges()) {
+        const auto from = levels.ancestor(2, e.handle(), 0);
+        const auto begin = on_edges.begin_of_row(e.index()), end = on_edges.begin_of_row(e.index() + 1);
+        ASSERT_EQ(end - begin, from.e ? 1U : 0U);
+        if (from.e) {
+            EXPECT_EQ(on_edges.column[begin], std::ptrdiff_t(from.e->value));
+            EXPECT_EQ(on_edges.weight[begin], .25);
+        }
+    }
+}

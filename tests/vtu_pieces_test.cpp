@@ -3,6 +3,7 @@
 #include "native_shape.hpp"
 #include "shapes.hpp"
 #include "tiles.hpp"
+#include "vtu_files.hpp"
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
@@ -29,48 +30,10 @@
 namespace {
 
 using point = std::array<double, 3>;
-namespace fs = std::filesystem;
-
-/// The arrays of a file as any reader of VTK's format finds them: by the offsets in the head.
-class vtu_reader {
-public:
-    explicit vtu_reader(const fs::path& path)
-    {
-        std::ifstream in(path, std::ios::binary);
-        bytes_.assign(std::istreambuf_iterator<char>(in), {});
-        const std::string mark = "<AppendedData encoding=\"raw\">\n_";
-        begin_ = bytes_.find(mark);
-        if (begin_ == std::string::npos)
-            throw std::runtime_error(path.string() + " has no data");
-        head_ = bytes_.substr(0, begin_);
-        begin_ += mark.size();
-    }
-    [[nodiscard]] std::string head() const { return head_; }
-    /// The array with this attribute.
-    template <class T>
-    [[nodiscard]] std::vector<T> array(const std::string& attribute) const
-    {
-        const std::size_t at = head_.find("offset=\"", head_.find(attribute)) + 8;
-        const std::size_t offset = begin_ + std::stoul(head_.substr(at));
-        std::uint64_t size = 0;
-        std::memcpy(&size, bytes_.data() + offset, sizeof size);
-        std::vector<T> result(size / sizeof(T));
-        std::memcpy(result.data(), bytes_.data() + offset + sizeof size, size);
-        return result;
-    }
-
-private:
-    std::string bytes_, head_;
-    std::size_t begin_ = 0;
-};
-
-/// A directory that is gone after the test.
-struct directory {
-    fs::path path = fs::temp_directory_path() / ("kith_pieces_" + std::to_string(getpid()));
-
-    directory() { fs::create_directory(path); }
-    ~directory() { fs::remove_all(path); }
-};
+namespace fs = vtu_files::fs;
+using vtu_files::directory;
+using vtu_files::for_each_changed_byte;
+using vtu_files::vtu_reader;
 
 /// Compares what a file holds, by the numbers in the whole mesh, with the mesh refined as one; marks the faces that are there.
 template <class Mesh>
@@ -186,22 +149,6 @@ TEST(vtu_file, holds_what_any_reader_finds)
 }
 
 namespace {
-
-/// Changes the bytes of a file, one after the other, and back again.
-template <class Changed>
-void for_each_changed_byte(const fs::path& path, std::size_t begin, std::size_t end, const Changed& changed)
-{
-    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-    for (std::size_t at = begin; at < end; ++at) {
-        file.seekg(std::streamoff(at));
-        const char before = char(file.get());
-        for (const char now : {char(before ^ 0x10), before}) {
-            file.seekp(std::streamoff(at));
-            file.put(now).flush();
-            changed(at, now != before);
-        }
-    }
-}
 
 /// Of every byte that is changed the one tile, or all that share it, says so; the ranks are nobody's business.
 template <class Layout>

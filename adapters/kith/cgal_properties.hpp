@@ -2,15 +2,10 @@
 #pragma once
 
 #include "cgal.hpp"
+#include "cgal_values.hpp"
 
 #include <kith/carry_properties.hpp>
 #include <kith/property/standard_property.hpp>
-
-#include <CGAL/IO/Color.h>
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/Point_2.h>
-#include <CGAL/Vector_2.h>
-#include <CGAL/Vector_3.h>
 
 #include <array>
 #include <concepts>
@@ -23,58 +18,6 @@
 
 namespace kith {
 
-namespace detail {
-
-/// Points and vectors of a kernel.
-template <class T, std::size_t N>
-struct averaged_cartesian {
-    template <class Number>
-    static four_numbers<Number> load(const T& value)
-    {
-        four_numbers<Number> x{};
-        for (std::size_t i = 0; i < N; ++i)
-            x[i] = Number(value[int(i)]);
-        return x;
-    }
-    template <class Number>
-    static T store(const four_numbers<Number>& x)
-    {
-        const auto coordinate = [](const Number& c) {
-            return as_coordinate<typename CGAL::Kernel_traits<T>::Kernel::FT>(c);
-        };
-        if constexpr (N == 2)
-            return T(coordinate(x[0]), coordinate(x[1]));
-        else
-            return T(coordinate(x[0]), coordinate(x[1]), coordinate(x[2]));
-    }
-};
-
-} // namespace detail
-
-template <class Kernel>
-struct averaged_value<CGAL::Point_2<Kernel>> : detail::averaged_cartesian<CGAL::Point_2<Kernel>, 2> {};
-template <class Kernel>
-struct averaged_value<CGAL::Vector_2<Kernel>> : detail::averaged_cartesian<CGAL::Vector_2<Kernel>, 2> {};
-template <class Kernel>
-struct averaged_value<CGAL::Point_3<Kernel>> : detail::averaged_cartesian<CGAL::Point_3<Kernel>, 3> {};
-template <class Kernel>
-struct averaged_value<CGAL::Vector_3<Kernel>> : detail::averaged_cartesian<CGAL::Vector_3<Kernel>, 3> {};
-
-template <>
-struct averaged_value<CGAL::IO::Color> {
-    template <class Number>
-    static detail::four_numbers<Number> load(const CGAL::IO::Color& c)
-    {
-        return {Number(c.red()), Number(c.green()), Number(c.blue()), Number(c.alpha())};
-    }
-    template <class Number>
-    static CGAL::IO::Color store(const detail::four_numbers<Number>& x)
-    {
-        const auto channel = [](const Number& c) { return detail::as_coordinate<unsigned char>(CGAL::to_double(c)); };
-        return {channel(x[0]), channel(x[1]), channel(x[2]), channel(x[3])};
-    }
-};
-
 /// The property maps of a CGAL::Surface_mesh.
 template <class Point>
 struct property_access<CGAL::Surface_mesh<Point>> {
@@ -86,7 +29,7 @@ struct property_access<CGAL::Surface_mesh<Point>> {
         bool, char, signed char, unsigned char, short, unsigned short, int, unsigned, long, unsigned long, long long,
         unsigned long long, float, double, std::string, CGAL::IO::Color, CGAL::Point_2<kernel>, CGAL::Vector_2<kernel>,
         CGAL::Point_3<kernel>, CGAL::Vector_3<kernel>, std::array<float, 2>, std::array<float, 3>, std::array<float, 4>,
-        std::array<double, 2>, std::array<double, 3>, std::array<double, 4>>;
+        std::array<double, 2>, std::array<double, 3>, std::array<double, 4>, number>;
 
     template <class Handle>
     static std::vector<std::string> names(const mesh& m)
@@ -113,7 +56,8 @@ struct property_access<CGAL::Surface_mesh<Point>> {
     template <class Handle, class T>
     static auto add(mesh& m, const std::string& name)
     {
-        return m.template add_property_map<Handle, T>(name).first;
+        // Points and vectors leave their coordinates open unless told.
+        return m.template add_property_map<Handle, T>(name, detail::value_of_nothing<T>()).first;
     }
 
     /// As CGAL's readers and writers call them.

@@ -48,6 +48,10 @@ struct affine<OpenMesh::VectorT<Scalar, N>> : coordinates_affine<Scalar, std::si
     }
 };
 
+/// Colours, and other vectors of integers.
+template <std::integral Scalar, int N>
+struct affine<OpenMesh::VectorT<Scalar, N>> : rounded_affine<OpenMesh::VectorT<Scalar, N>, Scalar, std::size_t(N)> {};
+
 /// Meshes of OpenMesh's array kernel, polygons or triangles, any traits, classes derived from them included.
 /// A refined mesh has the attributes of its source, in traits or by request: status, normals, colors, texture coordinates and
 /// the texture index. Their values are zero and properties of the user's own are left out; openmesh_properties.hpp carries them.

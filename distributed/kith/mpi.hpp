@@ -10,4 +10,5 @@
 #include <kith/ranks/field_exchange.hpp>
 #include <kith/ranks/gather.hpp>
 #include <kith/ranks/repartition.hpp>
+#include <kith/ranks/write_level.hpp>
 #include <kith/slices/tiles_of_slices.hpp>

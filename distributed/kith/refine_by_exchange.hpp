@@ -3,11 +3,13 @@
 
 #include <kith/mpi/in_agreement.hpp>
 #include <kith/number/corners_at_vertices.hpp>
+#include <kith/number/whole_lineage.hpp>
 #include <kith/part/partition.hpp>
 #include <kith/ranks/deal_tiles.hpp>
 #include <kith/ranks/field_exchange.hpp>
 #include <kith/ranks/grow_shadows.hpp>
 #include <kith/ranks/require_tiles.hpp>
+#include <kith/ranks/runs_of_ranks.hpp>
 #include <kith/ranks/tile_generation.hpp>
 #include <kith/refine.hpp>
 #include <kith/tile/cut_tiles.hpp>
@@ -17,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -43,6 +46,7 @@ class exchanging_refinement {
 public:
     using tile_type = tile<Point, Index>;
     using numbering_type = whole_numbering<columns_type<Scheme>>;
+    using kept_type = kept_tile<tile_type, Scheme>;
 
     /// Collective. `mesh` and `parts` are read on rank 0 only, and the state (creases) of the scheme, whose options and
     /// `rings_per_step` > 0 are the same on all ranks. Errors:
@@ -60,11 +64,12 @@ public:
                 return;
             kith::detail::require_control<Scheme>(mesh, 0);
             cutter.emplace(mesh, scheme_, parts.part_of, parts.parts);
+            runs_ = cutter->runs();
             setting = packer().add(cutter->counts()).add(std::uint64_t(parts.parts)).add(mesh.generation()).take();
         });
         setting = comm.broadcast(std::move(setting));
         unpacker in(setting);
-        counts_ = in.get<whole_counts>();
+        counts_.push_back(in.get<whole_counts>());
         const auto all = in.get<std::uint64_t>();
         generation_ = in.get<int>();
         const auto packed = deal_tiles(comm, all, [&](std::uint64_t t) { return pack(cutter->cut(t, rings_)); });
@@ -84,14 +89,16 @@ public:
     /// cannot take.
     exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                           const Scheme& scheme, int rings_per_step)
-        : comm_(comm), scheme_(scheme), rings_(rings_per_step), counts_(counts), tiles_(std::move(tiles))
+        : comm_(comm), scheme_(scheme), rings_(rings_per_step), counts_{counts}, tiles_(std::move(tiles))
     {
         static_assert(not marks_edges<Scheme>, "marks of edges are counted where tiles are cut");
         in_agreement(comm, [&] {
             require_rings();
             require_tiles<Scheme>(tiles_);
-            for (const auto& [number, part] : tiles_)
+            for (const auto& [number, part] : tiles_) {
                 schemes_.push_back(kith::detail::scheme_of_tile(scheme_, part));
+                runs_.append(control_runs_of<Scheme>(part));
+            }
             scheme_ = kith::detail::scheme_of_part(scheme_, part_numbers<Index>());
         });
         generation_ = generation_of_tiles(comm, tiles_);
@@ -100,13 +107,29 @@ public:
     /// Local.
     [[nodiscard]] int level() const { return level_; }
     /// Local. Of the whole mesh on this level.
-    [[nodiscard]] const whole_counts& counts() const { return counts_; }
+    [[nodiscard]] const whole_counts& counts() const { return counts_.back(); }
     /// Local. How this level is numbered; its `origin` leads to the level before. Precondition: level() > 0.
-    [[nodiscard]] const numbering_type& numbering() const { return numbering_; }
+    [[nodiscard]] const numbering_type& numbering() const { return steps_.back(); }
     /// Local. The tiles of this rank on this level, with their edges and one ring of shadows (on level 0 more).
     [[nodiscard]] std::span<const numbered_tile<tile_type>> tiles() const { return tiles_; }
     /// Local. Of each of these tiles the scheme, with its state (fields, creases) of this level.
     [[nodiscard]] std::span<const Scheme> schemes() const { return schemes_; }
+    /// Local. Both, taken out of a refinement that is given up: std::move(refinement).take_tiles().
+    [[nodiscard]] std::vector<kept_type> take_tiles() &&
+    {
+        std::vector<kept_type> result;
+        for (std::size_t t = 0; t < tiles_.size(); ++t)
+            result.push_back({tiles_[t].number, level_, std::move(tiles_[t].part), std::move(schemes_[t])});
+        return result;
+    }
+
+    /// Collective. Who descends from whom, over all levels so far and by the numbers of the whole mesh: the same on all ranks,
+    /// and local from then on, wherever the tiles are moved. Errors: mpi::error. Cost: runs_of_ranks, of which a mesh of one
+    /// degree has one; O(boundary) memory.
+    [[nodiscard]] whole_lineage<columns_type<Scheme>> lineage()
+    {
+        return {counts_, steps_, corners_, runs_of_ranks(comm_, runs_).joined()};
+    }
 
     /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which is
     /// so when `rings_per_step` is too small; then the levels are of no use any more. Not every mistake of that kind shows.
@@ -114,20 +137,31 @@ public:
     /// boundary, and of a field_exchange that compares.
     void refine()
     {
+        refine([](const kept_type&) {});
+    }
+    /// Collective. The same, and hands over the tiles of the level that is left, each with its scheme (creases, fields) as it is
+    /// there: keep(kept_tile), which may move it away. They have the shadows that the step needed.
+    template <std::invocable<kept_type> Keep>
+    void refine(const Keep& keep)
+    {
         if (level_ > 0)
             grow_shadows(comm_, std::span(tiles_), std::span(schemes_), rings_);
         number();
         in_agreement(comm_, [&] {
             for (std::size_t t = 0; t < tiles_.size(); ++t) {
-                kith::detail::tile_step step(tiles_[t].part, schemes_[t], numbering_);
-                auto next = step.trim(1, schemes_[t]);
-                tiles_[t].part = std::move(next);
+                Scheme next_scheme = schemes_[t];
+                auto next = kith::detail::tile_step(tiles_[t].part, schemes_[t], steps_.back()).trim(1, next_scheme);
+                keep(kept_type{tiles_[t].number,
+                               level_,
+                               std::exchange(tiles_[t].part, std::move(next)),
+                               std::exchange(schemes_[t], std::move(next_scheme))});
             }
             kith::detail::advance_without_elements<decltype(tile_type::mesh)>(scheme_, generation_);
         });
         ++level_;
         ++generation_;
-        counts_ = numbering_.counts();
+        counts_.push_back(steps_.back().counts());
+        corners_.emplace_back();
         if constexpr (numbers_corners_at_vertices<Scheme>) {
             std::vector<corners_at_vertices::boundary_vertex> boundary;
             in_agreement(comm_, [&] {
@@ -138,9 +172,9 @@ public:
             });
             boundary = all_of_ranks(comm_, boundary);
             in_agreement(comm_, [&] {
-                const corners_at_vertices corners(std::move(boundary));
+                corners_.back() = corners_at_vertices(std::move(boundary));
                 for (auto& [number, part] : tiles_)
-                    corners.number(part);
+                    corners_.back().number(part);
             });
         }
         require_agreement();
@@ -167,7 +201,7 @@ private:
         });
         for (auto& list : facts)
             list = all_of_ranks(comm_, list);
-        in_agreement(comm_, [&] { numbering_ = numbering_type(counts_, columns, std::move(facts)); });
+        in_agreement(comm_, [&] { steps_.emplace_back(counts(), columns, std::move(facts)); });
     }
 
     void require_agreement()
@@ -179,7 +213,7 @@ private:
             for (const auto kind : {element_kind::vertex, element_kind::edge, element_kind::face})
                 owned[std::size_t(kind)] += owned_count(marks_of(part, kind));
         owned = comm_.sum(owned);
-        if (owned != std::array{counts_.vertices, counts_.edges, counts_.faces})
+        if (owned != std::array{counts().vertices, counts().edges, counts().faces})
             throw phase_error(0,
                               "level " + std::to_string(level_) + ": the tiles do not own each element once" + remedy);
         field_exchange exchange(comm_, tiles(), element_kind::vertex);
@@ -201,8 +235,10 @@ private:
     Scheme scheme_; // without elements
     int rings_;
     int level_ = 0, generation_ = 0;
-    whole_counts counts_;
-    numbering_type numbering_;
+    control_runs runs_;                 // what this rank knows of the control mesh
+    std::vector<whole_counts> counts_;  // of each level
+    std::vector<numbering_type> steps_; // to the next one
+    std::vector<corners_at_vertices> corners_ = std::vector<corners_at_vertices>(1); // of each level
     std::vector<numbered_tile<tile_type>> tiles_;
     std::vector<Scheme> schemes_; // of the tiles
 };

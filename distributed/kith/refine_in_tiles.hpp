@@ -21,6 +21,7 @@ class tiled_refinement {
 public:
     using tile_type = tile<Point, Index>;
     using job_type = tile_job<tile_type, Scheme>;
+    using kept_type = kept_tile<tile_type, Scheme>;
 
     /// The mesh must outlive this object. `last_rings`: of shadows on the last level, where it keeps its edges. Errors: mesh_error for everything that `refine` refuses but for lack of memory,
     /// for a mesh of face-vertex lists only, for a partition of another mesh, and for more elements than 64 bits can number.
@@ -35,6 +36,9 @@ public:
     /// The numbering of all levels.
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return whole_; }
     [[nodiscard]] std::size_t tiles() const { return cutter_.parts(); }
+
+    /// Who descends from whom, over all levels and by the numbers of the whole mesh. Cost: O(control mesh).
+    [[nodiscard]] auto lineage() const { return whole_.lineage(cutter_.runs()); }
 
     /// The last level of one part, with its edges where asked for. Safe on several threads, each with a part of its own (see
     /// for_each_at_once). Errors: as `refine`.
@@ -51,17 +55,28 @@ public:
     /// The same with the scheme for the next level, if this one keeps its edges.
     [[nodiscard]] job_type refine_job(std::size_t part, connect last, phase_seconds& seconds)
     {
-        auto job = [&] {
-            const std::lock_guard lock(cutting_);
-            const phase_timer timer(seconds[phase::cut]);
-            return cutter_.cut(part, whole_.rings(0));
-        }();
+        auto job = cut(part, seconds);
         const phase_timer timer(seconds[phase::refine]);
         kith::refine(job, whole_, last, [](const auto&) {});
         return job;
     }
+    /// Hands over all levels of one part, each with its scheme (creases, fields) as it is there, from level 0 to the last:
+    /// keep(kept_tile), which may move it away. All have their edges and the shadows that later levels need. Errors: as
+    /// `refine`. Cost: as refine_job; two levels are in memory, and those that are kept.
+    template <std::invocable<kept_type> Keep>
+    void refine_levels(std::size_t part, const Keep& keep)
+    {
+        phase_seconds seconds;
+        kith::refine_levels(part, cut(part, seconds), whole_, keep);
+    }
 
 private:
+    job_type cut(std::size_t part, phase_seconds& seconds)
+    {
+        const std::lock_guard lock(cutting_);
+        const phase_timer timer(seconds[phase::cut]);
+        return cutter_.cut(part, whole_.rings(0));
+    }
     static const basic_mesh<Point, Index>& checked(const basic_mesh<Point, Index>& mesh, const Scheme&, int levels)
     {
         detail::require_control<Scheme>(mesh, levels);

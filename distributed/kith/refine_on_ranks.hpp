@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/error.hpp>
 #include <kith/mpi/communicator.hpp>
 #include <kith/mpi/in_agreement.hpp>
 #include <kith/mpi/session.hpp>
 #include <kith/part/partition.hpp>
 #include <kith/part/phase_seconds.hpp>
 #include <kith/ranks/deal_tiles.hpp>
+#include <kith/ranks/hand_out_tiles.hpp>
 #include <kith/ranks/require_tiles.hpp>
+#include <kith/ranks/runs_of_ranks.hpp>
 #include <kith/ranks/tile_generation.hpp>
 #include <kith/ranks/work_done.hpp>
 #include <kith/tile/cut_tiles.hpp>
@@ -19,12 +22,12 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +41,7 @@ class rank_refinement {
 public:
     using tile_type = tile<Point, Index>;
     using job_type = tile_job<tile_type, Scheme>;
+    using kept_type = kept_tile<tile_type, Scheme>;
 
     /// Collective. `mesh` and `parts` are read on rank 0 only, where the mesh must outlive this object; `scheme` has the
     /// same options on all ranks; its state of the control mesh (creases) counts on rank 0. `last_rings`: the last level keeps
@@ -92,6 +96,9 @@ public:
                 throw mesh_error(name +
                                  ": its numbers depend on the boundary, and the mesh has one; cut it on one rank");
             require_tiles<Scheme>(*held_);
+            if constexpr (not marks_edges<Scheme>)
+                for (const auto& [number, part] : *held_)
+                    runs_.append(control_runs_of<Scheme>(part));
             tile_type no_rim;
             no_rim.mesh = {{}, {}, generation};
             whole_.emplace(counts,
@@ -106,6 +113,19 @@ public:
     /// Local. The numbering of all levels.
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return *whole_; }
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
+
+    /// Collective. Who descends from whom, over all levels and by the numbers of the whole mesh: the same on all ranks, and
+    /// local from then on, wherever the tiles are moved. Errors: phase_error for lack of memory. Cost: runs_of_ranks, of which a
+    /// mesh of one degree has one; O(boundary) memory.
+    [[nodiscard]] whole_lineage<columns_type<Scheme>> lineage()
+    {
+        control_runs runs = runs_;
+        in_agreement(comm_, [&] {
+            if (cutter_)
+                runs = cutter_->runs();
+        });
+        return whole_->lineage(runs_of_ranks(comm_, runs));
+    }
 
     /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
     /// `use` may move away; a third argument is the scheme for the next level, if this one keeps its edges. Tiles that lay on their ranks are refined there, once. A rank with several threads refines up to
@@ -134,6 +154,29 @@ public:
             refine_handed_out(numbers, use, done);
         done.seconds += std::exchange(seconds_, {});
         return done;
+    }
+
+    /// Collective. Refines all tiles as above and hands over each level of each, from level 0 to the last, with its scheme
+    /// (creases, fields) as it is there: keep(kept_tile), which may move it away. All have their edges and the shadows that later
+    /// levels need. Two levels of a tile are in memory, and those that are kept.
+    /// Errors: as above, and phase_error where `last_rings` was left out, so that the last level has no scheme of its own.
+    template <std::invocable<kept_type> Keep>
+    work_done refine_levels(sharing how, const Keep& keep, std::size_t most_at_once = 1)
+    {
+        in_agreement(comm_, [&] {
+            if (last_ != connect::everything)
+                throw mesh_error(
+                    "levels are handed over with their edges and their schemes, and without rings of shadows the "
+                    "last one has neither; give last_rings, 0 or more, to rank_refinement");
+        });
+        return refine(how, keep, most_at_once);
+    }
+    /// Collective. Refines all tiles and returns all levels of those of this rank. Errors: as above.
+    [[nodiscard]] std::vector<kept_type> keep_levels(sharing how)
+    {
+        std::vector<kept_type> result;
+        refine_levels(how, [&](kept_type&& kept) { result.push_back(std::move(kept)); });
+        return result;
     }
 
 private:
@@ -183,79 +226,28 @@ private:
         comm_.agree(problem);
     }
 
-    /// A worker asks for so many tiles, none after an error; the answer are up to so many, numbered, or nothing at the end.
     template <class Use>
     void refine_handed_out(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
+        const auto by_size = [&] { // the largest first
+            auto order = numbers;
+            std::stable_sort(order.begin(), order.end(), [&](std::uint64_t a, std::uint64_t b) {
+                return cutter_->faces(a).size() > cutter_->faces(b).size();
+            });
+            return order;
+        };
+        const auto refine_some = [&](const std::vector<packed_tile>& tiles) {
+            at_once_ = tiles_at_once(tiles.size(), most_at_once_);
+            for_each_at_once(tiles.size(), at_once_, [&](std::size_t i) {
+                refine_one(tiles[i].first, unpack<Point, Index>(tiles[i].second, scheme_), use, done);
+            });
+        };
         in_agreement(comm_, [&] {
             if (comm_.is_root())
-                hand_out(numbers);
+                hand_out_tiles(comm_, by_size(), [&](std::uint64_t t) { return cut(t); });
             else
-                work(use, done);
+                ask_for_tiles(comm_, tiles_at_once(SIZE_MAX, most_at_once_), no_memory_for_tile, refine_some);
         });
-    }
-    void hand_out(std::vector<std::uint64_t> order)
-    {
-        std::stable_sort(order.begin(), order.end(), [&](std::uint64_t a, std::uint64_t b) {
-            return cutter_->faces(a).size() > cutter_->faces(b).size();
-        });
-        std::size_t next = 0;
-        std::string problem;
-        for (int working = comm_.size() - 1; working > 0;) {
-            int worker = communicator::any_rank;
-            const auto question = comm_.receive(worker);
-            const auto wanted = unpacker(question).get<std::uint64_t>();
-            if (wanted == 0)
-                next = order.size(); // it has failed, so the rest is of no use
-            std::vector<std::byte> answer;
-            if (next < order.size() and problem.empty()) {
-                const std::uint64_t left = order.size() - next; // the last ones go to all that work
-                const auto count = std::clamp<std::uint64_t>(left / std::uint64_t(working), 1, wanted);
-                problem = problem_of( // after one the workers hear that nothing is left
-                    [&] {
-                        packer out;
-                        out.add(count);
-                        for (std::uint64_t i = 0; i < count; ++i)
-                            out.add(order[next + i]).add_array(cut(order[next + i]));
-                        answer = out.take();
-                    },
-                    "there is not enough memory to cut tiles");
-                next += count;
-            }
-            working -= answer.empty();
-            comm_.send(answer, worker);
-        }
-        if (not problem.empty())
-            throw std::runtime_error(problem);
-    }
-    template <class Use>
-    void work(const Use& use, work_done& done)
-    {
-        std::string problem;
-        for (;;) {
-            const std::uint64_t wanted = problem.empty() ? tiles_at_once(SIZE_MAX, most_at_once_) : 0;
-            comm_.send(packer().add(wanted).take(), 0);
-            int root = 0;
-            const auto answer = comm_.receive(root);
-            if (answer.empty())
-                break;
-            problem = problem_of(
-                [&] {
-                    unpacker in(answer);
-                    std::vector<std::pair<std::uint64_t, std::vector<std::byte>>> tiles(in.get<std::uint64_t>());
-                    for (auto& [number, packed] : tiles) {
-                        number = in.get<std::uint64_t>();
-                        packed = in.get_array<std::vector<std::byte>>();
-                    }
-                    at_once_ = tiles_at_once(tiles.size(), most_at_once_);
-                    for_each_at_once(tiles.size(), at_once_, [&](std::size_t i) {
-                        refine_one(tiles[i].first, unpack<Point, Index>(tiles[i].second, scheme_), use, done);
-                    });
-                },
-                no_memory_for_tile);
-        }
-        if (not problem.empty())
-            throw std::runtime_error(problem);
     }
 
     template <class Use>
@@ -267,14 +259,25 @@ private:
             more.useful_faces += owned_count(part.face_marks);
         };
         phase_seconds spent;
-        timed(spent[phase::refine], [&] { kith::refine(job, *whole_, last_, count); });
-        more.owned_faces = owned_count(job.part.face_marks);
-        timed(spent[phase::write], [&] {
-            if constexpr (std::invocable<const Use&, std::uint64_t, tile_type, const Scheme&>)
-                use(number, std::move(job.part), std::as_const(job.scheme));
-            else
-                use(number, std::move(job.part));
-        });
+        if constexpr (std::invocable<const Use&, kept_type>) {
+            timed(spent[phase::refine], [&] {
+                kith::refine_levels(number, std::move(job), *whole_, [&](kept_type kept) {
+                    if (kept.level > 0)
+                        count(kept.part);
+                    more.owned_faces = owned_count(kept.part.face_marks);
+                    use(std::move(kept));
+                });
+            });
+        } else {
+            timed(spent[phase::refine], [&] { kith::refine(job, *whole_, last_, count); });
+            more.owned_faces = owned_count(job.part.face_marks);
+            timed(spent[phase::write], [&] {
+                if constexpr (std::invocable<const Use&, std::uint64_t, tile_type, const Scheme&>)
+                    use(number, std::move(job.part), std::as_const(job.scheme));
+                else
+                    use(number, std::move(job.part));
+            });
+        }
         more.seconds.add(spent, at_once_);
         const std::lock_guard lock(adding_);
         done += more;
@@ -285,6 +288,7 @@ private:
     connect last_;
     std::optional<tile_cutter<Point, Index, Scheme>> cutter_; // on rank 0
     std::optional<std::vector<numbered_tile<tile_type>>> held_;
+    control_runs runs_; // of tiles that lay on their ranks
     std::optional<whole_levels<Scheme>> whole_;
     std::uint64_t tiles_ = 0;
     std::size_t most_at_once_ = 1, at_once_ = 1;

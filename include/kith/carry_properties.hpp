@@ -4,6 +4,7 @@
 #include "hierarchy.hpp"
 
 #include <kith/field/field.hpp>
+#include <kith/property/map_value.hpp>
 #include <kith/property/property_access.hpp>
 #include <kith/property/property_values.hpp>
 
@@ -17,11 +18,60 @@
 
 namespace kith {
 
+namespace detail {
+
+/// The rule by which values of type T go that lie on elements with such handles, unless another is asked for.
+template <mesh M, class Handle, class T>
+auto usual_rule()
+{
+    using traits = mesh_traits<M>;
+    if constexpr (std::same_as<Handle, typename traits::vertex>) {
+        if constexpr (affine_value<T>)
+            return by_mask();
+        else
+            return from_vertex();
+    } else if constexpr (std::same_as<Handle, typename traits::edge>) {
+        return along_edges();
+    } else if constexpr (std::same_as<Handle, typename traits::face>) {
+        return from_parent();
+    } else if constexpr (affine_value<T>) {
+        return linear_in_faces();
+    } else {
+        return along_sides();
+    }
+}
+template <mesh M, class Handle>
+inline constexpr field_on kind_of_handle = std::same_as<Handle, typename mesh_traits<M>::vertex> ? field_on::vertices
+                                           : std::same_as<Handle, typename mesh_traits<M>::edge> ? field_on::edges
+                                           : std::same_as<Handle, typename mesh_traits<M>::face> ? field_on::faces
+                                                                                                 : field_on::corners;
+
+} // namespace detail
+
+/// Gives a map the values at the elements of level `to` with such handles that follow from those of another map at level `from`, by a rule
+/// of fields; the usual one is that of carry_properties. A half-edge stands for the corner at its target. Maps are property maps, of any
+/// kind and type, or what takes handles in brackets, such as CGAL's dynamic maps and OpenMesh's property managers; to read, a function is
+/// as good. Errors and cost: those of hierarchy::carry.
+template <class Handle, mesh M, scheme Scheme, class Source, class Target,
+          class Rule = decltype(detail::usual_rule<M, Handle, typename detail::map_value_type<Source, Handle>::type>())>
+void carry_map(const hierarchy<M, Scheme>& levels, int from, int to, const Source& source, Target&& target,
+               const Rule& rule = {})
+{
+    using value = typename detail::map_value_type<Source, Handle>::type;
+    const auto handles = detail::handles_of<Handle>(levels[from]),
+               fine_handles = detail::handles_of<Handle>(levels[to]);
+    storage<value> values(handles.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = detail::map_value(source, handles[i]);
+    const auto fine = levels.carry(from, to, field<detail::kind_of_handle<M, Handle>, value, Rule>(values, rule));
+    for (std::size_t i = 0; i < fine_handles.size(); ++i)
+        detail::put_value(target, fine_handles[i], fine[i]);
+}
+
 /// What has become of the properties of a mesh, by their names.
 struct property_report {
     std::vector<std::string> carried;
-    std::vector<std::string>
-        left_out; ///< of a type that is not known, on half-edges and not to be averaged, or normals
+    std::vector<std::string> left_out; ///< of a type that is not known, or normals
 };
 
 namespace detail {
@@ -42,6 +92,9 @@ void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
 {
     for (const auto& each : at_corners.means())
         at_corners.write_mean(fine, each, levels.carry(from, to, on_corners(each.values)).values());
+    if (at_corners.has_heirs())
+        at_corners.write_heirs(fine,
+                               levels.carry(from, to, on_corners(at_corners.own_heirs(), along_sides())).values());
 }
 template <mesh M, scheme Scheme>
 void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
@@ -64,7 +117,8 @@ void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
 /// vertices, half-edges, edges and faces, of the types that property_access knows, and More.
 /// On vertices, what can be averaged goes by the masks of the scheme, as the points do, and the rest stays with the vertices that
 /// come from a vertex. Faces inherit from their parent, edges from the edge along which they lie; all others have T(). On
-/// half-edges, corners that is, what can be averaged is linear in each face, with its seams.
+/// half-edges what can be averaged is that of corners, linear in each face, with its seams; the rest stays with those that lie along a
+/// half-edge.
 /// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without connectivity
 /// per property that is averaged, and one pass over the levels for the others of a kind; a copy of the values of level `from`.
 template <class... More, mesh M, scheme Scheme>

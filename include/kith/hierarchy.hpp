@@ -6,9 +6,9 @@
 #include <kith/field/field.hpp>
 #include <kith/lineage/level_store.hpp>
 #include <kith/lineage/moved_points.hpp>
-#include <kith/lineage/parent_of.hpp>
 #include <kith/lineage/relatives.hpp>
-#include <kith/lineage/retrieve.hpp>
+#include <kith/lineage/relatives_in_levels.hpp>
+#include <kith/lineage/selection.hpp>
 #include <kith/mask/stencil.hpp>
 
 #include <concepts>
@@ -37,7 +37,7 @@ public:
         require_input<Scheme>(elements(0), levels_.generation(0));
     }
 
-    /// Adds n levels; refine(1) twice is refine(2), bit for bit. Errors: as the function `refine`; the levels so far stay.
+    /// Adds n levels; refine(1) twice is refine(2), bit for bit. Levels that were undone are given up. Errors: as the function `refine`; the levels so far stay.
     void refine(int n = 1)
     {
         static_cast<void>(refine(n, [](double) { return true; }));
@@ -63,6 +63,44 @@ public:
         }
         return true;
     }
+
+    /// Adds a level in which some faces of the last level are refined and the mesh stays conforming; the scheme is `selected`.
+    /// Which: those for which chosen(face) holds, those in a list, or those with a flag, in the order of dense numbers.
+    /// Errors: as above; mesh_error for handles of no face of the last level, and unless there is a flag per face.
+    template <std::predicate<typename traits::face> Chosen>
+        requires selecting_scheme<Scheme, level_type>
+    void refine_if(const Chosen& chosen)
+    {
+        refine_flagged(flags_where(elements(depth()), chosen));
+    }
+    void refine_faces(std::span<const typename traits::face> faces)
+        requires selecting_scheme<Scheme, level_type>
+    {
+        std::vector<unsigned char> flags(elements(depth()).face_count(), 0);
+        for (const auto& f : faces)
+            flags[levels_.at(depth(), f).index()] = 1;
+        refine_flagged(flags);
+    }
+    void refine_flagged(std::span<const unsigned char> flags)
+        requires selecting_scheme<Scheme, level_type>
+    {
+        levels_.add_by([&](Scheme& scheme, const level_type& last) { scheme.select(last, flags); });
+    }
+
+    /// Takes back the last n levels. What they were made by, selections and moved points, is kept until the next change, so that
+    /// `redo` makes them again, the same bits. Errors: mesh_error for fewer than none, and for more than there are.
+    void undo(int n = 1)
+    {
+        detail::require_between(n, depth(), "taken back");
+        levels_.undo(n);
+    }
+    void redo(int n = 1)
+    {
+        detail::require_between(n, undone(), "made again");
+        levels_.redo(n);
+    }
+    /// How many levels `redo` can make again.
+    [[nodiscard]] int undone() const { return levels_.undone(); }
 
     /// From now on level 0 and the last `count` levels stay in memory; the others are dropped, now and whenever levels are
     /// added. Of a dropped level the scheme with its state stays; `restore` makes the rest again. A level whose points
@@ -98,22 +136,22 @@ public:
     [[nodiscard]] const level_type& elements(int level) const { return levels_.elements(level); }
 
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
-    /// under this tuple. Errors: association_error if it made none, or a vertex that it kept in the dictionary, and on the
-    /// last level; mesh_error for handles of no element of this level. Cost: O(1), O(valence) for pairs without their edge.
+    /// under this tuple, which may be of elements that do not touch. Errors: association_error if it made none, and on the last
+    /// level; mesh_error for handles of no element of this level. Cost: that of `retrieve`.
     template <handle_of<M> X, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const
     {
-        return child(level, index_tuple(levels_.at(level, x)), target);
+        return child_of(levels_, level, target, levels_.at(level, x));
     }
     template <handle_of<M> X, handle_of<M> Y, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, Target target) const
     {
-        return child(level, index_tuple(levels_.at(level, x), levels_.at(level, y)), target);
+        return child_of(levels_, level, target, levels_.at(level, x), levels_.at(level, y));
     }
     template <handle_of<M> X, handle_of<M> Y, handle_of<M> Z, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, const Y& y, const Z& z, Target target) const
     {
-        return child(level, index_tuple(levels_.at(level, x), levels_.at(level, y), levels_.at(level, z)), target);
+        return child_of(levels_, level, target, levels_.at(level, x), levels_.at(level, y), levels_.at(level, z));
     }
 
     /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and for
@@ -121,7 +159,7 @@ public:
     template <handle_of<M> X>
     [[nodiscard]] birth<M> origin(int level, const X& x) const
     {
-        return birth_of(level, levels_.at(level, x));
+        return birth_in(levels_, level, levels_.at(level, x));
     }
 
     /// The element of a coarser level from which an element of `level` descends. Each new element has one parent: (v) is the
@@ -132,15 +170,7 @@ public:
     template <handle_of<M> X>
     [[nodiscard]] ancestor_element<M> ancestor(int level, const X& x, int coarser) const
     {
-        require_finer(level, coarser);
-        numbered_element here = numbered(levels_.at(level, x));
-        for (; level > coarser; --level) {
-            const auto found = parent_of(elements(level - 1), levels_.at(level - 1).ids, elements(level), here);
-            if (not found)
-                no_tuple(level);
-            here = *found;
-        }
-        return {elements(coarser), here};
+        return ancestor_in(levels_, level, numbered(levels_.at(level, x)), coarser);
     }
 
     /// The elements of a finer level that have this element of `level` as their ancestor; those of different elements have none
@@ -149,11 +179,7 @@ public:
     template <handle_of<M> X>
     [[nodiscard]] descendant_elements<level_type> descendants(int level, const X& x, int finer) const
     {
-        require_finer(finer, level);
-        auto ranges = only(numbered(levels_.at(level, x)));
-        for (; level < finer; ++level)
-            ranges = children(elements(level), levels_.at(level).ids, elements(level + 1), ranges);
-        return {elements(finer), std::move(ranges)};
+        return descendants_in(levels_, level, numbered(levels_.at(level, x)), finer);
     }
 
     /// Moves the vertices of a level, and those of all finer levels with them: the same bits as refining a mesh with these points,
@@ -166,6 +192,7 @@ public:
         auto moved = carry(level, level, points);
         for (int finer = level; finer <= depth(); ++finer)
             static_cast<void>(levels_.at(finer)); // refused before anything is moved
+        levels_.forget_undone();
         for (bool by_hand = true;; by_hand = false, ++level) {
             set_points(levels_.mesh(level), elements(level), moved);
             levels_.set_moved(level, by_hand);
@@ -181,30 +208,18 @@ public:
     template <affine_value T>
     [[nodiscard]] storage<T> carry(int from, int to, std::span<const T> values) const
     {
-        require_order(from, to);
+        require_order(levels_, from, to);
         if (values.size() != elements(from).vertex_count())
             throw mesh_error("level " + std::to_string(from) + " has " + std::to_string(elements(from).vertex_count()) +
                              " vertices, " + std::to_string(values.size()) + " values were given; give one per vertex");
-        storage<T> result(values);
-        for (int level = from; level < to; ++level) {
-            const auto& here = levels_.at(level);
-            attribute_values<T> run({result.data(), result.size()});
-            run_scheme<connect::nothing, false>(elements(level),
-                                                here.scheme,
-                                                levels_.generation(level),
-                                                here.ids,
-                                                columns_of(here.scheme, levels_.generation(level)),
-                                                run);
-            result = run.take();
-        }
-        return result;
+        return storage<T>(carry(from, to, on_vertices(values, by_mask())).values());
     }
 
     /// A field of level `from` carried to level `to` by its rule: one pass over the levels between. Errors: as above.
     template <field_on Where, class T, class Rule>
     [[nodiscard]] field<Where, T, Rule> carry(int from, int to, field<Where, T, Rule> values) const
     {
-        require_order(from, to);
+        require_order(levels_, from, to);
         for (int level = from; level < to; ++level)
             values = values.after(made_step{levels_.at(level).scheme,
                                             elements(level),
@@ -218,9 +233,18 @@ public:
     /// Cost: O(its entries log of those of a row) time and memory per level.
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
-        require_order(from, to);
-        const auto unit = unit_rows(elements(from).vertex_count());
-        return make_matrix(carry(from, to, std::span<const stencil_row>(unit)), unit.size());
+        require_order(levels_, from, to);
+        return matrix<field_on::vertices>(from, to, by_mask());
+    }
+
+    /// The matrix of a rule of fields: a row for each element of that kind of level `to`, over those of level `from`. On faces
+    /// `from_parent()` sends values down, and its transpose sums them up; on corners it is that of texture coordinates, on edges that of
+    /// what lies along them. Rows of elements that inherit nothing are empty. Errors and cost: as above.
+    template <field_on Where, class Rule>
+    [[nodiscard]] subdivision_matrix matrix(int from, int to, const Rule& rule) const
+    {
+        const auto unit = unit_rows(element_values<Where, stencil_row>::count_on(elements(from)));
+        return make_matrix(carry(from, to, field<Where, stencil_row, Rule>(unit, rule)).values(), unit.size());
     }
 
 private:
@@ -246,51 +270,6 @@ private:
             detail::require_bytes<Scheme>(
                 peak_bytes_keeping_last(planned, levels_.kept()), depth() + n, options_.memory_limit);
         }
-    }
-
-    void require_order(int from, int to) const
-    {
-        static_cast<void>(levels_.at(from));
-        static_cast<void>(levels_.at(to));
-        if (from > to)
-            throw mesh_error("values were to be carried from level " + std::to_string(from) + " to level " +
-                             std::to_string(to) + "; they are carried to the same level or a finer one");
-    }
-    void require_finer(int finer, int coarser) const
-    {
-        static_cast<void>(levels_.at(finer));
-        static_cast<void>(levels_.at(coarser));
-        if (finer < coarser)
-            throw mesh_error("level " + std::to_string(finer) + " was given as the finer, level " +
-                             std::to_string(coarser) + " as the coarser one; give them the other way round");
-    }
-
-    template <tuple_kind Kind, target Target>
-    [[nodiscard]] auto child(int level, tuple_index<Kind> tuple, Target to) const
-    {
-        if (level == depth())
-            throw association_error("level " + std::to_string(level) +
-                                    " is the last, nothing belongs to its elements yet; refine() first");
-        const auto found = retrieve(levels_.at(level).ids, elements(level + 1), tuple, to);
-        if (not found)
-            throw association_error("level " + std::to_string(level) + ": the scheme made nothing under this tuple");
-        return *found;
-    }
-
-    template <element Element>
-    [[nodiscard]] birth<M> birth_of(int level, const Element& x) const
-    {
-        if (level == 0)
-            throw mesh_error("level 0 is the control mesh, whose elements come from no others; ask for the origin "
-                             "of those of level 1 or more");
-        const auto found = kith::birth_of<M>(elements(level - 1), levels_.at(level - 1).ids, elements(level), x);
-        if (not found)
-            no_tuple(level);
-        return *found;
-    }
-    [[noreturn]] static void no_tuple(int level)
-    {
-        throw association_error("level " + std::to_string(level) + ": this element belongs to no tuple of elements");
     }
 
     refine_options options_;

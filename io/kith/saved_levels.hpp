@@ -92,6 +92,18 @@ std::uint64_t checksum_of(const storage<Point>& points)
     return kith::detail::checksum_of_bytes(std::as_bytes(std::span(points.data(), points.size())));
 }
 
+/// Adds a level, of a scheme that refines the faces that are chosen with those that were.
+template <mesh M, scheme Scheme>
+void refine_as_saved(hierarchy<M, Scheme>& levels, unpacker& bytes)
+{
+    if constexpr (selecting_scheme<Scheme, level_of<M>>) {
+        const auto chosen = bytes.get_array<std::vector<unsigned char>>();
+        chosen.empty() ? levels.refine() : levels.refine_flagged(chosen);
+    } else {
+        levels.refine();
+    }
+}
+
 /// The native mesh with the elements of this one.
 template <mesh M>
 auto native(const M& mesh)
@@ -105,7 +117,7 @@ auto native(const M& mesh)
 } // namespace detail
 
 /// Writes a hierarchy with the state of its scheme (creases, fields) so that `read_levels` makes it again: the control mesh, how
-/// often it was refined and the points that `move_points` has moved, as all else follows from them. The bytes are those of
+/// often it was refined, the faces that were chosen for it and the points that `move_points` has moved, as all else follows from them. The bytes are those of
 /// this kind of machine. Left out are removed elements of the control mesh and properties that are no fields of the scheme.
 /// Errors: those of the stream, in its state. Cost: that of the control mesh and of levels that were moved.
 template <mesh M, scheme Scheme>
@@ -124,6 +136,8 @@ void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
     detail::for_each_array(t, [&](const auto& array) { bytes.add_array(array); });
     kith::detail::pack_state(bytes, levels.scheme(0));
     for (int level = 1; level <= levels.depth(); ++level) {
+        if constexpr (selecting_scheme<Scheme, level_of<M>>)
+            bytes.add_array(levels.scheme(level - 1).chosen());
         bytes.add(std::uint8_t(levels.is_moved(level)));
         if (levels.is_moved(level))
             bytes.add_array(detail::points_of(levels.elements(level)));
@@ -182,7 +196,7 @@ try {
         options);
     levels.keep_last(kept);
     for (int level = 1; level <= depth; ++level) {
-        levels.refine();
+        detail::refine_as_saved(levels, bytes);
         if (bytes.get<std::uint8_t>() != 0) {
             const auto moved = bytes.get_array<storage<point>>();
             if constexpr (movable_mesh<M>) // of others none was

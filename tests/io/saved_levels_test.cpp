@@ -4,8 +4,10 @@
 #include "../error_text.hpp"
 #include "../every_scheme.hpp"
 #include "../same_mesh.hpp"
+#include "../some_selections.hpp"
 
 #include <kith/field/with_fields.hpp>
+#include <kith/selected.hpp>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +65,21 @@ struct moved_house {
 };
 
 } // namespace
+
+TEST(saved_levels, levels_with_chosen_faces_are_made_again)
+{
+    hierarchy levels(native(shapes::shaken(shapes::house())), selected(catmull_clark()));
+    refine_some(levels, 3, 13, 5);
+    points3d points(levels[2].points().begin(), levels[2].points().end());
+    points[3][1] += .5;
+    levels.move_points(2, points);
+    auto again = loaded(saved(levels), selected(catmull_clark()));
+    for (int level = 0; level <= 3; ++level)
+        EXPECT_TRUE(same_bits(again[level], levels[level]));
+    again.refine();
+    levels.refine();
+    EXPECT_TRUE(same_bits(again.finest(), levels.finest()));
+}
 
 TEST(saved_levels, are_those_that_were_saved)
 {

@@ -28,6 +28,7 @@ public:
         , on_edges_(mesh, static_cast<types*>(nullptr))
         , on_faces_(mesh, static_cast<types*>(nullptr))
         , vertex_heirs_(heirs_of(at_vertices_))
+        , corner_heirs_(heirs_of(at_corners_))
         , edge_heirs_(heirs_of(on_edges_))
         , face_heirs_(heirs_of(on_faces_))
     {
@@ -50,6 +51,7 @@ public:
         for (auto& each : corner_means_)
             each = each.after(step);
         vertex_heirs_ = vertex_heirs_.after(step);
+        corner_heirs_ = corner_heirs_.after(step);
         face_heirs_ = face_heirs_.after(step);
         if constexpr (Step::numbering_type::has_edges)
             edge_heirs_ = edge_heirs_.after(step);
@@ -65,6 +67,7 @@ public:
         for (std::size_t i = 0; i < corner_means_.size(); ++i)
             at_corners_.write_mean(mesh, at_corners_.means()[i], corner_means_[i].values());
         at_vertices_.write_heirs(mesh, vertex_heirs_.values());
+        at_corners_.write_heirs(mesh, corner_heirs_.values());
         if (not edge_heirs_.empty())
             on_edges_.write_heirs(mesh, edge_heirs_.values());
         on_faces_.write_heirs(mesh, face_heirs_.values());
@@ -85,6 +88,7 @@ private:
     std::vector<field<field_on::vertices, coordinates, by_mask>> vertex_means_;
     std::vector<field<field_on::corners, coordinates, linear_in_faces>> corner_means_;
     field<field_on::vertices, std::uint32_t, from_vertex<>> vertex_heirs_;
+    field<field_on::corners, std::uint32_t, along_sides> corner_heirs_;
     field<field_on::edges, std::uint32_t, along_edges<>> edge_heirs_;
     field<field_on::faces, std::uint32_t, from_parent<>> face_heirs_;
 };

@@ -3,6 +3,7 @@
 
 #include "boundary_facts.hpp"
 #include "column_facts.hpp"
+#include "sums_before.hpp"
 #include "whole_counts.hpp"
 #include "whole_tuple.hpp"
 
@@ -13,6 +14,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,16 +23,28 @@ namespace kith {
 
 namespace detail {
 
+/// The last number from `begin` to before `end` for which `holds`, which is so for none after one for which it is not.
+/// Precondition: it holds for `begin`.
+template <std::predicate<global_id> Holds>
+global_id last_where(global_id begin, global_id end, const Holds& holds)
+{
+    while (end - begin > 1) {
+        const global_id middle = begin + (end - begin) / 2;
+        (holds(middle) ? begin : end) = middle;
+    }
+    return begin;
+}
+
 /// The tuples of a column that give birth in a mesh that nobody holds. Where the boundary leaves tuples out (`inside`,
 /// `on_boundary`), the exceptions are kept: they are few, since they lie along curves. Where marks of edges decide, the
-/// tuple knows how many there are before it.
+/// tuple knows how many there are before it; without one the marked edges come first, unless marks are told.
 class told_tuples {
 public:
     told_tuples() = default;
     /// By marks: how many are picked before a tuple, and the inverse, see picks_by_marks.
     using count_by_marks = global_id (*)(global_id, global_id);
     told_tuples(count_by_marks before, count_by_marks picked, global_id tuples, global_id marked)
-        : count_(before(tuples, marked)), marked_edges_(marked), before_(before), picked_(picked)
+        : count_(before(tuples, marked)), tuples_(tuples), marked_edges_(marked), before_(before), picked_(picked)
     {
     }
     /// By the boundary, of which the facts are all, in their order.
@@ -47,18 +62,36 @@ public:
         count_ = inner ? tuples - excluded : kept;
     }
 
+    /// How many edges before an edge are marked, where those do not come first.
+    void tell(const std::shared_ptr<const sums_before>& marks)
+    {
+        if (before_ != nullptr)
+            marks_ = marks;
+    }
+
     [[nodiscard]] bool is_run() const { return before_ == nullptr and exceptions_.empty(); }
     [[nodiscard]] static global_id first() { return 0; }
     [[nodiscard]] global_id count() const { return count_; }
-    [[nodiscard]] global_id rank(const whole_tuple& tuple, std::size_t) const
+    [[nodiscard]] global_id rank(const whole_tuple& tuple, std::size_t each) const
+    {
+        return before_ != nullptr ? before_(tuple.id, std::min(tuple.marked_before, marked_edges_))
+                                  : rank(tuple.id, each);
+    }
+    [[nodiscard]] global_id rank(global_id tuple, std::size_t each) const
     {
         if (before_ != nullptr)
-            return before_(tuple.id, std::min(tuple.marked_before, marked_edges_));
-        const std::size_t n = exceptions_before(tuple.id);
-        return exceptions_are_all_ ? n : tuple.id - excluded_before(n);
+            return before_(tuple, marked_before(tuple / each));
+        const std::size_t n = exceptions_before(tuple);
+        return exceptions_are_all_ ? n : tuple - excluded_before(n);
     }
-    [[nodiscard]] global_id tuple(global_id rank, std::size_t) const
+    [[nodiscard]] global_id tuple(global_id rank, std::size_t each) const
     {
+        if (marks_ != nullptr) { // of the last element before which no more are picked than before this tuple
+            const auto begin = [&](global_id element) { return before_(each * element, marked_before(element)); };
+            const global_id element = last_where(
+                0, tuples_ / each, [&](global_id candidate) { return begin(candidate) <= rank; });
+            return each * element + (rank - begin(element));
+        }
         if (picked_ != nullptr)
             return picked_(rank, marked_edges_);
         if (exceptions_are_all_)
@@ -82,6 +115,10 @@ public:
     }
 
 private:
+    [[nodiscard]] global_id marked_before(global_id edge) const
+    {
+        return marks_ != nullptr ? marks_->before(edge) : std::min(edge, marked_edges_);
+    }
     [[nodiscard]] std::size_t exceptions_before(global_id tuple) const
     {
         return std::size_t(std::ranges::lower_bound(exceptions_, tuple) - exceptions_.begin());
@@ -89,8 +126,9 @@ private:
     /// Of the first n exceptions those that the column leaves out.
     [[nodiscard]] global_id excluded_before(std::size_t n) const { return n == 0 ? 0 : excluded_[n - 1]; }
 
-    global_id count_ = 0, marked_edges_ = 0;
+    global_id count_ = 0, tuples_ = 0, marked_edges_ = 0;
     count_by_marks before_ = nullptr, picked_ = nullptr;
+    std::shared_ptr<const sums_before> marks_;
     bool exceptions_are_all_ = false;
     std::vector<global_id> exceptions_, excluded_; // tuples at the boundary, increasing; sums
     std::vector<std::int64_t> corners_more_;       // sums of the corners they have beyond their faces
@@ -122,6 +160,7 @@ class whole_column_ids<List<Columns...>> {
 
 public:
     static constexpr std::size_t size = numbers::size;
+    static constexpr auto kinds = numbers::kinds;
 
     whole_column_ids() = default;
     /// From the counts of the coarse level and the facts of all of its boundary, in any order.
@@ -153,9 +192,20 @@ public:
     {
         return numbers_.number(numbers::position(tuple.kind), tuple, tuples_per_element(tuple.kind));
     }
+    /// The ids in column i of tuples that follow one another, all those of some elements. Preconditions and cost: as origin.
+    [[nodiscard]] number_range ids(std::size_t i, const number_range& tuples) const
+    {
+        return numbers_.numbers(i, tuples);
+    }
+    /// Where marks decide: how many edges before an edge are marked, on level 0, where those do not come first.
+    void tell_marks(const std::shared_ptr<const sums_before>& marks)
+    {
+        for (std::size_t i = 0; i < size; ++i)
+            numbers_.picked(i).tell(marks);
+    }
     /// The inverse: the tuple that gave birth to an element, without the corners before it.
-    /// Preconditions: id < total(); where marks decide, the marked edges come first, as they do on all levels but 0.
-    /// Cost: O(log exceptions).
+    /// Preconditions: id < total(); where marks decide, the marked edges come first, as they do on all levels but 0, or marks
+    /// are told. Cost: O(log exceptions); where marks are told O(log elements log runs).
     [[nodiscard]] whole_tuple origin(global_id id) const
     {
         const auto [kind, tuple] = numbers_.origin(id);
@@ -166,6 +216,31 @@ public:
     [[nodiscard]] global_id first_corner(const whole_tuple& tuple) const
     {
         return numbers_.first_corner(numbers::position(tuple.kind), tuple);
+    }
+    /// The same by the number of the face; `corners_before(tuple)` tells those before a tuple (f) or (v) of the coarse level.
+    template <class CornersBefore>
+        requires std::is_invocable_r_v<global_id, const CornersBefore&, const whole_tuple&>
+    [[nodiscard]] global_id first_corner(global_id face, const CornersBefore& corners_before) const
+    {
+        const std::size_t i = numbers_.column_of(face);
+        if (const std::size_t degree = numbers::degree_in(i); degree != 0)
+            return numbers_.first_corner_in(i) + degree * (face - numbers_.base(i));
+        whole_tuple tuple = origin(face);
+        tuple.corners_before = corners_before(tuple);
+        return first_corner(tuple);
+    }
+    /// The inverse: the face that has a corner. Precondition: corner < total_corners(). Cost: O(1) where the column says the
+    /// degree of its faces, else O(log faces) times that of first_corner.
+    template <class CornersBefore>
+        requires std::is_invocable_r_v<global_id, const CornersBefore&, const whole_tuple&>
+    [[nodiscard]] global_id face_of(global_id corner, const CornersBefore& corners_before) const
+    {
+        const std::size_t i = numbers_.column_of_corner(corner);
+        if (const std::size_t degree = numbers::degree_in(i); degree != 0)
+            return numbers_.base(i) + (corner - numbers_.first_corner_in(i)) / degree;
+        return detail::last_where(numbers_.base(i), numbers_.base(i) + numbers_.count(i), [&](global_id face) {
+            return first_corner(face, corners_before) <= corner;
+        });
     }
 
 private:

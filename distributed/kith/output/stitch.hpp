@@ -2,6 +2,7 @@
 #pragma once
 
 #include "offset_file.hpp"
+#include "vtu_arrays.hpp"
 #include "vtu_layout.hpp"
 
 #include <kith/base/error.hpp>
@@ -15,7 +16,10 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace kith {
 
@@ -35,14 +39,18 @@ public:
 
     /// What is not of any tile; one writes it.
     virtual void write_frame(offset_file& file) const = 0;
-    /// The vertices and faces that a tile owns. Local. Errors: write_error, and mesh_error for a vertex that has no finite
-    /// place. Cost: O(corners), and a write for each run of consecutive numbers.
-    virtual void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin) const = 0;
+    /// The vertices and faces that a tile owns, with the values for the arrays that the file was made with, in their order.
+    /// Local. Errors: write_error, and mesh_error for a vertex that has no finite place, and unless there is a value for each
+    /// element. Cost: O(corners), and a write for each run of consecutive numbers.
+    virtual void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin,
+                            std::span<const value_bytes> values = {}) const = 0;
 
     /// Reads back what write_tile has written, whichever rank did, and names a byte that is another one: "byte 302 of
     /// out.vtu". Local. Errors: write_error. Cost: as write_tile.
-    [[nodiscard]] virtual std::optional<std::string>
-    difference(offset_file& file, const tile<std::array<double, 3>>& part, std::uint32_t tile) const = 0;
+    [[nodiscard]] virtual std::optional<std::string> difference(offset_file& file,
+                                                                const tile<std::array<double, 3>>& part,
+                                                                std::uint32_t tile,
+                                                                std::span<const value_bytes> values = {}) const = 0;
 
     /// What of a tile is not in this file has been written. Local.
     [[nodiscard]] virtual bool is_there(std::uint64_t) const { return true; }
@@ -77,9 +85,11 @@ inline std::optional<std::string> named_difference(const offset_file& file, cons
 /// level; tile and rank, which depend on how the work was shared out, only where asked for.
 class vtu_file : public stitched_file {
 public:
-    /// With normals, tiles have theirs, which are point data.
-    vtu_file(const whole_counts& counts, int level, bool with_origin, bool with_normals = false)
-        : level_(level), with_origin_(with_origin), with_normals_(with_normals)
+    /// With normals, tiles have theirs, which are point data. Values of fields are point or cell data, see arrays_of.
+    /// Errors: mesh_error for a field whose name is taken.
+    vtu_file(const whole_counts& counts, int level, bool with_origin, bool with_normals = false,
+             std::vector<file_array> arrays = {})
+        : level_(level), with_origin_(with_origin), with_normals_(with_normals), arrays_(std::move(arrays))
     {
         layout_.open("Points");
         points_ = layout_.add(counts.vertices * 24, "type=\"Float64\" NumberOfComponents=\"3\"");
@@ -88,9 +98,11 @@ public:
         offsets_ = layout_.add(counts.faces * 8, "type=\"Int64\" Name=\"offsets\"");
         types_ = layout_.add(counts.faces, "type=\"UInt8\" Name=\"types\"");
         layout_.close("Cells");
-        if (with_normals) {
-            layout_.open("PointData Normals=\"Normals\"");
-            normals_ = layout_.add(counts.vertices * 24, detail::vtu_normals);
+        if (with_normals or arrays_.any_on(element_kind::vertex)) {
+            layout_.open(with_normals ? "PointData Normals=\"Normals\"" : "PointData");
+            if (with_normals)
+                normals_ = layout_.add(counts.vertices * 24, detail::vtu_normals);
+            arrays_.add_to(layout_, element_kind::vertex, counts.vertices, values_);
             layout_.close("PointData");
         }
         layout_.open("CellData");
@@ -100,21 +112,28 @@ public:
             tiles_ = layout_.add(counts.faces * 4, "type=\"UInt32\" Name=\"tile\"");
             ranks_ = layout_.add(counts.faces * 4, "type=\"UInt32\" Name=\"rank\"");
         }
+        arrays_.add_to(layout_, element_kind::face, counts.faces, values_);
         layout_.close("CellData").finish(counts.vertices, counts.faces);
         size_ = layout_.size();
     }
 
     void write_frame(offset_file& file) const override { layout_.write_frame(file); }
-    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin) const override
+    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin,
+                    std::span<const value_bytes> values = {}) const override
     {
         detail::require_finite(part);
+        require_values(part, arrays_.list(), values);
         put_tile(file, part, origin.tile, with_origin_ ? std::optional(origin.rank) : std::nullopt);
+        put_values(file, part, values);
     }
     [[nodiscard]] std::optional<std::string> difference(offset_file& file, const tile<std::array<double, 3>>& part,
-                                                        std::uint32_t tile) const override
+                                                        std::uint32_t tile,
+                                                        std::span<const value_bytes> values = {}) const override
     {
+        require_values(part, arrays_.list(), values);
         compared_bytes compared(file);
         put_tile(compared, part, tile, std::nullopt);
+        put_values(compared, part, values);
         return detail::named_difference(file, compared);
     }
 
@@ -156,15 +175,31 @@ private:
         if (rank)
             for_owned_faces(ranks_, 4, [&](std::size_t) { return *rank; });
     }
+    void put_values(placed_bytes& file, const tile<std::array<double, 3>>& part,
+                    std::span<const value_bytes> values) const
+    {
+        joined_writes out(file);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const auto& [name, on, type, numbers, bytes] = arrays_.list()[i];
+            const auto ids = ids_of(part, on);
+            const auto marks = marks_of(part, on);
+            for (std::size_t x = 0; x < ids.size(); ++x)
+                if ((marks[x] & owned_mark) != 0)
+                    out.put(layout_.offset(values_[i]) + bytes * ids[x], values[i].data() + bytes * x, bytes);
+            out.flush();
+        }
+    }
 
     int level_;
     bool with_origin_, with_normals_;
+    detail::vtu_arrays arrays_;
+    std::vector<std::size_t> values_; // where they are
     vtu_layout layout_;
     std::size_t points_, connectivity_, offsets_, types_, parents_, levels_; // arrays there
     std::size_t normals_ = 0, tiles_ = 0, ranks_ = 0;
 };
 
-/// Binary PLY. Faces of up to 255 corners, and as many vertices as 32 bits can number.
+/// Binary PLY, without values of fields. Faces of up to 255 corners, and as many vertices as 32 bits can number.
 class ply_file : public stitched_file {
 public:
     /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number.
@@ -182,14 +217,18 @@ public:
     }
 
     void write_frame(offset_file& file) const override { file.write(0, head_.data(), head_.size()); }
-    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin) const override
+    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin,
+                    std::span<const value_bytes> values = {}) const override
     {
         detail::require_finite(part);
+        require_values(part, {}, values);
         put_tile(file, part);
     }
     [[nodiscard]] std::optional<std::string> difference(offset_file& file, const tile<std::array<double, 3>>& part,
-                                                        std::uint32_t) const override
+                                                        std::uint32_t,
+                                                        std::span<const value_bytes> values = {}) const override
     {
+        require_values(part, {}, values);
         compared_bytes compared(file);
         put_tile(compared, part);
         return detail::named_difference(file, compared);

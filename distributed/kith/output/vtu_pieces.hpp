@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,10 +21,14 @@ namespace kith {
 /// (GlobalPointIds, GlobalCellIds). Cell data as in vtu_file.
 class vtu_pieces : public stitched_file {
 public:
-    /// Pieces are written to `directory`, which exists, and looked for in `source`, as seen from the index.
+    /// Pieces are written to `directory`, which exists, and looked for in `source`, as seen from the index. Errors: as vtu_file.
     vtu_pieces(std::string directory, const std::string& source, std::uint64_t tiles, int level, bool with_origin,
-               bool with_normals = false)
-        : directory_(std::move(directory)), level_(level), with_origin_(with_origin), with_normals_(with_normals)
+               bool with_normals = false, std::vector<file_array> arrays = {})
+        : directory_(std::move(directory))
+        , level_(level)
+        , with_origin_(with_origin)
+        , with_normals_(with_normals)
+        , arrays_(std::move(arrays))
     {
         const auto array = [](const std::string& type, const std::string& name) {
             return "<PDataArray type=\"" + type + "\" Name=\"" + name + "\"/>\n";
@@ -35,11 +40,11 @@ public:
             "<PPointData GlobalIds=\"GlobalPointIds\"" +
             std::string(with_normals ? " Normals=\"Normals\"" : "") + ">\n" + array("Int64", "GlobalPointIds") +
             (with_normals ? "<PDataArray " + std::string(detail::vtu_normals) + "/>\n" : "") +
-            "</PPointData>\n<PCellData GlobalIds=\"GlobalCellIds\">\n" + array("Int64", "GlobalCellIds") +
-            array("Int64", "parent") + array("UInt8", "level");
+            arrays_.declarations(element_kind::vertex) + "</PPointData>\n<PCellData GlobalIds=\"GlobalCellIds\">\n" +
+            array("Int64", "GlobalCellIds") + array("Int64", "parent") + array("UInt8", "level");
         if (with_origin)
             index_ += array("UInt32", "tile") + array("UInt32", "rank");
-        index_ += "</PCellData>\n";
+        index_ += arrays_.declarations(element_kind::face) + "</PCellData>\n";
         for (std::uint64_t tile = 0; tile < tiles; ++tile)
             index_ += "<Piece Source=\"" + source + "/" + name(tile) + "\"/>\n";
         index_ += "</PUnstructuredGrid>\n</VTKFile>\n";
@@ -49,24 +54,30 @@ public:
     /// The index.
     void write_frame(offset_file& file) const override { file.write(0, index_.data(), index_.size()); }
     /// The piece, in a file of its own, which is on the disk then.
-    void write_tile(offset_file&, const tile<std::array<double, 3>>& part, cell_origin origin) const override
+    void write_tile(offset_file&, const tile<std::array<double, 3>>& part, cell_origin origin,
+                    std::span<const value_bytes> values = {}) const override
     {
         detail::require_finite(part);
-        const piece out(part, with_origin_, with_normals_);
+        require_values(part, arrays_.list(), values);
+        const piece out(part, with_origin_, with_normals_, arrays_);
         auto file = offset_file::create(path(origin.tile), out.layout.size());
         put_piece(file, part, out, origin.tile, with_origin_ ? std::optional(origin.rank) : std::nullopt);
+        put_values(file, out, values);
         file.flush();
         file.close();
     }
     [[nodiscard]] std::optional<std::string> difference(offset_file&, const tile<std::array<double, 3>>& part,
-                                                        std::uint32_t tile) const override
+                                                        std::uint32_t tile,
+                                                        std::span<const value_bytes> values = {}) const override
     {
-        const piece expected(part, with_origin_, with_normals_);
+        require_values(part, arrays_.list(), values);
+        const piece expected(part, with_origin_, with_normals_, arrays_);
         if (std::filesystem::file_size(path(tile)) != expected.layout.size())
             return "the size of " + path(tile);
         auto file = offset_file::open(path(tile));
         compared_bytes compared(file);
         put_piece(compared, part, expected, tile, std::nullopt);
+        put_values(compared, expected, values);
         return detail::named_difference(file, compared);
     }
     [[nodiscard]] bool is_there(std::uint64_t tile) const override { return std::filesystem::exists(path(tile)); }
@@ -80,8 +91,10 @@ private:
         vtu_layout layout;
         std::size_t points, connectivity, offsets, types, point_ids, cell_ids, parents, levels, normals = 0, tiles = 0,
                                                                                                 ranks = 0;
+        std::vector<std::size_t> values; ///< arrays of fields
 
-        piece(const tile<std::array<double, 3>>& part, bool with_origin, bool with_normals)
+        piece(const tile<std::array<double, 3>>& part, bool with_origin, bool with_normals,
+              const detail::vtu_arrays& arrays)
             : number(part.mesh.vertex_count(), none)
         {
             std::uint64_t corners = 0;
@@ -108,6 +121,7 @@ private:
             point_ids = layout.add(vertices.size() * 8, "type=\"Int64\" Name=\"GlobalPointIds\"");
             if (with_normals)
                 normals = layout.add(vertices.size() * 24, detail::vtu_normals);
+            arrays.add_to(layout, element_kind::vertex, vertices.size(), values);
             layout.close("PointData").open("CellData GlobalIds=\"GlobalCellIds\"");
             cell_ids = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"GlobalCellIds\"");
             parents = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"parent\"");
@@ -116,6 +130,7 @@ private:
                 tiles = layout.add(faces.size() * 4, "type=\"UInt32\" Name=\"tile\"");
                 ranks = layout.add(faces.size() * 4, "type=\"UInt32\" Name=\"rank\"");
             }
+            arrays.add_to(layout, element_kind::face, faces.size(), values);
             layout.close("CellData").finish(vertices.size(), faces.size());
         }
     };
@@ -157,12 +172,26 @@ private:
         if (rank)
             write(p.ranks, p.faces, [&](std::size_t) { return *rank; });
     }
+    void put_values(placed_bytes& file, const piece& p, std::span<const value_bytes> values) const
+    {
+        joined_writes out(file);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const std::size_t bytes = arrays_.list()[i].bytes;
+            std::uint64_t at = p.layout.offset(p.values[i]);
+            for (const std::size_t x : arrays_.list()[i].on == element_kind::vertex ? p.vertices : p.faces) {
+                out.put(at, values[i].data() + bytes * x, bytes);
+                at += bytes;
+            }
+            out.flush();
+        }
+    }
     [[nodiscard]] std::string path(std::uint64_t tile) const { return directory_ + "/" + name(tile); }
     static std::string name(std::uint64_t tile) { return std::to_string(tile) + ".vtu"; }
 
     std::string directory_, index_;
     int level_;
     bool with_origin_, with_normals_;
+    detail::vtu_arrays arrays_;
 };
 
 } // namespace kith

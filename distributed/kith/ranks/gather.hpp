@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "known_state.hpp"
+
 #include <kith/base/error.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/mpi/in_agreement.hpp>
@@ -27,7 +29,7 @@ namespace detail {
 
 /// What a tile has to tell of the faces it owns.
 template <class Point, std::unsigned_integral Index>
-std::vector<std::byte> pack_owned(const tile<Point, Index>& part)
+void pack_owned(packer& out, const tile<Point, Index>& part)
 {
     std::vector<global_id> vertex_ids, faces; // of each face its number, its first corner, its degree, its vertices
     std::vector<Point> points;
@@ -42,7 +44,7 @@ std::vector<std::byte> pack_owned(const tile<Point, Index>& part)
             for (const Index v : part.mesh.face(f))
                 faces.push_back(part.vertex_ids[v]);
         }
-    return packer().add_array(vertex_ids).add_array(points).add_array(faces).take();
+    out.add_array(vertex_ids).add_array(points).add_array(faces);
 }
 
 /// A mesh of face-vertex lists that is filled tile by tile.
@@ -61,17 +63,17 @@ public:
             topology_.face_corner[counts.faces] = Index(counts.corners);
         }
     }
-    /// Precondition: the bytes are those of pack_owned, or none.
-    void add(std::span<const std::byte> packed)
+    using face_corners = typename part_numbers<global_id>::face_corners;
+
+    /// Precondition: what is read is that of pack_owned. Returns the corners of the faces that came, in their order.
+    std::vector<face_corners> add(unpacker& in)
     {
-        if (packed.empty())
-            return; // its rank has failed, and says so
-        unpacker in(packed);
         const auto ids = in.get_array<std::vector<global_id>>();
         const auto points = in.get_array<std::vector<Point>>();
         for (std::size_t i = 0; i < ids.size(); ++i)
             points_[ids[i]] = points[i];
         const auto faces = in.get_array<std::vector<global_id>>();
+        std::vector<face_corners> result;
         for (std::size_t i = 0; i < faces.size();) {
             const global_id face = faces[i], corner = faces[i + 1], degree = faces[i + 2];
             std::copy_n(faces.begin() + std::ptrdiff_t(i + 3), degree, topology_.corner_vertex.begin() + corner);
@@ -79,8 +81,10 @@ public:
                 topology_.face_corner[face] = Index(corner);
                 std::fill_n(topology_.corner_face.begin() + corner, degree, Index(face));
             }
+            result.push_back({corner, degree});
             i += 3 + degree;
         }
+        return result;
     }
     basic_mesh<Point, Index> take(int generation) { return {std::move(points_), std::move(topology_), generation}; }
 
@@ -89,30 +93,29 @@ private:
     connectivity<Index> topology_;
 };
 
-} // namespace detail
-
-/// Collective: a level as one mesh on rank 0, with the numbers and the bits of refining it there, as face-vertex lists
-/// (connect::faces); an empty mesh on the others. `tiles` are those of this rank, `counts` those of the level.
-/// It is asked for by name and refused when it needs more than `memory_limit` bytes there, before anything is allocated.
-/// Errors: phase_error for that, for more elements than Index can number, and when tiles are missing.
-/// Cost: rank 0 receives tile by tile, so it holds the mesh and one tile.
-template <class Point, std::unsigned_integral Index>
-basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_tile<tile<Point, Index>>> tiles,
-                                const whole_counts& counts, std::uint64_t memory_limit)
+/// A level as one mesh on rank 0, of these tiles. `state_bytes` more are needed there for what `pack(out, i)` says of tile i
+/// beside the mesh, which `add(in, corners)` takes, told the corners of the faces that came.
+template <class Point, std::unsigned_integral Index, std::invocable<packer&, std::size_t> Pack, class Add>
+    requires std::invocable<const Add&, unpacker&,
+                            const std::vector<typename gathered_mesh<Point, Index>::face_corners>&>
+basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<const tile<Point, Index>*>& tiles,
+                                      const whole_counts& counts, std::uint64_t memory_limit, std::uint64_t state_bytes,
+                                      const Pack& pack, const Add& add)
 {
     std::array<double, 2> form{0, 0}; // degree and generation, known where a tile is
     std::array<std::uint64_t, 2> owned{0, 0};
-    for (const auto& [number, part] : tiles) {
-        form = {double(part.mesh.topology().degree), double(part.mesh.generation())};
-        owned[0] += owned_count(part.vertex_marks);
-        owned[1] += owned_count(part.face_marks);
+    for (const auto* part : tiles) {
+        form = {double(part->mesh.topology().degree), double(part->mesh.generation())};
+        owned[0] += owned_count(part->vertex_marks);
+        owned[1] += owned_count(part->face_marks);
     }
     const auto [degree, generation] = comm.maximum(form);
     owned = comm.sum(owned);
     basic_mesh<Point, Index> result;
     in_agreement(comm, [&] {
         const std::uint64_t mixed = degree == 0 ? counts.faces + 1 + counts.corners : 0;
-        const std::uint64_t bytes = counts.vertices * sizeof(Point) + (counts.corners + mixed) * sizeof(Index);
+        const std::uint64_t bytes = counts.vertices * sizeof(Point) + (counts.corners + mixed) * sizeof(Index) +
+                                    state_bytes;
         const std::string what = "the level has " + std::to_string(counts.vertices) + " vertices and " +
                                  std::to_string(counts.faces) + " faces";
         const std::string remedy = "; gather a coarser level, or write the tiles into one file";
@@ -126,29 +129,41 @@ basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_til
             throw mesh_error(what + ", the tiles own " + std::to_string(owned[0]) + " and " + std::to_string(owned[1]) +
                              "; give all tiles of the level, each once");
     });
-    std::optional<detail::gathered_mesh<Point, Index>> whole;
+    std::optional<gathered_mesh<Point, Index>> whole;
     in_agreement(comm, [&] { comm.is_root() ? void(whole.emplace(counts, int(degree))) : void(); });
     in_agreement(comm, [&] {
         std::string problem; // nobody may leave while others wait for a message
-        const auto packed = [&](const tile<Point, Index>& part) {
-            std::vector<std::byte> result;
+        const auto packed = [&](std::size_t i) {
+            std::vector<std::byte> message;
             if (problem.empty())
-                problem = problem_of([&] { result = detail::pack_owned(part); },
-                                     "there is not enough memory to send a tile");
-            return result;
+                problem = problem_of(
+                    [&] {
+                        packer out;
+                        pack_owned(out, *tiles[i]);
+                        pack(out, i);
+                        message = out.take();
+                    },
+                    "there is not enough memory to send a tile");
+            return message;
         };
-        const auto add = [&](const std::vector<std::byte>& message) {
-            if (problem.empty())
-                problem = problem_of([&] { whole->add(message); }, "there is not enough memory to gather a tile");
+        const auto take = [&](const std::vector<std::byte>& message) {
+            if (problem.empty() and not message.empty()) // else its rank has failed, and says so
+                problem = problem_of(
+                    [&] {
+                        unpacker in(message);
+                        const auto corners = whole->add(in);
+                        add(in, corners);
+                    },
+                    "there is not enough memory to gather a tile");
         };
         if (not comm.is_root())
             comm.send(packer().add(std::uint64_t(tiles.size())).take(), 0);
-        for (const auto& [number, part] : tiles)
-            comm.is_root() ? add(packed(part)) : comm.send(packed(part), 0);
+        for (std::size_t i = 0; i < tiles.size(); ++i)
+            comm.is_root() ? take(packed(i)) : comm.send(packed(i), 0);
         for (int rank = 1; comm.is_root() and rank < comm.size(); ++rank) {
             const auto count = comm.receive(rank);
             for (auto left = unpacker(count).get<std::uint64_t>(); left > 0; --left)
-                add(comm.receive(rank));
+                take(comm.receive(rank));
         }
         if (not problem.empty())
             throw std::runtime_error(problem);
@@ -156,6 +171,79 @@ basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_til
     if (comm.is_root())
         result = whole->take(int(generation));
     return result;
+}
+
+} // namespace detail
+
+/// Collective: a level as one mesh on rank 0, with the numbers and the bits of refining it there, as face-vertex lists
+/// (connect::faces); an empty mesh on the others. `tiles` are those of this rank, `counts` those of the level.
+/// It is asked for by name and refused when it needs more than `memory_limit` bytes there, before anything is allocated.
+/// Errors: phase_error for that, for more elements than Index can number, and when tiles are missing.
+/// Cost: rank 0 receives tile by tile, so it holds the mesh and one tile.
+template <class Point, std::unsigned_integral Index>
+basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_tile<tile<Point, Index>>> tiles,
+                                const whole_counts& counts, std::uint64_t memory_limit)
+{
+    std::vector<const tile<Point, Index>*> parts;
+    for (const auto& numbered : tiles)
+        parts.push_back(&numbered.part);
+    return detail::gather_tiles(
+        comm, parts, counts, memory_limit, 0, [](packer&, std::size_t) {}, [](unpacker&, const auto&) {});
+}
+
+/// A level as one mesh, and the scheme for it.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+struct gathered_level {
+    basic_mesh<Point, Index> mesh;
+    Scheme scheme;
+};
+
+/// Collective. The same for the tiles of `level` among those that are kept, with their state (creases, fields), by the numbers
+/// of the whole mesh. `scheme` has the options of theirs, on all ranks; its state does not count, and on other ranks than 0 the
+/// one that is returned has none. Twice the bytes of the state count for the limit, as it grows tile by tile.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+gathered_level<Point, Index, Scheme>
+gather(communicator& comm, const std::vector<kept_tile<tile<Point, Index>, Scheme>>& tiles, int level,
+       const whole_counts& counts, std::uint64_t memory_limit, const Scheme& scheme)
+{
+    std::vector<const tile<Point, Index>*> parts;
+    std::vector<const Scheme*> schemes;
+    for (const auto& kept : tiles)
+        if (kept.level == level) {
+            parts.push_back(&kept.part);
+            schemes.push_back(&kept.scheme);
+        }
+    const auto owned_state = [&](std::size_t i) {
+        std::vector<Index> faces;
+        for (std::size_t f = 0; f < parts[i]->mesh.face_count(); ++f)
+            if (parts[i]->owns_face(f))
+                faces.push_back(Index(f));
+        return kith::detail::state_at_faces(*parts[i], *schemes[i], std::move(faces));
+    };
+    std::uint64_t bytes = 0;
+    in_agreement(comm, [&] {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            packer out;
+            kith::detail::pack_state(out, owned_state(i).scheme);
+            bytes += out.take().size();
+        }
+    });
+    bytes = comm.sum(std::array{bytes})[0];
+    const Scheme without = kith::detail::scheme_of_part(scheme, part_numbers<Index>());
+    Scheme whole = without;
+    auto mesh = detail::gather_tiles(
+        comm,
+        parts,
+        counts,
+        memory_limit,
+        2 * bytes,
+        [&](packer& out, std::size_t i) { kith::detail::pack_known_state(out, owned_state(i)); },
+        [&](unpacker& in, const std::vector<part_numbers<global_id>::face_corners>& corners) {
+            const auto known = kith::detail::unpack_known_state(in, without);
+            const auto& [vertices, edges, faces, degrees] = known.elements;
+            kith::detail::add_state(whole, known.scheme, part_numbers<global_id>{vertices, edges, faces, 0, corners});
+        });
+    return {std::move(mesh), std::move(whole)};
 }
 
 } // namespace kith::mpi

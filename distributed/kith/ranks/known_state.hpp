@@ -96,6 +96,23 @@ known_state<Scheme> unpack_known_state(unpacker& in, Scheme scheme)
     return {std::move(scheme), std::move(elements)};
 }
 
+/// Lets the state of a scheme take over that of another of its kind for a part, whose elements have these numbers here.
+template <scheme Scheme, std::unsigned_integral Index>
+void add_state(Scheme& scheme, const Scheme& of_part, const part_numbers<Index>& part)
+{
+    for_each_state(scheme, of_part, [&]<class State>(State& state, const State& more) {
+        constexpr bool joins = requires { state.add_part(more, part); };
+        static_assert(
+            joins,
+            "the state that a scheme names in its traits() needs add_part(const T&, const part_numbers<Index>&), the "
+            "inverse of of_part, to be gathered on one rank and to be refined with shadows that are fetched; give it "
+            "that, or "
+            "use rank_refinement");
+        if constexpr (joins)
+            state.add_part(more, part);
+    });
+}
+
 /// Lets the scheme of a tile take over what another of its kind knows of elements that the tile has.
 /// Cost: O(elements log of them).
 template <scheme Scheme, tile_like Tile>
@@ -129,16 +146,7 @@ void take_over(Scheme& scheme, const Tile& part, const Scheme& other, const whol
     }
     const Scheme shared = scheme_of_part(other,
                                          part_numbers<index>{vertices.there, edges.there, faces.there, 0, there});
-    const part_numbers<index> here{vertices.here, edges.here, faces.here, 0, here_corners};
-    for_each_state(scheme, shared, [&]<class State>(State& state, const State& more) {
-        constexpr bool joins = requires { state.add_part(more, here); };
-        static_assert(
-            joins,
-            "the state that a scheme names in its traits() needs add_part(const T&, const part_numbers<Index>&), the "
-            "inverse of of_part, to be refined with shadows that are fetched; give it that, or use rank_refinement");
-        if constexpr (joins)
-            state.add_part(more, here);
-    });
+    add_state(scheme, shared, part_numbers<index>{vertices.here, edges.here, faces.here, 0, here_corners});
 }
 
 } // namespace kith::detail

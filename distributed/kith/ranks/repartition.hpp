@@ -20,22 +20,25 @@
 
 namespace kith::mpi {
 
-/// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile that
-/// is not there, or there twice.
-template <tile_like Tile>
-std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
-                                       std::uint64_t all_tiles)
+namespace detail {
+
+/// `tiles` have a number and a part, `is_meant(tile)` says which of them are of the level.
+template <class Tiles, std::predicate<const typename Tiles::value_type&> IsMeant>
+std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, std::uint64_t all_tiles,
+                                       const IsMeant& is_meant)
 {
     std::vector<std::uint64_t> faces(all_tiles), seen(all_tiles);
     std::string problem;
-    for (const auto& [number, part] : tiles) {
-        if (number >= all_tiles) {
-            problem = "tile " + std::to_string(number) + " is not one of " + std::to_string(all_tiles) +
+    for (const auto& tile : tiles) {
+        if (not is_meant(tile))
+            continue;
+        if (tile.number >= all_tiles) {
+            problem = "tile " + std::to_string(tile.number) + " is not one of " + std::to_string(all_tiles) +
                       "; give the number of all tiles";
             break;
         }
-        ++seen[number];
-        faces[number] += owned_count(part.face_marks);
+        ++seen[tile.number];
+        faces[tile.number] += owned_count(tile.part.face_marks);
     }
     comm.agree(problem);
     seen = comm.sum(std::move(seen));
@@ -45,6 +48,24 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbe
                       " times; give all tiles of the level, each once";
     comm.agree(problem);
     return comm.sum(std::move(faces));
+}
+
+} // namespace detail
+
+/// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile that
+/// is not there, or there twice.
+template <tile_like Tile>
+std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
+                                       std::uint64_t all_tiles)
+{
+    return detail::owned_faces(comm, tiles, all_tiles, [](const auto&) { return true; });
+}
+/// Collective. The same for the tiles of `level` among those that are kept.
+template <tile_like Tile, scheme Scheme>
+std::vector<std::uint64_t> owned_faces(communicator& comm, const std::vector<kept_tile<Tile, Scheme>>& tiles, int level,
+                                       std::uint64_t all_tiles)
+{
+    return detail::owned_faces(comm, tiles, all_tiles, [&](const auto& kept) { return kept.level == level; });
 }
 
 /// A rank for each tile, so that all ranks get about as many faces: the largest tile first, each to the rank that has least
@@ -64,19 +85,13 @@ inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_t
     return rank_of;
 }
 
-/// Collective: moves tiles of any level to other ranks; tile t goes to rank `rank_of[t]`, which is the same list on all
-/// ranks. Returns those that are here now, in the order of their numbers, with all they knew: their roots on level 0 travel
-/// with them, and the tuple that an element came from is whole_numbering::origin of its number, on any rank.
-/// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory where
-/// messages are made and taken apart; mpi::error, and std::bad_alloc in between, which no other rank hears of.
-/// Cost: a message per pair of ranks; the tiles of this rank are in memory twice meanwhile.
-template <class Point, std::unsigned_integral Index>
-std::vector<numbered_tile<tile<Point, Index>>>
-repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> tiles, std::span<const int> rank_of)
+namespace detail {
+
+/// Moves things that have the number of a tile: `write(packer, moving)` empties one, `read(unpacker, number)` makes it again.
+template <class Moving, std::invocable<packer&, Moving&> Write, std::invocable<unpacker&, std::uint64_t> Read>
+std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles, std::span<const int> rank_of,
+                                  const Write& write, const Read& read)
 {
-    struct no_scheme { // tiles move without one
-        static constexpr auto columns() { return kith::columns(new_vertices(), new_faces()); }
-    };
     std::vector<std::vector<std::byte>> to(std::size_t(comm.size()));
     in_agreement(comm, [&] {
         for (const auto& moving : tiles) {
@@ -89,10 +104,12 @@ repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> t
         }
     });
     in_agreement(comm, [&] {
-        for (auto& [number, part] : tiles) {
-            const auto packed = pack(tile_job<tile<Point, Index>, no_scheme>{std::exchange(part, {}), {}});
-            const auto message = packer().add(number).add_array(packed).take();
-            auto& bytes = to[std::size_t(rank_of[number])];
+        for (auto& moving : tiles) {
+            packer out;
+            out.add(moving.number);
+            write(out, moving);
+            const auto message = out.take();
+            auto& bytes = to[std::size_t(rank_of[moving.number])];
             bytes.insert(bytes.end(), message.begin(), message.end());
         }
     });
@@ -102,12 +119,66 @@ repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> t
         for (const auto& bytes : came)
             for (unpacker in(bytes); not in.is_at_end();) {
                 const auto number = in.template get<std::uint64_t>();
-                const auto packed = in.template get_array<std::vector<std::byte>>();
-                tiles.push_back({number, unpack<Point, Index>(packed, no_scheme()).part});
+                tiles.push_back(read(in, number));
             }
-        std::ranges::sort(tiles, {}, [](const auto& moved) { return moved.number; });
+        std::ranges::stable_sort(tiles, {}, &Moving::number);
     });
     return tiles;
+}
+
+} // namespace detail
+
+/// Collective: moves tiles of any level to other ranks; tile t goes to rank `rank_of[t]`, which is the same list on all
+/// ranks. Returns those that are here now, in the order of their numbers, with all they knew: their roots on level 0 travel
+/// with them, and what an element came from follows from its number, on any rank (whole_numbering::origin, whole_lineage).
+/// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory where
+/// messages are made and taken apart; mpi::error, and std::bad_alloc in between, which no other rank hears of.
+/// Cost: a message per pair of ranks; the tiles of this rank are in memory twice meanwhile.
+template <class Point, std::unsigned_integral Index>
+std::vector<numbered_tile<tile<Point, Index>>>
+repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> tiles, std::span<const int> rank_of)
+{
+    struct no_scheme { // tiles move without one
+        static constexpr auto columns() { return kith::columns(new_vertices(), new_faces()); }
+    };
+    using moving = numbered_tile<tile<Point, Index>>;
+    return detail::move_to_ranks(
+        comm,
+        std::move(tiles),
+        rank_of,
+        [](packer& out, moving& tile) {
+            out.add_array(pack(tile_job<decltype(tile.part), no_scheme>{std::exchange(tile.part, {}), {}}));
+        },
+        [](unpacker& in, std::uint64_t number) {
+            const auto packed = in.get_array<std::vector<std::byte>>();
+            return moving{number, unpack<Point, Index>(packed, no_scheme()).part};
+        });
+}
+
+/// Collective. The same for tiles with their schemes, of one or several levels: their state (creases, fields) moves with them.
+/// The levels of a tile stay together, in their order. `scheme` has the options of theirs, on all ranks; its state does not count.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+std::vector<kept_tile<tile<Point, Index>, Scheme>> repartition(communicator& comm,
+                                                               std::vector<kept_tile<tile<Point, Index>, Scheme>> tiles,
+                                                               std::span<const int> rank_of, const Scheme& scheme)
+{
+    using moving = kept_tile<tile<Point, Index>, Scheme>;
+    auto result = detail::move_to_ranks(
+        comm,
+        std::move(tiles),
+        rank_of,
+        [](packer& out, moving& kept) {
+            out.add(kept.level);
+            out.add_array(pack(tile_job<decltype(kept.part), Scheme>{std::exchange(kept.part, {}), kept.scheme}));
+        },
+        [&](unpacker& in, std::uint64_t number) {
+            const int level = in.get<int>();
+            const auto packed = in.get_array<std::vector<std::byte>>();
+            auto [part, its_scheme] = unpack<Point, Index>(packed, scheme);
+            return moving{number, level, std::move(part), std::move(its_scheme)};
+        });
+    std::ranges::stable_sort(result, {}, [](const moving& kept) { return std::pair(kept.number, kept.level); });
+    return result;
 }
 
 } // namespace kith::mpi

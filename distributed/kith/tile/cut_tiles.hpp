@@ -6,6 +6,7 @@
 #include <kith/base/error.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/number/column_facts.hpp>
+#include <kith/number/control_numbers.hpp>
 #include <kith/number/whole_counts.hpp>
 #include <kith/part/partition.hpp>
 #include <kith/part/reach.hpp>
@@ -31,7 +32,7 @@ public:
 
     /// `part_of[f]` is the part of face f, below `parts`. Parts may be empty, and need not be connected.
     /// Preconditions: `refine` takes the mesh, which has its edges, and the mesh outlives this object. Errors: mesh_error for
-    /// a partition of another mesh, a part that does not exist and more parts than can be held. Cost: O(elements).
+    /// a partition of another mesh, a part that does not exist, more parts than can be held, and fields of another mesh. Cost: O(elements).
     tile_cutter(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const std::uint32_t> part_of,
                 std::size_t parts)
         : mesh_(mesh), level_(mesh), scheme_(scheme), cutter_(mesh), first_(checked(parts, mesh) + 1, 0)
@@ -47,6 +48,10 @@ public:
         }
         for (std::size_t p = 0; p < parts; ++p)
             first_[p + 1] += first_[p];
+        detail::for_each_state(std::as_const(scheme_), [&](const auto& state) {
+            if constexpr (requires { state.require_one_each(level_); })
+                state.require_one_each(level_);
+        });
         faces_.resize(part_of.size());
         auto next = first_;
         for (std::size_t f = 0; f < part_of.size(); ++f)
@@ -71,6 +76,9 @@ public:
                 mesh_.corner_count(),
                 marked_before_.empty() ? 0 : marked_before_.back()};
     }
+
+    /// What no formula tells of the mesh, see whole_lineage. Cost: O(elements).
+    [[nodiscard]] control_runs runs() const { return control_runs_of<Scheme>(mesh_); }
 
     /// Part `part` with `rings` rings of shadows. Cost: O(its elements log of them).
     [[nodiscard]] job_type cut(std::size_t part, int rings) { return cut_around(faces(part), rings); }

@@ -9,6 +9,7 @@
 #include <kith/refine.hpp>
 
 #include <concepts>
+#include <cstdint>
 #include <utility>
 
 namespace kith {
@@ -39,6 +40,21 @@ void refine(tile_job<Tile, Scheme>& job, const whole_levels<Scheme>& whole, conn
                                                       : refine_once(job.part, job.scheme, level, whole);
         each(std::as_const(job.part));
     }
+}
+/// Refines tile `number` of level 0 through all levels, and hands over each of them with its scheme, from level 0 to the last:
+/// keep(kept_tile). All have their edges, and so many rings of shadows as `whole` says. Two levels are in memory meanwhile, and
+/// those that are kept.
+template <tile_like Tile, reaching_scheme Scheme, std::invocable<kept_tile<Tile, Scheme>> Keep>
+void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const whole_levels<Scheme>& whole,
+                   const Keep& keep)
+{
+    kept_tile<Tile, Scheme> here{number, 0, std::move(job.part), std::move(job.scheme)};
+    for (int level = 0; level < whole.levels(); ++level) {
+        Scheme scheme = here.scheme;
+        Tile next = refine_once(here.part, scheme, level, whole);
+        keep(std::exchange(here, {number, level + 1, std::move(next), std::move(scheme)}));
+    }
+    keep(std::move(here));
 }
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme, class Each>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole, connect last,

@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,6 +17,15 @@ namespace kith {
 /// A tile of level 0 and the scheme for it, whose state (creases) is numbered as the tile is.
 template <tile_like Tile, scheme Scheme>
 struct tile_job {
+    Tile part;
+    Scheme scheme;
+};
+
+/// A tile of any level, and the scheme for it, whose state (creases, fields) is that of this level, numbered as the tile is.
+template <tile_like Tile, scheme Scheme>
+struct kept_tile {
+    std::uint64_t number = 0; ///< which of all tiles
+    int level = 0;
     Tile part;
     Scheme scheme;
 };

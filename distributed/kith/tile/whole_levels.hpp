@@ -5,6 +5,7 @@
 
 #include <kith/number/column_facts.hpp>
 #include <kith/number/corners_at_vertices.hpp>
+#include <kith/number/whole_lineage.hpp>
 #include <kith/number/whole_numbering.hpp>
 #include <kith/part/reach.hpp>
 
@@ -67,6 +68,12 @@ public:
         return numberings_[std::size_t(level)];
     }
     [[nodiscard]] const corners_at_vertices& corners(int level) const { return corners_[std::size_t(level)]; }
+
+    /// Who descends from whom, by numbers. `control` is all of the control mesh. Cost: O(boundary).
+    [[nodiscard]] whole_lineage<columns_type> lineage(const control_runs& control) const
+    {
+        return {counts_, numberings_, corners_, control.joined()};
+    }
 
 private:
     std::vector<int> rings_;

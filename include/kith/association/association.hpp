@@ -174,14 +174,14 @@ public:
     template <class Association>
     void refers_to(const Association& other) const
     {
-        space_->dictionary_.add(tuple_, other.id());
+        space_->dictionary_.add_name(tuple_, other.id());
     }
     [[nodiscard]] index id() const
     {
         if constexpr (has_edge_column)
             if (edge_ != no_edge)
                 return space_->template vertex_id<tuple_kind::e>(edge_);
-        return space_->dictionary_.find(tuple_);
+        return space_->dictionary_.at(tuple_);
     }
     template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values&) const

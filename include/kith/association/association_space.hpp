@@ -78,12 +78,20 @@ public:
     template <class... Columns>
     [[nodiscard]] auto pass(const new_vertices<Columns...>& vertices) const
     {
-        using ids = numbering<columns<new_vertices<Columns...>, new_edges<>, new_faces<>>, index_type>;
-        return pass_space<Level, ids, Values, Checked>(*coarse_, {vertices, new_edges(), new_faces()}, *values_);
+        return pass(columns(vertices, new_edges(), new_faces()));
+    }
+    /// The same with all columns of a scheme, which may run in it: it makes its vertices and no edges and faces.
+    template <declared_columns Columns>
+    [[nodiscard]] auto pass(const Columns& columns) const
+    {
+        return pass_space<Level, numbering<Columns, index_type>, Values, Checked>(*coarse_, columns, *values_);
     }
 
     /// What a mask comes to, without a vertex: a sum that several masks have in common.
     [[nodiscard]] sum evaluate(const mask auto& mask) const { return mask.evaluate(*values_); }
+
+    /// The vertices that are in no column, moved out of this space.
+    [[nodiscard]] vertex_dictionary<index_type> take_dictionary() { return std::move(dictionary_); }
 
     /// Which elements have been made; empty unless Checked.
     [[nodiscard]] const made_elements<index_type>& made() const { return made_; }
@@ -128,7 +136,7 @@ private:
             const bool incident = tuple.value != tuple.not_incident;
             return dictionary_association<const association_space>(
                 *this,
-                incident ? list_tuple(*coarse_, kind, tuple.value) : list_tuple(x...),
+                listed_tuple(*coarse_, tuple, x...),
                 incident and has_vertices<kind> ? tuple.value
                                                 : dictionary_association<const association_space>::no_edge);
         } else {
@@ -183,7 +191,7 @@ private:
     }
     [[nodiscard]] decltype(auto) listed_value(const tuple_elements& tuple) const
     {
-        const index_type id = dictionary_.find(tuple);
+        const index_type id = dictionary_.at(tuple);
         if constexpr (Checked)
             if (id < made_.vertices().size() and not made_.vertices()[id]) // it refers to a vertex of a column
                 faults::refuse(tuple, faults::vertex_read_early);

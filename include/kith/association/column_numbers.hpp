@@ -105,6 +105,7 @@ public:
     /// The corners of all new faces.
     [[nodiscard]] std::uint64_t total_corners() const { return first_corner_[size]; }
     [[nodiscard]] const Picked& picked(std::size_t i) const { return picked_[i]; }
+    [[nodiscard]] Picked& picked(std::size_t i) { return picked_[i]; }
 
     /// The number in column i of a tuple that is picked there.
     [[nodiscard]] Index number(std::size_t i, const auto& tuple, std::size_t each) const
@@ -146,6 +147,25 @@ public:
     }
     /// How many corners a new face has if its column says it while compiling, else 0. Precondition: id < total().
     [[nodiscard]] std::size_t degree(std::uint64_t id) const { return degrees[column_of(id)]; }
+    /// The column of a new element. Precondition: id < total().
+    [[nodiscard]] std::size_t column_of(std::uint64_t id) const
+    {
+        std::size_t i = 0;
+        while (id >= base_[i + 1])
+            ++i;
+        return i;
+    }
+    /// The column of a new face by one of its corners. Precondition: corner < total_corners().
+    [[nodiscard]] std::size_t column_of_corner(std::uint64_t corner) const
+    {
+        std::size_t i = 0;
+        while (corner >= first_corner_[i + 1])
+            ++i;
+        return i;
+    }
+    /// How many corners the faces of column i have if it says it while compiling, else 0; and the first corner of all.
+    [[nodiscard]] static constexpr std::size_t degree_in(std::size_t i) { return degrees[i]; }
+    [[nodiscard]] std::uint64_t first_corner_in(std::size_t i) const { return first_corner_[i]; }
     /// The first corner of the face that a tuple in column i gives birth to.
     [[nodiscard]] std::uint64_t first_corner(std::size_t i, const auto& tuple) const
     {
@@ -157,13 +177,6 @@ public:
 private:
     static constexpr std::array<std::size_t, size> degrees{detail::fixed_degree_of<decltype(Columns::degree)>...};
 
-    [[nodiscard]] std::size_t column_of(std::uint64_t id) const
-    {
-        std::size_t i = 0;
-        while (id >= base_[i + 1])
-            ++i;
-        return i;
-    }
     static std::uint64_t index_of(std::uint64_t index) { return index; }
     static std::uint64_t index_of(const auto& tuple)
         requires requires { tuple.id; }

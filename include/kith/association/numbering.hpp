@@ -2,6 +2,7 @@
 #pragma once
 
 #include "column_ids.hpp"
+#include "vertex_dictionary.hpp"
 
 #include <kith/base/error.hpp>
 
@@ -70,14 +71,15 @@ concept level_numbering = requires(const N& ids) {
     requires element_ids<std::remove_cvref_t<decltype(ids.vertices)>>;
     requires element_ids<std::remove_cvref_t<decltype(ids.edges)>>;
     requires element_ids<std::remove_cvref_t<decltype(ids.faces)>>;
+    requires std::same_as<std::remove_cvref_t<decltype(ids.dictionary)>, vertex_dictionary<typename N::index_type>>;
     // The columns declare edges; without them they are matched.
     { N::has_edges } -> std::convertible_to<bool>;
     // How many corners all new faces have, where that is known while compiling, else 0.
     { N::common_degree } -> std::convertible_to<std::size_t>;
 };
 
-/// The ids of all elements of the next level, in closed form from the columns. It is all that remains of an association
-/// space once the level is made: which element belongs to a tuple, and, by `origin`, which tuple to an element.
+/// The ids of all elements of the next level, in closed form from the columns, and those vertices that are in none. It is all that
+/// remains of an association space once the level is made: which element belongs to a tuple, and, by `origin`, which tuple to an element.
 template <declared_columns Columns, std::unsigned_integral Index>
 class numbering {
     template <class List>
@@ -98,12 +100,16 @@ public:
     typename ids_of<decltype(Columns::vertices)>::type vertices;
     typename ids_of<decltype(Columns::edges)>::type edges;
     typename ids_of<decltype(Columns::faces)>::type faces;
+    vertex_dictionary<Index> dictionary; ///< filled by the step; empty for schemes that use none
 
     numbering() = default;
     /// Errors: mesh_error if the next level has more elements than Index can number; nothing is allocated for it then.
     template <level Level>
     numbering(const Level& coarse, const Columns& columns)
-        : vertices(coarse, columns.vertices.list), edges(coarse, columns.edges.list), faces(coarse, columns.faces.list)
+        : vertices(coarse, columns.vertices.list)
+        , edges(coarse, columns.edges.list)
+        , faces(coarse, columns.faces.list)
+        , dictionary()
     {
         detail::require_numbers<Index>(vertices.total(), 1, "vertices");
         detail::require_numbers<Index>(edges.total(), 2, "edges"); // half-edges are numbered, too

@@ -196,6 +196,13 @@ template <level Level>
     return {};
 }
 
+/// The tuple of these elements, with this index, as it is looked up in a dictionary: two neighbours are their edge.
+template <level Level, tuple_kind Kind, element... X>
+[[gnu::noinline]] tuple_elements listed_tuple(const Level& level, tuple_index<Kind> tuple, const X&... x)
+{
+    return tuple.value != tuple.not_incident ? list_tuple(level, Kind, tuple.value) : list_tuple(x...);
+}
+
 [[gnu::noinline]] inline std::string to_string(const tuple_elements& tuple)
 {
     std::string result = "(";

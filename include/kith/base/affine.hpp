@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 
 namespace kith {
 
@@ -41,6 +44,37 @@ struct affine<std::array<Scalar, N>> : coordinates_affine<Scalar, N> {
     static const std::array<Scalar, N>& load(const std::array<Scalar, N>& value) { return value; }
     static const std::array<Scalar, N>& store(const std::array<Scalar, N>& total) { return total; }
 };
+
+/// A weighted sum as an integer: rounded, and kept in range where weights are negative.
+template <std::integral Integer>
+Integer rounded(double x)
+{
+    return Integer(std::lround(
+        std::clamp(x, double(std::numeric_limits<Integer>::min()), double(std::numeric_limits<Integer>::max()))));
+}
+
+/// Coordinates that are integers, such as the channels of a colour: combined as doubles and rounded at the end.
+template <class T, std::integral Coordinate, std::size_t N>
+struct rounded_affine : coordinates_affine<double, N> {
+    using typename coordinates_affine<double, N>::sum;
+
+    static sum load(const T& value)
+    {
+        sum result;
+        for (std::size_t i = 0; i < N; ++i)
+            result[i] = double(value[i]);
+        return result;
+    }
+    static T store(const sum& total)
+    {
+        T result;
+        for (std::size_t i = 0; i < N; ++i)
+            result[i] = rounded<Coordinate>(total[i]);
+        return result;
+    }
+};
+template <std::integral Scalar, std::size_t N>
+struct affine<std::array<Scalar, N>> : rounded_affine<std::array<Scalar, N>, Scalar, N> {};
 
 template <std::floating_point Scalar>
 struct affine<Scalar> {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "edge_rules.hpp"
 #include "inherit.hpp"
 
 #include <kith/association/tuples.hpp>
@@ -27,7 +28,7 @@ public:
     {
         for_parts(means_.size(), level().parallel, [&](std::size_t begin, std::size_t end) {
             for (std::size_t f = begin; f < end; ++f)
-                means_[f] = masks::mean(level().faces()[f], [&](const auto& c) { return values_[c.index()]; });
+                means_[f] = masks::mean(step_, level().faces()[f], [&](const auto& c) { return values_[c.index()]; });
         });
     }
 
@@ -118,7 +119,13 @@ private:
     template <face_element Face>
     [[nodiscard]] bool is_parent(std::pair<tuple_kind, std::size_t> face, const Face& f) const
     {
-        return parent_kind(face.first) == element_kind::face and parent(level(), face.first, face.second) == f.index();
+        if (parent_kind(face.first) != element_kind::face)
+            return false;
+        const std::size_t from = parent(level(), face.first, face.second);
+        if constexpr (has_closure<Step>)
+            if (closure_of(step_).is_pair(level().faces()[from], f))
+                return true;
+        return from == f.index();
     }
 
     std::span<const T> values_;
@@ -143,6 +150,28 @@ struct linear_in_faces {
         detail::for_new_corners(fine, step.ids, [&](const auto& c, const auto& face) {
             const std::size_t v = c.v().index();
             result[c.index()] = v < step.ids.vertices.total() ? linear.at(face, step.ids.vertices.origin(v)) : T();
+        });
+        return result;
+    }
+};
+
+/// The rule of marks on the sides of faces, as half-edges of CGAL and OpenMesh have them: a corner has that of the side which leads to
+/// it. A new side that lies along a side of the face from which its own face comes has the same; all others have T().
+/// Cost: O(corners) for faces of bounded degree.
+struct along_sides {
+    template <class T, finished_step Step>
+    [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
+    {
+        const auto fine = step.fine();
+        storage<T> result(fine.corner_count());
+        detail::for_new_corners(fine, step.ids, [&](const auto& c, const auto& face) {
+            result[c.index()] = T();
+            if (parent_kind(face.first) != element_kind::face)
+                return;
+            const std::size_t from = c.prev().v().index(), to = c.v().index();
+            for (const auto old : step.coarse.faces()[parent(step.coarse, face.first, face.second)].corners())
+                if (detail::is_born_on(step, from, old.prev_edge()) and detail::is_born_on(step, to, old.prev_edge()))
+                    result[c.index()] = values[old.index()];
         });
         return result;
     }

@@ -27,6 +27,20 @@ public:
     element_values() = default;
     explicit element_values(storage<T> values) : values_(std::move(values)) {}
 
+    /// How many elements of this kind a level has, or a part of one.
+    template <counts_elements Level>
+    static std::size_t count_on(const Level& level)
+    {
+        if constexpr (Where == field_on::vertices)
+            return level.vertex_count();
+        else if constexpr (Where == field_on::edges)
+            return level.edge_count();
+        else if constexpr (Where == field_on::faces)
+            return level.face_count();
+        else
+            return level.corner_count();
+    }
+
     [[nodiscard]] std::size_t size() const { return values_.size(); }
     [[nodiscard]] bool empty() const { return values_.empty(); }
     [[nodiscard]] std::span<const T> all() const { return {values_.data(), values_.size()}; }
@@ -99,19 +113,6 @@ private:
                       "the values of a field that is sent to other ranks are plain bytes, trivially copyable; others, "
                       "such as std::string, stay on one");
         return are;
-    }
-    /// Of a level or of a part of one.
-    template <counts_elements Level>
-    static std::size_t count_on(const Level& level)
-    {
-        if constexpr (Where == field_on::vertices)
-            return level.vertex_count();
-        else if constexpr (Where == field_on::edges)
-            return level.edge_count();
-        else if constexpr (Where == field_on::faces)
-            return level.face_count();
-        else
-            return level.corner_count();
     }
     /// Calls f(number in the part, number in the level).
     template <std::unsigned_integral Index, class F>

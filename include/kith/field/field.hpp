@@ -58,6 +58,12 @@ public:
     [[nodiscard]] T& operator[](std::size_t element) { return values_[element]; }
     [[nodiscard]] const Rule& rule() const { return *rule_; }
 
+    /// Errors: mesh_error where there are values, and not one for each element of the level.
+    template <counts_elements Level>
+    void require_one_each(const Level& level) const
+    {
+        values_.require_one_each(level);
+    }
     /// That of the next level.
     template <finished_step Step>
     [[nodiscard]] field after(const Step& step) const

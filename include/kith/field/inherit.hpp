@@ -95,6 +95,16 @@ auto columns_of_step(const Step& step)
     return columns_of(step.scheme, step.generation);
 }
 
+/// What keeps the level of a step conforming where its scheme refines some faces only.
+template <finished_step Step>
+inline constexpr bool has_closure =
+    is_said<decltype(traits_of<std::remove_cvref_t<decltype(std::declval<const Step&>().scheme)>>.closure)>;
+template <finished_step Step>
+const auto& closure_of(const Step& step)
+{
+    return std::invoke(traits_of<std::remove_cvref_t<decltype(step.scheme)>>.closure, step.scheme);
+}
+
 /// A weighted sum of values, formed in the order in which they come.
 template <class T>
 class blend {
@@ -133,14 +143,20 @@ struct linear_masks {
     {
         return blend<T>(vertex).add(edge).add(face).over(3);
     }
-    template <face_element Face, class At>
-    [[nodiscard]] static T mean(const Face& f, const At& at)
+    /// Of the corners that the face was born with, of which the first is one.
+    template <finished_step Step, face_element Face, class At>
+    [[nodiscard]] static T mean([[maybe_unused]] const Step& step, const Face& f, const At& at)
     {
         const auto first = f.first_corner();
         blend<T> sum(at(first));
         std::size_t count = 1;
-        for (auto c = first.next(); not(c == first); c = c.next(), ++count)
+        for (auto c = first.next(); not(c == first); c = c.next()) {
+            if constexpr (has_closure<Step>)
+                if (closure_of(step).lies_on_side(c))
+                    continue;
             sum.add(at(c));
+            ++count;
+        }
         return sum.over(count);
     }
 };

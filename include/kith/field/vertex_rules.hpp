@@ -26,15 +26,15 @@ storage<T> values_at_new_vertices(const Step& step)
 
 } // namespace detail
 
-/// The linear rule of values at vertices: a new vertex has the mean of the elements of its tuple, where an edge has the mean
-/// of its ends and a face that of its vertices; on edges that are cut in three the thirds. Cost: O(corners).
+/// The linear rule of values at vertices: a new vertex has the mean of the elements of its tuple, which may be in no column, where an
+/// edge has the mean of its ends and a face that of its vertices; on edges that are cut in three the thirds. Cost: O(corners).
 struct linear_values {
     template <affine_value T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         using masks = detail::linear_masks_of<T, decltype(step.ids.vertices)>;
         const auto at = [&](const auto& c) { return values[c.v().index()]; };
-        const auto mean = [&](const auto& f) { return masks::mean(f, at); };
+        const auto mean = [&](const auto& f) { return masks::mean(step, f, at); };
         const auto middle = [&](const auto& e) {
             return masks::middle(values[e.org().index()], values[e.dst().index()]);
         };
@@ -67,6 +67,19 @@ struct linear_values {
                     result[id] = masks::of_three(
                         at(x), middle(tuple % 2 == 0 ? x.next_edge() : x.prev_edge()), means[x.f().index()]);
             });
+        const auto of = [&](const std::pair<char, std::size_t>& x) {
+            return x.first == 'v'   ? values[x.second]
+                   : x.first == 'e' ? middle(step.coarse.edges()[x.second])
+                                    : mean(step.coarse.faces()[x.second]);
+        };
+        const auto& listed = step.ids.dictionary;
+        for (std::size_t k = 0; k < listed.size(); ++k) {
+            const tuple_elements& tuple = listed.tuple_of(k);
+            detail::blend<T> sum(of(tuple.front()));
+            for (std::size_t i = 1; i < tuple.size(); ++i)
+                sum.add(of(tuple[i]));
+            result[step.ids.vertices.total() + k] = sum.over(tuple.size());
+        }
         return result;
     }
 

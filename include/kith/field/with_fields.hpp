@@ -44,7 +44,8 @@ public:
                              .require = own.require,
                              .reach = own.reach,
                              .is_marked = own.is_marked,
-                             .state = [](auto& scheme) { return with_fields::states(scheme); }};
+                             .state = [](auto& scheme) { return with_fields::states(scheme); },
+                             .closure = own.closure};
     }
 
 private:

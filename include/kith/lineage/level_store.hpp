@@ -3,6 +3,7 @@
 
 #include <kith/base/error.hpp>
 #include <kith/lineage/retrieve.hpp>
+#include <kith/lineage/selection.hpp>
 #include <kith/step/level_state.hpp>
 #include <kith/step/step.hpp>
 
@@ -16,6 +17,17 @@
 #include <vector>
 
 namespace kith {
+
+namespace detail {
+
+/// Errors: mesh_error where n levels cannot be taken back, or made again.
+inline void require_between(int n, int there_are, const char* done)
+{
+    if (n < 0 or n > there_are)
+        throw mesh_error(std::to_string(n) + " levels were to be " + done + ", there are " + std::to_string(there_are));
+}
+
+} // namespace detail
 
 /// The levels of a surface, one made from the other, and which of them are in memory. As a level follows from the one before, with the
 /// scheme as it is there, it may be dropped and made again.
@@ -58,21 +70,62 @@ public:
         levels_[0]->hold([&] { return std::move(control); });
     }
 
-    [[nodiscard]] int depth() const { return int(levels_.size()) - 1; }
+    [[nodiscard]] int depth() const { return depth_; }
+    /// How many levels have been undone and may be redone.
+    [[nodiscard]] int undone() const { return int(levels_.size()) - 1 - depth_; }
     /// Steps from the control mesh of all to this level, as far as level 0 remembers them.
     [[nodiscard]] int generation(int level) const { return generation_ + level; }
     /// How many of the last levels are kept.
     [[nodiscard]] int kept() const { return kept_; }
 
-    /// Adds a level, and drops the one that is kept no longer. Errors: as those of a step.
+    /// Adds a level, drops the one that is kept no longer, and gives up those that were undone, with what was chosen for them.
+    /// Errors: as those of a step.
     void add()
     {
-        entry& last = *levels_.back();
-        auto next = std::make_unique<entry>(last.scheme);
-        next->hold([&] { return refined(depth()); });
-        advance(next->scheme, elements(depth()), generation(depth()), last.ids, next->here->mesh);
-        levels_.push_back(std::move(next));
+        if (undone() == 0)
+            return take_step();
+        add_by(choose_all);
+    }
+    /// The same with another scheme from the last level on: change(scheme, elements). Errors: as above, and those of
+    /// `change`; the scheme stays then.
+    template <class Change>
+    void add_by(const Change& change)
+    {
+        Scheme& scheme = levels_[std::size_t(depth_)]->scheme;
+        Scheme before = scheme;
+        try {
+            change(scheme, elements(depth_));
+            take_step();
+        } catch (...) {
+            std::swap(scheme, before);
+            throw;
+        }
+    }
+    /// Takes the last n levels back. Of each the scheme stays, and points that were moved. Precondition: 0 <= n <= depth().
+    void undo(int n)
+    {
+        if (levels_[std::size_t(depth_ - n)]->here == nullptr)
+            restore(depth_ - n);
+        for (; n > 0; --n, --depth_)
+            if (not levels_[std::size_t(depth_)]->is_moved)
+                levels_[std::size_t(depth_)]->here.reset();
+    }
+    /// Makes the next n again, the same bits. Precondition: 0 <= n <= undone().
+    void redo(int n)
+    {
+        for (; n > 0; --n, ++depth_) {
+            entry& next = *levels_[std::size_t(depth_ + 1)];
+            if (not next.here)
+                next.hold([&] { return refined(depth_); });
+        }
         drop_old();
+    }
+    /// Gives up levels that were undone.
+    void forget_undone()
+    {
+        if (undone() > 0)
+            choose_all(levels_[std::size_t(depth_)]->scheme, elements(depth_));
+        levels_.resize(std::size_t(depth_) + 1);
     }
     void keep_last(int count)
     {
@@ -96,13 +149,14 @@ public:
     [[nodiscard]] std::vector<bool> held() const
     {
         std::vector<bool> result;
-        for (const auto& level : levels_)
-            result.push_back(level->here != nullptr);
+        for (int level = 0; level <= depth_; ++level)
+            result.push_back(levels_[std::size_t(level)]->here != nullptr);
         return result;
     }
     /// Takes the levels back that were not there, and restores those that were held.
     void go_back(const std::vector<bool>& held)
     {
+        depth_ = int(held.size()) - 1;
         levels_.resize(held.size());
         for (int level = 0; level <= depth(); ++level)
             if (held[std::size_t(level)] and not levels_[std::size_t(level)]->here)
@@ -153,6 +207,23 @@ public:
     }
 
 private:
+    /// What was chosen for a level that is given up does not count for the next one.
+    static void choose_all([[maybe_unused]] Scheme& scheme, [[maybe_unused]] const level_type& elements)
+    {
+        if constexpr (selecting_scheme<Scheme, level_type>)
+            scheme.select(elements, std::vector<unsigned char>(elements.face_count(), 1));
+    }
+    void take_step()
+    {
+        entry& last = *levels_[std::size_t(depth_)];
+        auto next = std::make_unique<entry>(last.scheme);
+        next->hold([&] { return refined(depth()); });
+        advance(next->scheme, elements(depth()), generation(depth()), last.ids, next->here->mesh);
+        levels_.resize(std::size_t(depth_) + 1);
+        levels_.push_back(std::move(next));
+        ++depth_;
+        drop_old();
+    }
     /// The mesh of the next level, and the numbering of the step to it.
     M refined(int level)
     {
@@ -171,6 +242,7 @@ private:
     }
 
     int generation_ = 0;
+    int depth_ = 0;
     int kept_ = std::numeric_limits<int>::max();
     std::vector<std::unique_ptr<entry>> levels_;
 };

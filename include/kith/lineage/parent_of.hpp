@@ -2,12 +2,14 @@
 #pragma once
 
 #include <kith/association/tuples.hpp>
+#include <kith/base/error.hpp>
 #include <kith/step/children.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -57,6 +59,25 @@ std::optional<numbered_element> element_between(const Level& level, numbered_ele
         return found;
     const auto right = edge_of(b).rface();
     return the(face, right.index(), index_tuple(edge_of(a), right));
+}
+
+} // namespace detail
+
+namespace detail {
+
+/// Errors: mesh_error unless coarser <= finer.
+inline void require_finer(int finer, int coarser)
+{
+    if (finer < coarser)
+        throw mesh_error("level " + std::to_string(finer) + " was given as the finer, level " +
+                         std::to_string(coarser) + " as the coarser one; give them the other way round");
+}
+/// Errors: mesh_error for level 0.
+inline void require_origins(int level)
+{
+    if (level == 0)
+        throw mesh_error("level 0 is the control mesh, whose elements come from no others; ask for the origin of those "
+                         "of level 1 or more");
 }
 
 } // namespace detail

@@ -15,10 +15,12 @@ namespace kith {
 /// The elements, on the level below, that gave birth to an element; those of its tuple are set.
 template <mesh M>
 struct birth {
-    tuple_kind kind;
+    std::optional<tuple_kind> kind; ///< nothing for a vertex of the dictionary, whose tuple is in no column
     std::optional<typename mesh_traits<M>::vertex> v;
     std::optional<typename mesh_traits<M>::edge> e;
     std::optional<typename mesh_traits<M>::face> f;
+    std::optional<typename mesh_traits<M>::vertex> other_v{}; ///< the second of two vertices that do not touch
+    std::optional<typename mesh_traits<M>::face> other_f{};   ///< the second of two faces that do not touch
 };
 
 /// The one element of a level from which another descends, of whatever kind: the one that is set.
@@ -43,27 +45,30 @@ struct ancestor_element {
 };
 
 /// What gave birth to an element of the next level. Of an edge that was found by matching it is the element between the
-/// parents of its ends, as (e) or (f). Nothing for vertices of the dictionary and edges at them. Cost: that of parent_of.
+/// parents of its ends, as (e) or (f). Nothing for edges at vertices of the dictionary. Cost: that of parent_of.
 template <mesh M, level Level, level_numbering Numbering, level Fine, element X>
 std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, const X& x)
 {
-    const auto from_tuple = [&](const auto& of_kind) -> std::optional<birth<M>> {
-        if (x.index() >= of_kind.total())
-            return {};
-        const auto [kind, index] = of_kind.origin(x.index());
+    const auto from_elements = [&](std::optional<tuple_kind> kind, const tuple_elements& tuple) {
         birth<M> result{kind, {}, {}, {}};
-        for (const auto& [letter, number] : list_tuple(coarse, kind, index)) {
+        for (const auto& [letter, number] : tuple) {
             if (letter == 'v')
-                result.v = coarse.vertex_at(number);
+                (result.v ? result.other_v : result.v) = coarse.vertex_at(number);
             else if (letter == 'e')
                 result.e = coarse.edge_at(number);
             else
-                result.f = coarse.face_at(number);
+                (result.f ? result.other_f : result.f) = coarse.face_at(number);
         }
-        return result;
+        return std::optional(result);
+    };
+    const auto from_tuple = [&](const auto& of_kind) {
+        const auto [kind, index] = of_kind.origin(x.index());
+        return from_elements(kind, list_tuple(coarse, kind, index));
     };
     if constexpr (element_letter<X> == 'v') {
-        return from_tuple(ids.vertices);
+        const std::size_t total = ids.vertices.total();
+        return x.index() < total ? from_tuple(ids.vertices)
+                                 : from_elements({}, ids.dictionary.tuple_of(x.index() - total));
     } else if constexpr (element_letter<X> == 'f') {
         return from_tuple(ids.faces);
     } else if constexpr (Numbering::has_edges) {

@@ -16,11 +16,13 @@
 
 namespace kith {
 
-/// The element of the next level that belongs to a tuple, by the numbering of the step alone; nothing where the scheme
-/// made none under it. Cost: O(1).
-template <tuple_kind Kind, level_numbering Numbering, level Fine, target Target>
-auto retrieve(const Numbering& ids, const Fine& fine, tuple_index<Kind> tuple, Target)
+/// The element of the next level that belongs to a tuple of elements, by the numbering of the step alone; nothing where the scheme
+/// made none under it. Cost: O(1), O(valence) for pairs without their edge; O(log n) for vertices of the dictionary.
+template <level Coarse, level_numbering Numbering, level Fine, target Target, element... X>
+auto retrieve(const Coarse& coarse, const Numbering& ids, const Fine& fine, Target, const X&... x)
 {
+    const auto tuple = index_tuple(x...);
+    constexpr tuple_kind Kind = decltype(tuple)::kind;
     const auto find = [&](const auto& column_ids, const auto& at) -> std::optional<decltype(at(0))> {
         if constexpr (std::remove_cvref_t<decltype(column_ids)>::template has<Kind>)
             if (tuple.value != tuple.not_incident)
@@ -28,9 +30,13 @@ auto retrieve(const Numbering& ids, const Fine& fine, tuple_index<Kind> tuple, T
                     return at(id);
         return {};
     };
-    if constexpr (std::same_as<Target, targets::to_vertex>)
-        return find(ids.vertices, [&](std::size_t id) { return fine.vertex_at(id); });
-    else if constexpr (std::same_as<Target, targets::to_edge>)
+    if constexpr (std::same_as<Target, targets::to_vertex>) {
+        auto found = find(ids.vertices, [&](std::size_t id) { return fine.vertex_at(id); });
+        if (not found)
+            if (const auto listed = ids.dictionary.find(listed_tuple(coarse, tuple, x...)))
+                found = fine.vertex_at(*listed);
+        return found;
+    } else if constexpr (std::same_as<Target, targets::to_edge>)
         return find(ids.edges, [&](std::size_t id) { return fine.edge_at(id); });
     else
         return find(ids.faces, [&](std::size_t id) { return fine.face_at(id); });

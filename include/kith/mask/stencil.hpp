@@ -146,8 +146,8 @@ inline std::vector<stencil_row> unit_rows(std::size_t vertices)
     return result;
 }
 
-/// Rows as a matrix over `columns` coarse vertices.
-inline subdivision_matrix make_matrix(const storage<stencil_row>& rows, std::size_t columns)
+/// Rows as a matrix over `columns` coarse elements.
+inline subdivision_matrix make_matrix(std::span<const stencil_row> rows, std::size_t columns)
 {
     subdivision_matrix result;
     result.columns = columns;

@@ -3,12 +3,11 @@
 
 #include <kith/base/affine.hpp>
 
-#include <algorithm>
+#include <kith/base/affine.hpp>
+
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <limits>
 
 namespace kith {
 
@@ -30,8 +29,7 @@ T as_coordinate(const Number& x)
     else if constexpr (not std::constructible_from<double, const Number&>)
         return as_coordinate<T>(to_double(x)); // of the exact number's own library
     else if constexpr (std::integral<T>)
-        return T(std::lround(
-            std::clamp(double(x), double(std::numeric_limits<T>::min()), double(std::numeric_limits<T>::max()))));
+        return rounded<T>(double(x));
     else
         return T(x);
 }

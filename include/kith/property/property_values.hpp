@@ -36,14 +36,14 @@ std::vector<Handle> handles_of(const M& mesh)
 
 /// The properties of a mesh on elements with such handles, apart from the mesh and from the types of their values, so that
 /// whatever takes them to finer levels is compiled once for all types. At vertices and corners, which half-edges stand for,
-/// what can be averaged is coordinates; the rest, but not at corners, goes from an element to its heirs.
+/// what can be averaged is coordinates; the rest goes from an element to its heirs.
 template <class Handle, mesh_with_properties M>
 class property_values {
     using traits = mesh_traits<M>;
     using access = property_access<M>;
     using number = typename access::number;
-    static constexpr bool at_corners = std::same_as<Handle, typename traits::halfedge>;
-    static constexpr bool has_means = at_corners or std::same_as<Handle, typename traits::vertex>;
+    static constexpr bool has_means = std::same_as<Handle, typename traits::halfedge> or
+                                      std::same_as<Handle, typename traits::vertex>;
 
 public:
     using coordinates = four_numbers<number>;
@@ -103,25 +103,21 @@ private:
     template <class T>
     bool read(const M& mesh, const std::string& name)
     {
-        if constexpr (at_corners and not can_be_averaged<T>) {
+        const auto from = access::template find<Handle, T>(mesh, name);
+        if (not from)
             return false;
+        if constexpr (has_means and can_be_averaged<T>) {
+            storage<coordinates> values(handles_.size());
+            for (std::size_t i = 0; i < values.size(); ++i)
+                values[i] = averaged_value<T>::template load<number>((*from)[handles_[i]]);
+            means_.push_back({name, std::move(values), &write_as<T>});
         } else {
-            const auto from = access::template find<Handle, T>(mesh, name);
-            if (not from)
-                return false;
-            if constexpr (has_means and can_be_averaged<T>) {
-                storage<coordinates> values(handles_.size());
-                for (std::size_t i = 0; i < values.size(); ++i)
-                    values[i] = averaged_value<T>::template load<number>((*from)[handles_[i]]);
-                means_.push_back({name, std::move(values), &write_as<T>});
-            } else {
-                auto values = std::make_unique<inherited_values<T>>(name, handles_.size());
-                for (const Handle x : handles_)
-                    values->add((*from)[x]);
-                heirs_.push_back(std::move(values));
-            }
-            return true;
+            auto values = std::make_unique<inherited_values<T>>(name, handles_.size());
+            for (const Handle x : handles_)
+                values->add((*from)[x]);
+            heirs_.push_back(std::move(values));
         }
+        return true;
     }
     template <class T>
     static void write_as(M& fine, const std::string& name, const std::vector<Handle>& handles,

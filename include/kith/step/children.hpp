@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,17 +32,24 @@ constexpr element_kind parent_kind(tuple_kind kind)
     }
 }
 
-/// The number of the parent of a tuple. Cost: O(1).
-template <level Level>
-std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
+/// The number of the parent of a tuple, where `face_of(corner)` tells the face of a corner. Cost: O(1).
+template <std::invocable<std::size_t> FaceOf>
+std::size_t parent_by(tuple_kind kind, std::size_t tuple, const FaceOf& face_of)
 {
     switch (kind) {
     case tuple_kind::ve: return tuple / 2;
-    case tuple_kind::vfe: return level.corners()[tuple / 2].f().index();
+    case tuple_kind::vfe: return face_of(tuple / 2);
     case tuple_kind::vf:
-    case tuple_kind::ef: return level.corners()[tuple].f().index();
+    case tuple_kind::ef: return face_of(tuple);
     default: return tuple;
     }
+}
+/// The same at a level.
+template <level Level>
+std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
+{
+    return parent_by(
+        kind, tuple, [&](std::size_t corner) -> std::size_t { return level.corners()[corner].f().index(); });
 }
 
 /// The face that what a tuple gives birth to comes from: its parent or, where that is an edge or a vertex, the face with
@@ -81,33 +90,39 @@ constexpr std::vector<number_range> element_ranges::* of_kind(element_kind kind)
     }
 }
 
+/// Tells, of tuples of a column that follow one another, which elements they gave birth to.
+template <class I>
+concept numbers_of_tuples = requires(const I& ids, std::size_t column, const number_range& tuples) {
+    { I::size } -> std::convertible_to<std::size_t>;
+    { I::kinds[column] } -> std::convertible_to<tuple_kind>;
+    { ids.ids(column, tuples) } -> std::same_as<number_range>;
+};
+
 namespace detail {
 
 /// The tuples of a kind that have these parents follow one another, as ends of edges and corners of faces do.
-template <level Level>
-number_range tuples_of(const Level& level, tuple_kind kind, const number_range& parents)
+/// `first_corner(face)` tells where the corners of a face begin, and, of the number of faces, where all end.
+template <std::invocable<std::size_t> FirstCorner>
+number_range tuples_of(tuple_kind kind, const number_range& parents, const FirstCorner& first_corner)
 {
-    const auto corner = [&](std::size_t face) {
-        return face == level.face_count() ? level.corner_count() : level.faces()[face].first_corner().index();
-    };
     switch (kind) {
     case tuple_kind::v:
     case tuple_kind::e:
     case tuple_kind::f: return parents;
     case tuple_kind::ve: return {2 * parents.begin, 2 * parents.end};
-    case tuple_kind::vfe: return {2 * corner(parents.begin), 2 * corner(parents.end)};
-    default: return {corner(parents.begin), corner(parents.end)};
+    case tuple_kind::vfe: return {2 * first_corner(parents.begin), 2 * first_corner(parents.end)};
+    default: return {first_corner(parents.begin), first_corner(parents.end)};
     }
 }
 
-template <level Level, element_ids Ids>
-std::vector<number_range> children_among(const Level& level, const Ids& ids, const element_ranges& parents)
+template <numbers_of_tuples Ids, std::invocable<std::size_t> FirstCorner>
+std::vector<number_range> children_among(const Ids& ids, const element_ranges& parents, const FirstCorner& first_corner)
 {
     std::vector<number_range> result;
     for (std::size_t i = 0; i < ids.size; ++i) {
         const tuple_kind kind = ids.kinds[i];
         for (const number_range& range : parents.*of_kind(parent_kind(kind)))
-            if (const auto born = ids.ids(i, tuples_of(level, kind, range)); born.begin != born.end) {
+            if (const auto born = ids.ids(i, tuples_of(kind, range, first_corner)); born.begin != born.end) {
                 if (not result.empty() and result.back().end == born.begin)
                     result.back().end = born.end;
                 else
@@ -115,6 +130,20 @@ std::vector<number_range> children_among(const Level& level, const Ids& ids, con
             }
     }
     return result;
+}
+
+/// The children of elements of a level by the numbers of a step from it alone.
+template <class Ids, std::invocable<std::size_t> FirstCorner>
+    requires requires(const Ids& ids) {
+        requires numbers_of_tuples<std::remove_cvref_t<decltype(ids.vertices)>>;
+        requires numbers_of_tuples<std::remove_cvref_t<decltype(ids.edges)>>;
+        requires numbers_of_tuples<std::remove_cvref_t<decltype(ids.faces)>>;
+    }
+element_ranges children_by(const Ids& ids, const element_ranges& parents, const FirstCorner& first_corner)
+{
+    return {children_among(ids.vertices, parents, first_corner),
+            children_among(ids.edges, parents, first_corner),
+            children_among(ids.faces, parents, first_corner)};
 }
 
 } // namespace detail
@@ -126,9 +155,9 @@ std::vector<number_range> children_among(const Level& level, const Ids& ids, con
 template <level Level, level_numbering Numbering>
 element_ranges children(const Level& level, const Numbering& ids, const element_ranges& parents)
 {
-    return {detail::children_among(level, ids.vertices, parents),
-            detail::children_among(level, ids.edges, parents),
-            detail::children_among(level, ids.faces, parents)};
+    return detail::children_by(ids, parents, [&](std::size_t face) -> std::size_t {
+        return face == level.face_count() ? level.corner_count() : level.faces()[face].first_corner().index();
+    });
 }
 
 } // namespace kith

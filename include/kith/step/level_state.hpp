@@ -103,6 +103,10 @@ concept finished_step = requires(const S& step) {
 ///   void pack(out) const                 out.add(value), out.add_array(values): plain values, as a message
 ///   void unpack(in)                      in.get<T>(), in.get_array<std::vector<T>>(): the same values in the same order
 ///
+/// It may have
+///
+///   void require_one_each(level) const   throws mesh_error for a state of another level, before that is cut
+///
 /// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
 template <scheme Scheme>
 inline constexpr bool has_state = detail::is_said<decltype(traits_of<Scheme>.state)>;

@@ -194,18 +194,21 @@ void call(const Scheme& scheme, const Refinement& r)
 
 /// Runs a scheme once: fills `values` with the values of the next level and returns its connectivity, as far as
 /// `Connect` asks. Of the scheme only its call operator is needed here: a function of a running_step is as good.
+/// The vertices that are in no column are handed to `dictionary`, unless it is null.
 /// Errors: association_error for faults of the scheme. Cost: that of the scheme.
 template <connect Connect, bool Checked, level Level, class Scheme, level_numbering Numbering, declared_columns Columns,
           values_of_step<Level> Values>
 auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids, const Columns& columns,
-                Values& values)
+                Values& values, vertex_dictionary<typename Numbering::index_type>* dictionary = nullptr)
 {
     auto fine = detail::allocate_level<Connect, Checked>(coarse, ids, columns);
     values.allocate(ids.vertices.total());
     using space = association_space<Level, Numbering, Values, Connect, Checked>;
-    const space assoc(coarse, ids, values, fine);
+    space assoc(coarse, ids, values, fine);
     const detail::loop_body outside(false); // the caller's loops are not the scheme's
     detail::call(scheme, refinement<Level, space, typename Values::scalar>{coarse, assoc, generation});
+    if (dictionary != nullptr)
+        *dictionary = assoc.take_dictionary();
     if constexpr (Checked and Connect != connect::nothing)
         detail::check_level(coarse, ids, fine, assoc.made());
     if constexpr (Connect != connect::nothing)
@@ -226,14 +229,17 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
 
 /// The same with the next level written into a sink. Precondition: the scheme is trusted and declares its edges.
 template <level_sink Sink, level Level, scheme Scheme, level_numbering Numbering>
-void run_scheme_into(Sink& fine, const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
+void run_scheme_into(Sink& fine, const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids,
+                     vertex_dictionary<typename Numbering::index_type>* dictionary = nullptr)
 {
     point_values<Level> values;
     values.allocate_at(fine.points());
     using space = association_space<Level, Numbering, point_values<Level>, connect::everything, false, Sink>;
-    const space assoc(coarse, ids, values, fine);
+    space assoc(coarse, ids, values, fine);
     const detail::loop_body outside(false);
     detail::call(scheme, refinement<Level, space, typename point_values<Level>::scalar>{coarse, assoc, generation});
+    if (dictionary != nullptr)
+        *dictionary = assoc.take_dictionary();
     fine.finish(generation + 1);
 }
 

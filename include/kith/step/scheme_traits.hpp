@@ -25,7 +25,7 @@ struct unsaid {
 ///
 ///   .reach = [](const my_scheme& s, int rings) { return rings / 2 + s.width; }
 template <class Next = unsaid, class Require = unsaid, class Reach = unsaid, class IsMarked = unsaid,
-          class State = unsaid, class IgnoresNumbers = unsaid>
+          class State = unsaid, class IgnoresNumbers = unsaid, class Closure = unsaid>
 struct scheme_traits {
     std::string_view name = "scheme";   ///< for messages
     face_shape faces = face_shape::any; ///< others are refused
@@ -43,6 +43,10 @@ struct scheme_traits {
     /// bool ignores_numbers(): it keeps nothing by the numbers of elements, so that it may be given levels whose elements are
     /// in another order. One with state says it of itself, [](const my_scheme& s) {...}: it may be empty.
     IgnoresNumbers ignores_numbers{};
+    /// What keeps its levels conforming where it refines some faces only, [](const auto& scheme) -> const auto& {...}:
+    ///   lies_on_side(corner)   the corner is not one of those that its face was born with, but lies on a side between two
+    ///   is_pair(face, face)    both are parts of one face, of which the next level is made
+    Closure closure{};
 };
 
 namespace detail {

@@ -24,7 +24,8 @@ auto refine_level(const Level& coarse, const Scheme& scheme, int generation,
     const auto columns = columns_of(scheme, generation);
     ids = {coarse, columns};
     point_values<Level> values;
-    auto topology = run_scheme<Connect, not is_trusted<Scheme>>(coarse, scheme, generation, ids, columns, values);
+    auto topology = run_scheme<Connect, not is_trusted<Scheme>>(
+        coarse, scheme, generation, ids, columns, values, &ids.dictionary);
     return basic_mesh<typename Level::point_type, typename Level::index_type>(
         values.take(), std::move(topology), generation + 1);
 }
@@ -75,7 +76,7 @@ M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, 
         M result; // not moved from here on: meshes of OpenMesh copy instead
         foreign_level<M> fine(
             result, ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed(), &source);
-        run_scheme_into(fine, coarse, scheme, generation, ids);
+        run_scheme_into(fine, coarse, scheme, generation, ids, &ids.dictionary);
         return result;
     } else {
         auto fine = refine_level<connect::everything>(coarse, scheme, generation, ids);

@@ -106,7 +106,8 @@ public:
         return std::max((count == 0 ? s : 3. / 4 * s + 1. / 4 * (others / double(count))) - 1, 0.);
     }
 
-    /// The sharp elements of the next level, from the numbering of the step. Cost: O(sharp elements log of them).
+    /// The sharp elements of the next level, from the numbering of the step. What a step keeps as it is, as `selected` does beside
+    /// the faces that it splits, stays as sharp. Cost: O(sharp elements log of them + edges around sharp vertices).
     template <level Level, level_numbering Numbering>
     [[nodiscard]] creases after(const Level& coarse, const Numbering& ids) const
     {
@@ -114,13 +115,18 @@ public:
         const auto large = large_fans(coarse);
         for (const auto& [edge, s] : edges()) {
             const auto e = coarse.edges()[edge];
-            for (const auto& v : {e.org(), e.dst()})
-                if (const double child = child_sharpness(v, e, large); child > 0)
-                    result.edges_.append(ids.edges.template id<tuple_kind::ve>(index_tuple(v, e).value), child);
+            if (is_cut(ids, e)) {
+                for (const auto& v : {e.org(), e.dst()})
+                    if (const double child = child_sharpness(v, e, large); child > 0)
+                        result.edges_.append(ids.edges.template id<tuple_kind::ve>(index_tuple(v, e).value), child);
+            } else if constexpr (keeps_edges<Numbering>) {
+                if (const auto kept = ids.edges.template id<tuple_kind::e>(edge); kept != ids.edges.none)
+                    result.edges_.append(kept, s);
+            }
         }
         for (const auto& [vertex, s] : vertices())
-            if (s > 1)
-                result.vertices_.append(ids.vertices.template id<tuple_kind::v>(vertex), s - 1);
+            if (const double next = is_moved(ids, coarse.vertices()[vertex]) ? s - 1 : s; next > 0)
+                result.vertices_.append(ids.vertices.template id<tuple_kind::v>(vertex), next);
         result.edges_.sort();
         return result;
     }
@@ -158,6 +164,29 @@ public:
     }
 
 private:
+    template <level_numbering Numbering>
+    static constexpr bool keeps_edges = decltype(Numbering::edges)::template has<tuple_kind::e>;
+    template <level_numbering Numbering, edge_element Edge>
+    static bool is_cut(const Numbering& ids, const Edge& e)
+    {
+        if constexpr (keeps_edges<Numbering>)
+            return ids.edges.template id<tuple_kind::ve>(2 * e.index()) != ids.edges.none;
+        else
+            return true;
+    }
+    template <level_numbering Numbering, vertex_element Vertex>
+    static bool is_moved(const Numbering& ids, const Vertex& v)
+    {
+        if constexpr (keeps_edges<Numbering>) {
+            for (const auto& e : v.edges())
+                if (is_cut(ids, e))
+                    return true;
+            return false;
+        } else {
+            return true;
+        }
+    }
+
     static const large_fan* find(std::span<const large_fan> fans, std::size_t vertex)
     {
         const auto fan = std::ranges::lower_bound(fans, vertex, {}, &large_fan::vertex);

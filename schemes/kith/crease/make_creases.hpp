@@ -5,6 +5,7 @@
 
 #include <kith/base/error.hpp>
 #include <kith/level/lift.hpp>
+#include <kith/property/map_value.hpp>
 
 #include <array>
 #include <cmath>
@@ -22,23 +23,15 @@ namespace detail {
 template <class Source, class Handle>
 double sharpness_from(const Source& source, const Handle& x, std::size_t number, const char* kind)
 {
-    const auto given = [&]() -> decltype(auto) {
-        if constexpr (std::invocable<const Source&, const Handle&>)
-            return source(x);
-        else if constexpr (requires { get(source, x); })
-            return get(source, x);
-        else
-            return source[x];
-    };
-    using value = std::remove_cvref_t<decltype(given())>;
+    using value = std::remove_cvref_t<decltype(map_value(source, x))>;
     if constexpr (std::is_arithmetic_v<value> and not std::same_as<value, bool>) {
-        const double sharpness = double(given());
+        const double sharpness = double(map_value(source, x));
         if (not(sharpness >= 0))
             throw mesh_error(std::string(kind) + " " + std::to_string(number) + ": its sharpness is " +
                              std::to_string(sharpness) + "; give 0 or more, infinitely_sharp for ever");
         return sharpness;
     } else {
-        return bool(given()) ? infinitely_sharp : 0.;
+        return bool(map_value(source, x)) ? infinitely_sharp : 0.;
     }
 }
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "file_array.hpp"
+#include "vtu_layout.hpp"
+
+#include <kith/base/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace kith::detail {
+
+inline std::string xml_text(const std::string& text)
+{
+    constexpr std::array<std::pair<char, std::string_view>, 4> escapes{
+        {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};
+    std::string result;
+    for (const char letter : text) {
+        const auto escape = std::ranges::find(escapes, letter, &std::pair<char, std::string_view>::first);
+        escape == escapes.end() ? void(result += letter) : void(result += escape->second);
+    }
+    return result;
+}
+
+/// The arrays of fields in a file of VTK's format, beside those that the file has of its own.
+class vtu_arrays {
+public:
+    /// Errors: mesh_error for a name that is empty, or taken.
+    explicit vtu_arrays(std::vector<file_array> arrays) : arrays_(std::move(arrays))
+    {
+        std::vector<std::string> taken{"connectivity",
+                                       "offsets",
+                                       "types",
+                                       "Normals",
+                                       "GlobalPointIds",
+                                       "GlobalCellIds",
+                                       "parent",
+                                       "level",
+                                       "tile",
+                                       "rank"};
+        for (const auto& array : arrays_) {
+            if (array.name.empty() or std::ranges::find(taken, array.name) != taken.end())
+                throw mesh_error(
+                    "a field was to be called \"" + array.name +
+                    "\", a name that is empty, or that another array of the file has; give it another one");
+            taken.push_back(array.name);
+        }
+    }
+
+    [[nodiscard]] const std::vector<file_array>& list() const { return arrays_; }
+    [[nodiscard]] bool any_on(element_kind kind) const
+    {
+        return std::ranges::any_of(arrays_, [&](const auto& array) { return array.on == kind; });
+    }
+    /// What the file says of those on one kind of element.
+    [[nodiscard]] std::string declarations(element_kind kind) const
+    {
+        std::string result;
+        for (const auto& array : arrays_)
+            if (array.on == kind)
+                result += "<PDataArray " + attributes(array) + "/>\n";
+        return result;
+    }
+    /// Makes room for so many values of each of them; gives the numbers of their arrays.
+    void add_to(vtu_layout& layout, element_kind kind, std::uint64_t elements, std::vector<std::size_t>& places) const
+    {
+        places.resize(arrays_.size());
+        for (std::size_t i = 0; i < arrays_.size(); ++i)
+            if (arrays_[i].on == kind)
+                places[i] = layout.add(elements * arrays_[i].bytes, attributes(arrays_[i]));
+    }
+
+private:
+    static std::string attributes(const file_array& array)
+    {
+        return "type=\"" + array.type + "\" Name=\"" + xml_text(array.name) + "\"" +
+               (array.numbers == 1 ? "" : " NumberOfComponents=\"" + std::to_string(array.numbers) + "\"");
+    }
+
+    std::vector<file_array> arrays_;
+};
+
+} // namespace kith::detail

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/selected/polygon_closure_split.hpp>
+#include <kith/selected/red_green_split.hpp>
+#include <kith/step/rules.hpp>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace kith {
+
+namespace detail {
+
+template <class Scheme>
+using columns_type = std::remove_cvref_t<decltype(columns_of(std::declval<const Scheme&>(), 0))>;
+template <class Scheme>
+inline constexpr bool splits_triangles = std::same_as<columns_type<Scheme>, decltype(triangle_split::columns())>;
+template <class Scheme>
+inline constexpr bool splits_into_quads = std::same_as<columns_type<Scheme>, decltype(quad_split::columns())>;
+
+} // namespace detail
+
+/// A scheme of which some faces may be refined alone, `selected`: it splits triangles in four (loop, butterfly, linear_triangles) or
+/// polygons of any kind into quads (catmull_clark, linear), or is one of the user's own with the columns of such a split.
+template <class S>
+concept selectable_scheme = scheme<S> and
+                            ((detail::splits_triangles<S> and needs_triangles<S>) or
+                             (detail::splits_into_quads<S> and not needs_quads<S> and not needs_triangles<S>));
+
+/// A scheme whose steps refine the faces that are chosen for them; of a level for which nothing was chosen all of them. What
+/// keeps the mesh conforming is `closure`: no vertex lies on the edge of another face. Vertices at cut edges have the rules of the
+/// scheme, on the mesh as it is, all others stay: so what is red has the points of full refinement, the same bits, wherever the
+/// level around it has.
+/// Bank, Sherman & Weiser 1983. Cost: that of the scheme on all faces, without their connectivity, and the new level's.
+template <selectable_scheme Scheme>
+class selected {
+    using split = std::conditional_t<detail::splits_triangles<Scheme>, red_green_split, polygon_closure_split>;
+    static constexpr auto letters_of_name()
+    {
+        constexpr std::string_view before = "selected-", own = scheme_name<Scheme>();
+        std::array<char, before.size() + own.size()> result{};
+        std::ranges::copy(own, std::ranges::copy(before, result.begin()).out);
+        return result;
+    }
+    static constexpr auto letters = letters_of_name();
+
+public:
+    explicit selected(Scheme scheme = {}) : scheme_(std::move(scheme)) {}
+
+    /// The scheme that is used where faces are split, with its state of this level.
+    [[nodiscard]] const Scheme& scheme() const { return scheme_; }
+    /// One flag per face of this level, those that were chosen; none where all are.
+    [[nodiscard]] std::span<const unsigned char> chosen() const { return closure_.chosen(); }
+    /// Chooses faces of the level, by a flag for each. Errors: mesh_error unless there is one per face. Cost: O(level).
+    template <level Level>
+    void select(const Level& level, std::span<const unsigned char> chosen)
+    {
+        closure_.select(level, chosen);
+    }
+
+    static constexpr auto traits()
+    {
+        constexpr auto& own = traits_of<Scheme>;
+        return scheme_traits{.name = std::string_view(letters.data(), letters.size()),
+                             .faces = own.faces,
+                             .closed_only = own.closed_only,
+                             .trusted = own.trusted,
+                             .require = own.require,
+                             .state = [](auto& scheme) { return states(scheme); },
+                             .closure = [](const auto& scheme) -> const auto& { return closure_of(scheme); }};
+    }
+    [[nodiscard]] auto columns() const { return split{&closure_}.columns(); }
+
+    template <running_step R>
+    void operator()(const R& r) const
+    {
+        using namespace targets;
+        if (closure_.is_everything()) {
+            scheme_(r);
+            return;
+        }
+        const auto& assoc = r.assoc;
+        const auto all = assoc.pass(columns_of(scheme_, r.generation));
+        scheme_(refinement<std::remove_cvref_t<decltype(r.coarse)>, std::remove_cvref_t<decltype(all)>, scalar_type<R>>{
+            r.coarse, all, r.generation});
+
+        const auto vertices = at_vertices([&](auto v) {
+            if (closure_.is_moved(v))
+                assoc(v, V) = all(v, V);
+            else
+                assoc(v, V) = v;
+        });
+        const auto edges = at_edges([&](auto e) {
+            if (closure_.is_cut(e))
+                assoc(e, V) = all(e, V);
+        });
+        if constexpr (detail::splits_triangles<Scheme>)
+            subdivide(split{&closure_}, r, vertices, edges);
+        else
+            subdivide(split{&closure_}, r, vertices, edges, at_faces([&](auto f) {
+                          if (not closure_.is_red(f))
+                              return;
+                          if (split::is_green(closure_, f))
+                              assoc(f, V) = average(split::own_vertices(closure_, f));
+                          else
+                              assoc(f, V) = all(f, V);
+                      }));
+    }
+
+private:
+    static const closure<split>& closure_of(const selected& scheme) { return scheme.closure_; }
+    template <class Self>
+    static auto states(Self& scheme)
+    {
+        if constexpr (has_state<Scheme>)
+            return std::tie(scheme.scheme_, scheme.closure_);
+        else
+            return std::tie(scheme.closure_);
+    }
+
+    Scheme scheme_;
+    closure<split> closure_;
+};
+
+} // namespace kith

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/catmull_clark.hpp>
+#include <kith/field/with_fields.hpp>
+#include <kith/output/file_array.hpp>
+
+#include <string>
+#include <vector>
+
+int main()
+{
+    const auto scheme = kith::with_fields(kith::catmull_clark{}, kith::on_faces(std::vector<std::string>()));
+    return int(kith::arrays_of<decltype(scheme)>(kith::field_named<0>("name")).size());
+}
