@@ -124,17 +124,7 @@ public:
     }
     void start_receive(std::span<std::byte> bytes, int from, std::vector<MPI_Request>& requests)
     {
-        for_each_piece(bytes, [&](std::span<std::byte> piece) {
-            detail::check(MPI_Irecv(piece.data(),
-                                    int(piece.size()),
-                                    MPI_BYTE,
-                                    from,
-                                    known_tag,
-                                    comm_,
-                                    &requests.emplace_back(MPI_REQUEST_NULL)),
-                          "MPI_Irecv");
-            count_received(piece.size());
-        });
+        start(MPI_Irecv, "MPI_Irecv", bytes, from, known_tag, requests, &communicator::count_received);
     }
 
     /// Collective: one number from each rank to each, by rank.
@@ -213,16 +203,17 @@ private:
     }
     void start_send(std::span<const std::byte> bytes, int to, int tag, std::vector<MPI_Request>& requests)
     {
-        for_each_piece(bytes, [&](std::span<const std::byte> piece) {
-            detail::check(MPI_Isend(piece.data(),
-                                    int(piece.size()),
-                                    MPI_BYTE,
-                                    to,
-                                    tag,
-                                    comm_,
-                                    &requests.emplace_back(MPI_REQUEST_NULL)),
-                          "MPI_Isend");
-            count_sent(piece.size());
+        start(MPI_Isend, "MPI_Isend", bytes, to, tag, requests, &communicator::count_sent);
+    }
+    /// Starts a call of MPI for each piece and counts it.
+    template <class Call, class Byte>
+    void start(const Call& call, const char* name, std::span<Byte> bytes, int peer, int tag,
+               std::vector<MPI_Request>& requests, void (communicator::*count)(std::size_t))
+    {
+        for_each_piece(bytes, [&](std::span<Byte> piece) {
+            MPI_Request& request = requests.emplace_back(MPI_REQUEST_NULL);
+            detail::check(call(piece.data(), int(piece.size()), MPI_BYTE, peer, tag, comm_, &request), name);
+            (this->*count)(piece.size());
         });
     }
     /// The other side is sending already and cannot be told that there is no memory, so this is an error of MPI's kind.

@@ -12,33 +12,37 @@
 
 namespace kith {
 
+/// A vertex, an edge and a face of a mesh, as far as they are set.
+template <mesh M>
+struct some_elements {
+    std::optional<typename mesh_traits<M>::vertex> v{};
+    std::optional<typename mesh_traits<M>::edge> e{};
+    std::optional<typename mesh_traits<M>::face> f{};
+
+    friend bool operator==(const some_elements&, const some_elements&) = default;
+};
+
 /// The elements, on the level below, that gave birth to an element; those of its tuple are set.
 template <mesh M>
-struct birth {
-    std::optional<tuple_kind> kind; ///< nothing for a vertex of the dictionary, whose tuple is in no column
-    std::optional<typename mesh_traits<M>::vertex> v;
-    std::optional<typename mesh_traits<M>::edge> e;
-    std::optional<typename mesh_traits<M>::face> f;
+struct birth : some_elements<M> {
+    std::optional<tuple_kind> kind{}; ///< nothing for a vertex of the dictionary, whose tuple is in no column
     std::optional<typename mesh_traits<M>::vertex> other_v{}; ///< the second of two vertices that do not touch
     std::optional<typename mesh_traits<M>::face> other_f{};   ///< the second of two faces that do not touch
 };
 
 /// The one element of a level from which another descends, of whatever kind: the one that is set.
 template <mesh M>
-struct ancestor_element {
+struct ancestor_element : some_elements<M> {
     element_kind kind;
-    std::optional<typename mesh_traits<M>::vertex> v;
-    std::optional<typename mesh_traits<M>::edge> e;
-    std::optional<typename mesh_traits<M>::face> f;
 
     /// Of the level that is given, of M.
     template <level Level>
     ancestor_element(const Level& level, const numbered_element& x) : kind(x.kind)
     {
         switch (kind) {
-        case element_kind::vertex: v = level.vertex_at(x.number); break;
-        case element_kind::edge: e = level.edge_at(x.number); break;
-        case element_kind::face: f = level.face_at(x.number); break;
+        case element_kind::vertex: this->v = level.vertex_at(x.number); break;
+        case element_kind::edge: this->e = level.edge_at(x.number); break;
+        case element_kind::face: this->f = level.face_at(x.number); break;
         }
     }
     friend bool operator==(const ancestor_element&, const ancestor_element&) = default;
@@ -50,7 +54,7 @@ template <mesh M, level Level, level_numbering Numbering, level Fine, element X>
 std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, const X& x)
 {
     const auto from_elements = [&](std::optional<tuple_kind> kind, const tuple_elements& tuple) {
-        birth<M> result{kind, {}, {}, {}};
+        birth<M> result{{}, kind};
         for (const auto& [letter, number] : tuple) {
             if (letter == 'v')
                 (result.v ? result.other_v : result.v) = coarse.vertex_at(number);
@@ -78,7 +82,7 @@ std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, cons
         if (not found)
             return {};
         const ancestor_element<M> from(coarse, *found);
-        return birth<M>{from.e ? tuple_kind::e : tuple_kind::f, from.v, from.e, from.f};
+        return birth<M>{from, from.e ? tuple_kind::e : tuple_kind::f};
     }
 }
 

@@ -101,6 +101,28 @@ struct mask_average : mask_base {
     }
 };
 
+namespace detail {
+
+/// The sum of weight_of(entry) times the value of operand_of(entry) over a list, from the left.
+template <value_space Values, class List, class OperandOf, class WeightOf>
+[[nodiscard]] typename Values::sum sum_of_terms(const Values& values, const List& list, const OperandOf& operand_of,
+                                                const WeightOf& weight_of)
+{
+    const auto term = [&](const auto& entry) {
+        typename Values::sum result = operand_of(entry).evaluate(values);
+        Values::scale(result, static_cast<typename Values::scalar>(weight_of(entry)));
+        return result;
+    };
+    auto i = list.begin();
+    const auto end = list.end();
+    typename Values::sum total = term(*i);
+    for (++i; not(i == end); ++i)
+        Values::add(total, term(*i));
+    return total;
+}
+
+} // namespace detail
+
 /// The sum of weight_of(i) times the i-th operand.
 template <class Range, class WeightOf>
 struct mask_weighted_sum : mask_base {
@@ -113,17 +135,11 @@ struct mask_weighted_sum : mask_base {
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
         std::size_t count = 0;
-        const auto term = [&](const auto& operand) {
-            typename Values::sum result = operand.evaluate(values);
-            Values::scale(result, static_cast<typename Values::scalar>(weight_of(count++)));
-            return result;
-        };
-        auto i = range.begin();
-        const auto end = range.end();
-        typename Values::sum total = term(*i);
-        for (++i; not(i == end); ++i)
-            Values::add(total, term(*i));
-        return total;
+        return detail::sum_of_terms(
+            values,
+            range,
+            [](const auto& operand) -> const auto& { return operand; },
+            [&](const auto&) { return weight_of(count++); });
     }
 };
 
@@ -137,16 +153,11 @@ struct mask_list_sum : mask_base {
     template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
     {
-        const auto term = [&](const auto& entry) {
-            typename Values::sum result = entry.first.evaluate(values);
-            Values::scale(result, static_cast<typename Values::scalar>(entry.second));
-            return result;
-        };
-        auto i = list->begin();
-        typename Values::sum total = term(*i);
-        for (++i; i != list->end(); ++i)
-            Values::add(total, term(*i));
-        return total;
+        return detail::sum_of_terms(
+            values,
+            *list,
+            [](const auto& entry) -> const auto& { return entry.first; },
+            [](const auto& entry) { return entry.second; });
     }
 };
 
