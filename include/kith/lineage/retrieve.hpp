@@ -22,11 +22,11 @@ template <level Coarse, level_numbering Numbering, level Fine, target Target, el
 auto retrieve(const Coarse& coarse, const Numbering& ids, const Fine& fine, Target, const X&... x)
 {
     const auto tuple = index_tuple(x...);
-    constexpr tuple_kind Kind = decltype(tuple)::kind;
+    constexpr tuple_kind kind = decltype(tuple)::kind;
     const auto find = [&](const auto& column_ids, const auto& at) -> std::optional<decltype(at(0))> {
-        if constexpr (std::remove_cvref_t<decltype(column_ids)>::template has<Kind>)
+        if constexpr (std::remove_cvref_t<decltype(column_ids)>::template has<kind>)
             if (tuple.value != tuple.not_incident)
-                if (const auto id = column_ids.template id<Kind>(tuple.value); id != column_ids.none)
+                if (const auto id = column_ids.template id<kind>(tuple.value); id != column_ids.none)
                     return at(id);
         return {};
     };
