@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/base/cos_turn.hpp>
 #include <kith/kernel/irregular_rings.hpp>
 #include <kith/split/require_faces.hpp>
@@ -88,5 +90,9 @@ private:
             [c] { return sum(c.across().prev().v()); });
     }
 };
+
+KITH_COMPILED_SCHEME(butterfly)
+KITH_COMPILED_ORDER(butterfly)
+KITH_COMPILED_PATCHES(butterfly)
 
 } // namespace kith

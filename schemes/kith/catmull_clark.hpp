@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/crease/sharp_rules.hpp>
 #include <kith/split/quad_split.hpp>
 #include <kith/step/rules.hpp>
@@ -46,5 +48,9 @@ struct catmull_clark {
         subdivide(quad_split(), r, sharp.at_edges(edge_point), sharp.at_vertices(vertex_point));
     }
 };
+
+KITH_COMPILED_SCHEME(catmull_clark)
+KITH_COMPILED_ORDER(catmull_clark)
+KITH_COMPILED_PATCHES(catmull_clark)
 
 } // namespace kith

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/base/cos_turn.hpp>
 #include <kith/kernel/face_masks.hpp>
 #include <kith/split/dual_split.hpp>
@@ -96,5 +98,7 @@ private:
             use(1. / 2 * c.v() + 1. / 8 * (c.prev().v() + c.next().v()) + masks.sum_in_large(c, {1. / 4, 0, 0}));
     }
 };
+
+KITH_COMPILED_SCHEME(doo_sabin)
 
 } // namespace kith

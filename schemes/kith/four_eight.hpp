@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
 #include "tri_quad.hpp"
 
 #include <kith/split/bisection_split.hpp>
@@ -57,5 +58,7 @@ struct four_eight {
         return v.corners().only([](const auto& c) { return not bisection_split::is_first(c); });
     }
 };
+
+KITH_COMPILED_SCHEME(four_eight)
 
 } // namespace kith

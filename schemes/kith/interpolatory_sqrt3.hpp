@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/base/cos_turn.hpp>
 #include <kith/kernel/irregular_rings.hpp>
 #include <kith/split/require_faces.hpp>
@@ -86,5 +88,8 @@ struct interpolatory_sqrt3 {
         subdivide(sqrt3_split(), r, vertices, centers);
     }
 };
+
+KITH_COMPILED_SCHEME(interpolatory_sqrt3)
+KITH_COMPILED_ORDER(interpolatory_sqrt3)
 
 } // namespace kith

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/kernel/virtual_points.hpp>
 #include <kith/split/quad_split.hpp>
 #include <kith/step/rules.hpp>
@@ -62,5 +64,9 @@ struct kobbelt {
         subdivide(quad_split(), r, vertices, centers);
     }
 };
+
+KITH_COMPILED_SCHEME(kobbelt)
+KITH_COMPILED_ORDER(kobbelt)
+KITH_COMPILED_PATCHES(kobbelt)
 
 } // namespace kith

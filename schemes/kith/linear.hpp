@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/split/quad_split.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/triangle_split.hpp>
@@ -50,5 +52,8 @@ struct linear_triangles {
         triangle_split::connect(r);
     }
 };
+
+KITH_COMPILED_SCHEME(linear)
+KITH_COMPILED_SCHEME(linear_triangles)
 
 } // namespace kith

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/base/cos_turn.hpp>
 #include <kith/crease/sharp_rules.hpp>
 #include <kith/split/require_faces.hpp>
@@ -56,5 +58,9 @@ struct loop {
         subdivide(triangle_split(), r, sharp.at_edges(edge_point), sharp.at_vertices(vertex_point));
     }
 };
+
+KITH_COMPILED_SCHEME(loop)
+KITH_COMPILED_ORDER(loop)
+KITH_COMPILED_PATCHES(loop)
 
 } // namespace kith

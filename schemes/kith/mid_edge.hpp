@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/split/mid_edge_split.hpp>
 #include <kith/split/require_faces.hpp>
 
@@ -28,5 +30,7 @@ struct mid_edge {
         mid_edge_split::connect(r);
     }
 };
+
+KITH_COMPILED_SCHEME(mid_edge)
 
 } // namespace kith

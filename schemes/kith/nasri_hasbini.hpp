@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/kernel/large_rings.hpp>
 #include <kith/nasri_hasbini/boundary.hpp>
 #include <kith/nasri_hasbini/polygons.hpp>
@@ -88,5 +90,7 @@ private:
         }
     }
 };
+
+KITH_COMPILED_SCHEME(nasri_hasbini)
 
 } // namespace kith

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/base/cos_turn.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/sqrt3_split.hpp>
@@ -76,5 +78,9 @@ struct sqrt3 {
         subdivide(sqrt3_split(), r, centers, vertices, thirds.when(odd));
     }
 };
+
+KITH_COMPILED_SCHEME(sqrt3)
+KITH_COMPILED_ORDER(sqrt3)
+KITH_COMPILED_PATCHES(sqrt3)
 
 } // namespace kith

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/refine_with_fields.hpp>
 #include <kith/split/choose_diagonals.hpp>
 #include <kith/split/tri_quad_splits.hpp>
@@ -78,5 +80,8 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
             c = c == t.none ? t.none : new_corner[c];
     return {storage<Point>(mesh.points()), std::move(t), mesh.generation()};
 }
+
+KITH_COMPILED_SCHEME(detail::centroid_split)
+KITH_COMPILED_SCHEME(detail::diagonal_split)
 
 } // namespace kith

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "compiled_scheme.hpp"
+
 #include <kith/split/dual_split.hpp>
 #include <kith/split/quad_split.hpp>
 #include <kith/split/require_faces.hpp>
@@ -83,5 +85,7 @@ struct unified {
         is_primal() ? quad_split::connect(r) : dual_split().connect(r);
     }
 };
+
+KITH_COMPILED_SCHEME(unified)
 
 } // namespace kith

@@ -13,6 +13,24 @@
 
 namespace kith {
 
+namespace detail {
+
+/// A mesh whose half-edges were joined by hand, and not well.
+[[noreturn]] inline void refuse_face(std::size_t face, const char* why)
+{
+    throw mesh_error("face " + std::to_string(face) + ": " + why + "; repair the mesh");
+}
+[[noreturn]] inline void refuse_shared_halfedge(std::size_t face)
+{
+    refuse_face(face, "its half-edges do not form a cycle of their own");
+}
+[[noreturn]] inline void refuse_removed_vertex(std::size_t face)
+{
+    refuse_face(face, "one of its vertices has been removed");
+}
+
+} // namespace detail
+
 /// What can be wrong with a mesh.
 enum class problem : unsigned char {
     empty_mesh,
@@ -45,7 +63,7 @@ public:
     void add(problem kind, const Describe& describe)
     {
         if (counts_[std::size_t(kind)]++ < told_of_each_kind)
-            told_.emplace_back(kind, describe());
+            tell(kind, describe());
     }
 
     // What is found on more than one way into the library; elements by number.
@@ -62,6 +80,20 @@ public:
     {
         add(problem::isolated_vertex,
             [&] { return named("vertex", vertex) + "belongs to no face; remove it or give it a face"; });
+    }
+    void add_edge_without_face(std::size_t edge)
+    {
+        add(problem::nonmanifold_edge,
+            [&] { return named("edge", edge) + "has no face; remove it or give it a face"; });
+    }
+    /// Of a face with these vertices, which are sorted.
+    void add_face_faults(std::size_t face, std::vector<std::size_t>& vertices)
+    {
+        std::sort(vertices.begin(), vertices.end());
+        if (const auto twice = std::adjacent_find(vertices.begin(), vertices.end()); twice != vertices.end())
+            add_repeated_corner(face, *twice);
+        if (vertices.size() < 3)
+            add_few_corners(face, vertices.size());
     }
     void add_several_fans(std::size_t vertex, std::size_t faces)
     {
@@ -91,7 +123,7 @@ public:
     [[nodiscard]] bool has(problem kind) const { return count(kind) != 0; }
 
     /// One line per told problem, then how many more there are of each kind.
-    [[nodiscard]] std::vector<std::string> lines() const
+    [[nodiscard, gnu::cold]] std::vector<std::string> lines() const
     {
         std::vector<std::string> result;
         for (const auto& [kind, text] : told_)
@@ -102,7 +134,7 @@ public:
                                  " more: " + std::string(names[kind]));
         return result;
     }
-    [[nodiscard]] std::string text() const
+    [[nodiscard, gnu::cold]] std::string text() const
     {
         std::string result;
         for (const auto& line : lines())
@@ -117,7 +149,8 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string named(const char* kind, std::size_t element) const
+    [[gnu::cold]] void tell(problem kind, std::string&& text) { told_.emplace_back(kind, std::move(text)); }
+    [[nodiscard, gnu::cold]] std::string named(const char* kind, std::size_t element) const
     {
         return kind + (" " + number(element)) + ": ";
     }

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/doo_sabin.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(doo_sabin)
+
+} // namespace kith

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/four_eight.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(four_eight)
+
+} // namespace kith

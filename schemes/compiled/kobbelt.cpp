@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/kobbelt.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(kobbelt)
+KITH_COMPILE_ORDER(kobbelt)
+KITH_COMPILE_PATCHES(kobbelt)
+
+} // namespace kith

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/linear.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(linear)
+KITH_COMPILE_SCHEME(linear_triangles)
+
+} // namespace kith

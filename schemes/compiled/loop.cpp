@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/loop.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(loop)
+KITH_COMPILE_ORDER(loop)
+KITH_COMPILE_PATCHES(loop)
+
+} // namespace kith

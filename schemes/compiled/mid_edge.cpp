@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/mid_edge.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(mid_edge)
+
+} // namespace kith

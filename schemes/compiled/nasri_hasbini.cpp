@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/nasri_hasbini.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(nasri_hasbini)
+
+} // namespace kith

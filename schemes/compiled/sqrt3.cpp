@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/sqrt3.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(sqrt3)
+KITH_COMPILE_ORDER(sqrt3)
+KITH_COMPILE_PATCHES(sqrt3)
+
+} // namespace kith

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/tri_quad.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(detail::centroid_split)
+KITH_COMPILE_SCHEME(detail::diagonal_split)
+
+} // namespace kith

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/unified.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(unified)
+
+} // namespace kith

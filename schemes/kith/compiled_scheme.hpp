@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// KITH_COMPILED_SCHEME(scheme), in the header of each scheme: a program that links kith::compiled_schemes, which defines
+/// KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles and floats there, and compiles only what reads and writes its
+/// own meshes, if their coordinates are such. The results are the same bits. KITH_COMPILED_ORDER and KITH_COMPILED_PATCHES: so for
+/// the two fast ways to face lists, where a scheme has them.
+
+#ifdef KITH_COMPILED_SCHEMES
+
+#include <kith/refine.hpp>
+
+#include <array>
+#include <cstdint>
+
+#define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
+    How basic_mesh<std::array<Number, 3>> refine_mesh<connect::everything>(                                            \
+        const basic_mesh<std::array<Number, 3>>&, const Scheme&, numbering_of<Scheme, std::uint32_t>&);                \
+    How void detail::refine_levels_into(level_writer<std::array<Number, 3>, std::uint32_t>&,                           \
+                                        basic_mesh<std::array<Number, 3>>,                                             \
+                                        Scheme,                                                                        \
+                                        int,                                                                           \
+                                        const refine_options&);
+#define KITH_SCHEME_STEPS(How, Scheme)                                                                                 \
+    KITH_STEPS_OVER(How, Scheme, double)                                                                               \
+    KITH_STEPS_OVER(How, Scheme, float)                                                                                \
+    How basic_mesh<> refine_mesh<connect::faces>(                                                                      \
+        const basic_mesh<>&, const Scheme&, numbering_of<Scheme, std::uint32_t>&);                                     \
+    How basic_mesh<> refine(const basic_mesh<>&, const Scheme&, int, const refine_options&);
+#define KITH_ORDERED_LEVELS(How, Scheme) How basic_mesh<> refine_in_surface_order(const basic_mesh<>&, Scheme, int);
+#ifdef KITH_HAS_LANES
+#define KITH_PATCHES(How, Scheme) How class patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
+#else
+#define KITH_PATCHES(How, Scheme)
+#endif
+
+#define KITH_COMPILED_SCHEME(Scheme) KITH_SCHEME_STEPS(extern template, Scheme)
+#define KITH_COMPILED_ORDER(Scheme) KITH_ORDERED_LEVELS(extern template, Scheme)
+#define KITH_COMPILED_PATCHES(Scheme) KITH_PATCHES(extern template, Scheme)
+// The same in the files of kith::compiled_schemes.
+#define KITH_COMPILE_SCHEME(Scheme) KITH_SCHEME_STEPS(template, Scheme)
+#define KITH_COMPILE_ORDER(Scheme) KITH_ORDERED_LEVELS(template, Scheme)
+#define KITH_COMPILE_PATCHES(Scheme) KITH_PATCHES(template, Scheme)
+
+#else
+
+#define KITH_COMPILED_SCHEME(Scheme)
+#define KITH_COMPILED_ORDER(Scheme)
+#define KITH_COMPILED_PATCHES(Scheme)
+
+#endif
