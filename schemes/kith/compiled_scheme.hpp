@@ -16,6 +16,10 @@
 #define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
     How basic_mesh<std::array<Number, 3>> refine_mesh<connect::everything>(                                            \
         const basic_mesh<std::array<Number, 3>>&, const Scheme&, numbering_of<Scheme, std::uint32_t>&);                \
+    How void refine_mesh_into(level_writer<std::array<Number, 3>, std::uint32_t>&,                                     \
+                              const basic_mesh<std::array<Number, 3>>&,                                                \
+                              const Scheme&,                                                                           \
+                              numbering_of<Scheme, std::uint32_t>&);                                                   \
     How void detail::refine_levels_into(level_writer<std::array<Number, 3>, std::uint32_t>&,                           \
                                         basic_mesh<std::array<Number, 3>>,                                             \
                                         Scheme,                                                                        \

@@ -74,7 +74,7 @@ public:
         traits::make_room(*mesh_, vertices, edges, faces);
     }
 
-    /// Its points, to be assigned.
+    /// Its points, to be assigned; arrays only where that is what they are in memory, see array_point.
     [[nodiscard]] Point* points() const override { return reinterpret_cast<Point*>(traits::points(*mesh_)); }
 
     /// Lets the fan of a vertex start at a half-edge that leaves it; at the boundary `finish` turns it.

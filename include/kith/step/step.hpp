@@ -110,4 +110,21 @@ M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, 
     }
 }
 
+/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_like`, and for faces that the scheme
+/// does not take.
+template <mesh M, scheme Scheme, class Point, std::unsigned_integral Index>
+M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                   numbering_of<Scheme, Index>& ids)
+{
+    if constexpr (fillable_mesh<M>) {
+        M result; // not moved from here on: meshes of OpenMesh copy instead
+        foreign_level<M, Point> fine(result, &source);
+        refine_mesh_into(fine, mesh, scheme, ids);
+        return result;
+    } else {
+        return with_native_level<Scheme>(
+            mesh, [&](const auto& level) { return refine_level_like(source, level, scheme, mesh.generation(), ids); });
+    }
+}
+
 } // namespace kith
