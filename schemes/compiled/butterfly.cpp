@@ -4,6 +4,7 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(butterfly)
+KITH_COMPILE_FLOATS(butterfly)
 KITH_COMPILE_ORDER(butterfly)
 KITH_COMPILE_PATCHES(butterfly)
 

@@ -4,6 +4,7 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(catmull_clark)
+KITH_COMPILE_FLOATS(catmull_clark)
 KITH_COMPILE_ORDER(catmull_clark)
 KITH_COMPILE_PATCHES(catmull_clark)
 

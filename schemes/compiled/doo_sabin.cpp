@@ -4,5 +4,6 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(doo_sabin)
+KITH_COMPILE_FLOATS(doo_sabin)
 
 } // namespace kith

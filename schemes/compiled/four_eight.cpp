@@ -4,5 +4,6 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(four_eight)
+KITH_COMPILE_FLOATS(four_eight)
 
 } // namespace kith

@@ -4,6 +4,7 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(interpolatory_sqrt3)
+KITH_COMPILE_FLOATS(interpolatory_sqrt3)
 KITH_COMPILE_ORDER(interpolatory_sqrt3)
 
 } // namespace kith

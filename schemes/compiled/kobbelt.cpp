@@ -4,6 +4,7 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(kobbelt)
+KITH_COMPILE_FLOATS(kobbelt)
 KITH_COMPILE_ORDER(kobbelt)
 KITH_COMPILE_PATCHES(kobbelt)
 

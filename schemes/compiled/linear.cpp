@@ -4,6 +4,8 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(linear)
+KITH_COMPILE_FLOATS(linear)
 KITH_COMPILE_SCHEME(linear_triangles)
+KITH_COMPILE_FLOATS(linear_triangles)
 
 } // namespace kith

@@ -4,6 +4,7 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(loop)
+KITH_COMPILE_FLOATS(loop)
 KITH_COMPILE_ORDER(loop)
 KITH_COMPILE_PATCHES(loop)
 

@@ -4,5 +4,6 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(mid_edge)
+KITH_COMPILE_FLOATS(mid_edge)
 
 } // namespace kith

@@ -4,6 +4,8 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(detail::centroid_split)
+KITH_COMPILE_FLOATS(detail::centroid_split)
 KITH_COMPILE_SCHEME(detail::diagonal_split)
+KITH_COMPILE_FLOATS(detail::diagonal_split)
 
 } // namespace kith

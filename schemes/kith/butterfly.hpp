@@ -92,6 +92,7 @@ private:
 };
 
 KITH_COMPILED_SCHEME(butterfly)
+KITH_COMPILED_FLOATS(butterfly)
 KITH_COMPILED_ORDER(butterfly)
 KITH_COMPILED_PATCHES(butterfly)
 

@@ -50,6 +50,7 @@ struct catmull_clark {
 };
 
 KITH_COMPILED_SCHEME(catmull_clark)
+KITH_COMPILED_FLOATS(catmull_clark)
 KITH_COMPILED_ORDER(catmull_clark)
 KITH_COMPILED_PATCHES(catmull_clark)
 

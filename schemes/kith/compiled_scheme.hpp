@@ -2,9 +2,10 @@
 #pragma once
 
 /// KITH_COMPILED_SCHEME(scheme), in the header of each scheme: a program that links kith::compiled_schemes, which defines
-/// KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles and floats there, and compiles only what reads and writes its
-/// own meshes, if their coordinates are such. The results are the same bits. KITH_COMPILED_ORDER and KITH_COMPILED_PATCHES: so for
-/// the two fast ways to face lists, where a scheme has them.
+/// KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles there, and compiles only what reads and writes its own meshes, if
+/// their coordinates are doubles. The results are the same bits. KITH_COMPILED_FLOATS: so for floats, but for the schemes
+/// that take longest to compile. KITH_COMPILED_ORDER, KITH_COMPILED_PATCHES: the two fast ways to face lists, where a scheme
+/// has them.
 
 #ifdef KITH_COMPILED_SCHEMES
 
@@ -27,7 +28,6 @@
                                         const refine_options&);
 #define KITH_SCHEME_STEPS(How, Scheme)                                                                                 \
     KITH_STEPS_OVER(How, Scheme, double)                                                                               \
-    KITH_STEPS_OVER(How, Scheme, float)                                                                                \
     How basic_mesh<> refine_mesh<connect::faces>(                                                                      \
         const basic_mesh<>&, const Scheme&, numbering_of<Scheme, std::uint32_t>&);                                     \
     How basic_mesh<> refine(const basic_mesh<>&, const Scheme&, int, const refine_options&);
@@ -39,16 +39,19 @@
 #endif
 
 #define KITH_COMPILED_SCHEME(Scheme) KITH_SCHEME_STEPS(extern template, Scheme)
+#define KITH_COMPILED_FLOATS(Scheme) KITH_STEPS_OVER(extern template, Scheme, float)
 #define KITH_COMPILED_ORDER(Scheme) KITH_ORDERED_LEVELS(extern template, Scheme)
 #define KITH_COMPILED_PATCHES(Scheme) KITH_PATCHES(extern template, Scheme)
 // The same in the files of kith::compiled_schemes.
 #define KITH_COMPILE_SCHEME(Scheme) KITH_SCHEME_STEPS(template, Scheme)
+#define KITH_COMPILE_FLOATS(Scheme) KITH_STEPS_OVER(template, Scheme, float)
 #define KITH_COMPILE_ORDER(Scheme) KITH_ORDERED_LEVELS(template, Scheme)
 #define KITH_COMPILE_PATCHES(Scheme) KITH_PATCHES(template, Scheme)
 
 #else
 
 #define KITH_COMPILED_SCHEME(Scheme)
+#define KITH_COMPILED_FLOATS(Scheme)
 #define KITH_COMPILED_ORDER(Scheme)
 #define KITH_COMPILED_PATCHES(Scheme)
 

@@ -100,5 +100,6 @@ private:
 };
 
 KITH_COMPILED_SCHEME(doo_sabin)
+KITH_COMPILED_FLOATS(doo_sabin)
 
 } // namespace kith

@@ -60,5 +60,6 @@ struct four_eight {
 };
 
 KITH_COMPILED_SCHEME(four_eight)
+KITH_COMPILED_FLOATS(four_eight)
 
 } // namespace kith

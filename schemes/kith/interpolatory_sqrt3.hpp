@@ -90,6 +90,7 @@ struct interpolatory_sqrt3 {
 };
 
 KITH_COMPILED_SCHEME(interpolatory_sqrt3)
+KITH_COMPILED_FLOATS(interpolatory_sqrt3)
 KITH_COMPILED_ORDER(interpolatory_sqrt3)
 
 } // namespace kith

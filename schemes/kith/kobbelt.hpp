@@ -66,6 +66,7 @@ struct kobbelt {
 };
 
 KITH_COMPILED_SCHEME(kobbelt)
+KITH_COMPILED_FLOATS(kobbelt)
 KITH_COMPILED_ORDER(kobbelt)
 KITH_COMPILED_PATCHES(kobbelt)
 

@@ -54,6 +54,8 @@ struct linear_triangles {
 };
 
 KITH_COMPILED_SCHEME(linear)
+KITH_COMPILED_FLOATS(linear)
 KITH_COMPILED_SCHEME(linear_triangles)
+KITH_COMPILED_FLOATS(linear_triangles)
 
 } // namespace kith

@@ -32,5 +32,6 @@ struct mid_edge {
 };
 
 KITH_COMPILED_SCHEME(mid_edge)
+KITH_COMPILED_FLOATS(mid_edge)
 
 } // namespace kith

@@ -82,6 +82,8 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
 }
 
 KITH_COMPILED_SCHEME(detail::centroid_split)
+KITH_COMPILED_FLOATS(detail::centroid_split)
 KITH_COMPILED_SCHEME(detail::diagonal_split)
+KITH_COMPILED_FLOATS(detail::diagonal_split)
 
 } // namespace kith
