@@ -6,13 +6,16 @@
 #include <kith/crease/make_creases.hpp>
 #include <kith/doo_sabin.hpp>
 
+#include <CGAL/Cartesian.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 
 INSTANTIATE_TYPED_TEST_SUITE_P(cgal, mesh_statements, testing::Types<surface_mesh<CGAL::Simple_cartesian<double>>>);
 
@@ -51,6 +54,27 @@ std::string refusal(const mesh& m)
 }
 
 } // namespace
+
+TEST(cgal, points_that_are_arrays_are_refined_as_arrays)
+{
+    using kernel_of_handles = CGAL::Cartesian<double>;
+    static_assert(kith::array_point<point> and kith::array_point<epick::Point_3>);
+    static_assert(not kith::array_point<epeck::Point_3> and not kith::array_point<kernel_of_handles::Point_3>);
+    const auto native = kith::lift_valid(make(shapes::shaken(shapes::cube())));
+    static_assert(std::is_same_v<decltype(native), const kith::basic_mesh<>>);
+    EXPECT_EQ(native.point(7)[2], make(shapes::shaken(shapes::cube())).point(mesh::Vertex_index(7)).z());
+}
+
+TEST(cgal, faces_of_many_corners_are_written_whole)
+{
+    const auto cage = make(shapes::shaken(shapes::umbrella(20))); // whose middle becomes a face
+    const auto fine = kith::refine(cage, kith::doo_sabin(), 2);
+    EXPECT_TRUE(same_bits(kith::lift_valid(fine), kith::refine(kith::lift_valid(cage), kith::doo_sabin(), 2)));
+    std::size_t largest = 0;
+    for (const auto f : fine.faces())
+        largest = std::max<std::size_t>(largest, fine.degree(f));
+    EXPECT_EQ(largest, 20U);
+}
 
 TEST(cgal, removed_elements_are_left_out)
 {

@@ -11,6 +11,9 @@
 
 #include <malloc.h>
 
+#include <array>
+#include <type_traits>
+
 INSTANTIATE_TYPED_TEST_SUITE_P(poly_mesh, mesh_statements, testing::Types<poly_mesh>);
 INSTANTIATE_TYPED_TEST_SUITE_P(tri_mesh, mesh_statements, testing::Types<tri_mesh>);
 
@@ -117,6 +120,16 @@ struct dirty_memory {
 };
 
 } // namespace
+
+TEST(openmesh, points_that_are_arrays_are_refined_as_arrays)
+{
+    static_assert(kith::array_point<OpenMesh::Vec3f> and kith::array_point<OpenMesh::Vec3d>);
+    static_assert(not kith::array_point<OpenMesh::Vec3i>);
+    const auto cage = make(shapes::shaken(shapes::house()));
+    const auto expected = kith::refine(kith::lift_valid(cage), kith::doo_sabin(), 2);
+    static_assert(std::is_same_v<decltype(expected)::point_type, std::array<poly_mesh::Scalar, 3>>);
+    EXPECT_TRUE(same_bits(kith::lift_valid(kith::refine(cage, kith::doo_sabin(), 2)), expected));
+}
 
 TEST(openmesh, requested_attributes_are_kept_and_have_values)
 {

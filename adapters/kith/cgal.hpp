@@ -6,9 +6,9 @@
 #include <kith/mesh/foreign_level.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
 #include <utility>
 
 namespace kith {
@@ -19,6 +19,7 @@ template <class Kernel>
 struct affine<CGAL::Point_3<Kernel>> : coordinates_affine<typename Kernel::FT, 3> {
     using point = CGAL::Point_3<Kernel>;
     using typename coordinates_affine<typename Kernel::FT, 3>::sum;
+    static constexpr bool is_array = std::floating_point<typename Kernel::FT>; // but for kernels of handles
 
     static sum load(const point& p) { return {p.x(), p.y(), p.z()}; }
     static point store(const sum& total)
@@ -68,7 +69,7 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     static bool is_isolated(const mesh_type& m, vertex v) { return m.is_isolated(v); }
     static const Point& point_of(const mesh_type& m, vertex v) { return m.point(v); }
 
-    static mesh_type build(basic_mesh<Point, std::uint32_t>&& fine) { return fill<mesh_type>(std::move(fine)); }
+    static mesh_type build(basic_mesh<Point, std::uint32_t>&& fine) { return fill<mesh_type>(fine); }
 
     static void make_room(mesh_type& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {
@@ -94,20 +95,17 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     }
     static void set_start(mesh_type& m, face f, halfedge h, std::size_t) { m.set_halfedge(f, h); }
     static void set_start(mesh_type& m, vertex v, halfedge leaving) { m.set_halfedge(v, m.opposite(leaving)); }
-    static void mark_odd_generation(mesh_type& m)
-    {
-        m.template add_property_map<face, std::uint8_t>(odd_generation, 1);
-    }
+    static void mark_odd_generation(mesh_type& m) { m.template add_property_map<face, bool>(odd_generation, true); }
     static void forget_generation(mesh_type& m)
     {
         if (generation(m) != 0) {
-            auto odd = m.template add_property_map<face, std::uint8_t>(odd_generation).first;
+            auto odd = m.template add_property_map<face, bool>(odd_generation).first;
             m.remove_property_map(odd);
         }
     }
     static int generation(const mesh_type& m)
     {
-        const auto odd = m.template property_map<face, std::uint8_t>(odd_generation);
+        const auto odd = m.template property_map<face, bool>(odd_generation);
         if constexpr (requires { odd.has_value(); }) // from CGAL 6 on
             return odd.has_value() ? 1 : 0;
         else
@@ -122,8 +120,8 @@ private:
     template <class Handle>
     static auto alive(const mesh_type& m, std::size_t bound)
     {
-        return std::views::iota(size(0), size(bound)) | std::views::transform([](size i) { return Handle(i); }) |
-               std::views::filter([&m](Handle x) { return not m.is_removed(x); });
+        const auto is_removed = [&m](Handle x) { return m.is_removed(x); };
+        return numbered_handles<Handle, size, decltype(is_removed)>(size(bound), is_removed);
     }
 };
 

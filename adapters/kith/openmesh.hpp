@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <ranges>
 #include <string>
 #include <utility>
 
@@ -31,6 +30,7 @@ template <class Scalar, int N>
 struct affine<OpenMesh::VectorT<Scalar, N>> : coordinates_affine<Scalar, std::size_t(N)> {
     using point = OpenMesh::VectorT<Scalar, N>;
     using typename coordinates_affine<Scalar, std::size_t(N)>::sum;
+    static constexpr bool is_array = std::floating_point<Scalar>;
 
     static sum load(const point& p)
     {
@@ -90,11 +90,7 @@ struct mesh_traits<M> {
     static bool is_isolated(const M& m, vertex v) { return m.is_isolated(v); }
     static const point& point_of(const M& m, vertex v) { return m.point(v); }
 
-    static M build(basic_mesh<point, std::uint32_t>&& fine) { return fill<M>(std::move(fine)); }
-    static M build(basic_mesh<point, std::uint32_t>&& fine, const M& source)
-    {
-        return fill<M>(std::move(fine), &source);
-    }
+    static M build(basic_mesh<point, std::uint32_t>&& fine) { return fill<M>(fine); }
 
     static void request_like(M& m, const M& source)
     {
@@ -227,8 +223,8 @@ private:
     template <class Handle>
     static auto alive(const M& m, std::size_t bound, bool has_status)
     {
-        return std::views::iota(0, int(bound)) | std::views::transform([](int i) { return Handle(i); }) |
-               std::views::filter([&m, has_status](Handle x) { return not has_status or not m.status(x).deleted(); });
+        const auto is_removed = [&m, has_status](Handle x) { return has_status and m.status(x).deleted(); };
+        return numbered_handles<Handle, int, decltype(is_removed)>(int(bound), is_removed);
     }
 };
 

@@ -94,6 +94,31 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
     return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
+/// Refines with all connectivity but that of the last level, which has what is asked for.
+template <scheme Scheme, class Point, std::unsigned_integral Index>
+basic_mesh<Point, Index> refine_levels(basic_mesh<Point, Index> control, Scheme scheme, int levels, connect last_level)
+{
+    if (levels == 0)
+        return control;
+    const auto coarse = refine_on(std::move(control), scheme, levels - 1);
+    numbering_of<Scheme, Index> ids;
+    return last_level == connect::faces ? refine_mesh<connect::faces>(coarse, scheme, ids)
+                                        : refine_mesh<connect::everything>(coarse, scheme, ids);
+}
+
+/// The same of a control mesh that may have any faces, with the last level written into a mesh of another library.
+template <scheme Scheme, class Point, std::unsigned_integral Index>
+void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index> control, Scheme scheme, int levels,
+                        const refine_options& options)
+{
+    require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
+    if (levels == 0)
+        return write_level(fine, control);
+    const auto coarse = refine_on(std::move(control), scheme, levels - 1);
+    numbering_of<Scheme, Index> ids;
+    refine_mesh_into(fine, coarse, scheme, ids);
+}
+
 /// A copy whose edges are known; a copy made with face-vertex lists only gets them by matching.
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
@@ -135,25 +160,22 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
             detail::bytes_of_numbers<Index>(count(control.topology()), scheme, levels, control.generation()) <=
                 bytes_left)
             return refine_in_surface_order(control, scheme, levels);
-    Scheme last = scheme;
-    const auto coarse = detail::refine_on(std::move(control), last, levels - 1);
-    numbering_of<Scheme, Index> ids;
-    return options.last_level == connect::faces ? refine_mesh<connect::faces>(coarse, last, ids)
-                                                : refine_mesh<connect::everything>(coarse, last, ids);
+    return detail::refine_levels(std::move(control), scheme, levels, options.last_level);
 }
 
 template <refinable_mesh M, scheme Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
-    auto control = lift_valid(mesh);
-    detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
-    if (levels == 0)
-        return build_like(mesh, std::move(control));
-    Scheme last = scheme;
-    const auto coarse = detail::refine_on(std::move(control), last, levels - 1);
-    numbering_of<Scheme, std::uint32_t> ids;
-    return with_native_level<Scheme>(
-        coarse, [&](const auto& level) { return refine_level_like(mesh, level, last, coarse.generation(), ids); });
+    if constexpr (fillable_mesh<M>) {
+        M result; // not moved from here on: meshes of OpenMesh copy instead
+        foreign_level<M, typename lifted_point<M>::type> fine(result, &mesh);
+        detail::refine_levels_into(fine, lift_valid(mesh), scheme, levels, options);
+        return result;
+    } else {
+        auto control = lift_valid(mesh);
+        detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
+        return build_like(mesh, detail::refine_levels(std::move(control), scheme, levels, connect::everything));
+    }
 }
 
 /// Takes what the others do not, to say in one sentence what the type lacks.

@@ -60,8 +60,7 @@ M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const r
         return build_like(mesh, std::move(control));
     const auto coarse = refine_with(std::move(control), scheme, fields, levels - 1, connect::everything);
     numbering_of<Scheme, std::uint32_t> ids;
-    M fine = with_native_level<Scheme>(
-        coarse, [&](const auto& level) { return refine_level_like(mesh, level, scheme, coarse.generation(), ids); });
+    M fine = refine_mesh_like(mesh, coarse, scheme, ids);
     advance_with_fields(
         fields, scheme, level_of<std::remove_const_t<decltype(coarse)>>(coarse), coarse.generation(), ids, fine);
     return fine;

@@ -90,3 +90,4 @@ private:
 };
 
 } // namespace kith
+#include <kith/compiled/butterfly.hpp>

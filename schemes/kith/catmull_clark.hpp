@@ -49,3 +49,4 @@ struct catmull_clark {
 };
 
 } // namespace kith
+#include <kith/compiled/catmull_clark.hpp>

@@ -98,3 +98,4 @@ private:
 };
 
 } // namespace kith
+#include <kith/compiled/doo_sabin.hpp>

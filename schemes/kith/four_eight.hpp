@@ -59,3 +59,4 @@ struct four_eight {
 };
 
 } // namespace kith
+#include <kith/compiled/four_eight.hpp>

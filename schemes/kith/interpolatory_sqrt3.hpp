@@ -88,3 +88,4 @@ struct interpolatory_sqrt3 {
 };
 
 } // namespace kith
+#include <kith/compiled/interpolatory_sqrt3.hpp>

@@ -65,3 +65,4 @@ struct kobbelt {
 };
 
 } // namespace kith
+#include <kith/compiled/kobbelt.hpp>

@@ -52,3 +52,4 @@ struct linear_triangles {
 };
 
 } // namespace kith
+#include <kith/compiled/linear.hpp>

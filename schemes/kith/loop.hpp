@@ -8,7 +8,6 @@
 #include <kith/step/rules.hpp>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace kith {
 
@@ -37,7 +36,7 @@ struct loop {
     /// The weight of each neighbour of a vertex of valence n.
     [[nodiscard]] constexpr double beta(std::size_t n) const
     {
-        const double c = 3. / 8 + cos_turn(1, std::int64_t(n)) / 4;
+        const double c = 3. / 8 + cos_turn(1, long(n)) / 4;
         return weights == loop_weights::loop ? (5. / 8 - c * c) / double(n) : n == 3 ? 3. / 16 : 3. / (8. * double(n));
     }
 
@@ -58,3 +57,4 @@ struct loop {
 };
 
 } // namespace kith
+#include <kith/compiled/loop.hpp>

@@ -30,3 +30,4 @@ struct mid_edge {
 };
 
 } // namespace kith
+#include <kith/compiled/mid_edge.hpp>

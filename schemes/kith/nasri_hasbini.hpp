@@ -90,3 +90,4 @@ private:
 };
 
 } // namespace kith
+#include <kith/compiled/nasri_hasbini.hpp>

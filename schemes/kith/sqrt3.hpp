@@ -78,3 +78,4 @@ struct sqrt3 {
 };
 
 } // namespace kith
+#include <kith/compiled/sqrt3.hpp>

@@ -80,3 +80,4 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
 }
 
 } // namespace kith
+#include <kith/split/compiled_tri_quad.hpp>

@@ -85,3 +85,4 @@ struct unified {
 };
 
 } // namespace kith
+#include <kith/compiled/unified.hpp>

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace kith {
 
@@ -17,6 +18,7 @@ namespace kith {
 ///   sum               the accumulator
 ///   load(T) -> sum    store(sum) -> T
 ///   add(sum&, const sum&)    scale(sum&, scalar)
+///   is_array = true   optional: a T is the array of numbers that `sum` is, and nothing else
 template <class T>
 struct affine;
 
@@ -98,6 +100,23 @@ concept affine_value = requires(const T& value, typename affine<T>::sum total, t
     { affine<T>::store(total) } -> std::convertible_to<T>;
     affine<T>::add(total, total);
     affine<T>::scale(total, weight);
+};
+
+/// A point of another library that is an array of its coordinates, to the bit: in memory an array of such points is one of
+/// arrays.
+template <class T>
+concept array_point = affine_value<T> and requires { requires affine<T>::is_array; } and
+                      std::is_trivially_copyable_v<T> and sizeof(T) == sizeof(typename affine<T>::sum) and
+                      alignof(T) == alignof(typename affine<T>::sum);
+
+/// What a native mesh has in place of such points, so that the points of all libraries are refined by the same code.
+template <class T>
+struct native_point {
+    using type = T;
+};
+template <array_point T>
+struct native_point<T> {
+    using type = typename affine<T>::sum;
 };
 
 } // namespace kith

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "in_library.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -47,49 +49,10 @@ public:
 
     /// A block that starts at a cache line, or from two huge pages on at a huge page, and is not cleared.
     /// Errors: std::bad_alloc. Cost: O(kept blocks).
-    [[nodiscard]] void* allocate(std::size_t bytes)
-    {
-        bytes = rounded(bytes);
-        const std::lock_guard lock(mutex_);
-        const std::size_t now = in_use_ + bytes;
-        for (std::size_t i = kept_count_; i-- > 0;)
-            if (kept_[i].bytes == bytes) {
-                in_use_ = now;
-                return forget(i);
-            }
-        // Where faces at least triple, a level and the two before it, which a second run allocates in between, come to less
-        // than an eighth more; where they double it costs one block.
-        keep_only(std::min(limit_, (now > most_in_use_ ? now : most_in_use_ / 8 * 9) - now));
-        const std::size_t alignment = is_huge(bytes) ? page : cache_line;
-        void* block = std::aligned_alloc(alignment, bytes);
-        if (block == nullptr) {
-            keep_only(0);
-            block = std::aligned_alloc(alignment, bytes);
-        }
-        if (block == nullptr)
-            throw std::bad_alloc();
-        in_use_ = now;
-        most_in_use_ = std::max(most_in_use_, now);
-        if (is_huge(bytes))
-            advise_large_pages(static_cast<std::byte*>(block), bytes);
-        return block;
-    }
+    [[nodiscard]] void* allocate(std::size_t bytes);
 
     /// Precondition: `block` is from allocate(bytes).
-    void free(void* block, std::size_t bytes) noexcept
-    {
-        bytes = rounded(bytes);
-        const std::lock_guard lock(mutex_);
-        in_use_ -= bytes;
-        if (kept_count_ == kept_.size() and smallest_kept()->bytes < bytes)
-            std::free(forget(std::size_t(smallest_kept() - kept_.begin())));
-        if (kept_count_ == kept_.size() or bytes > limit_ - std::min(limit_, kept_bytes_)) {
-            std::free(block);
-            return;
-        }
-        kept_[kept_count_++] = {block, bytes};
-        kept_bytes_ += bytes;
-    }
+    void free(void* block, std::size_t bytes) noexcept;
 
     /// Keeps so many bytes at most, 1 GiB unless told; 0: nothing.
     void keep_at_most(std::size_t bytes)
@@ -99,11 +62,7 @@ public:
         keep_only(bytes);
     }
     /// Keeps nothing of what has been freed so far.
-    void give_back()
-    {
-        const std::lock_guard lock(mutex_);
-        keep_only(0);
-    }
+    void give_back();
     /// The bytes that are kept and not in use.
     [[nodiscard]] std::size_t kept() const
     {
@@ -157,6 +116,59 @@ private:
     std::size_t limit_ = std::size_t(1) << 30;
 #endif
 };
+
+#ifdef KITH_HAS_BODIES
+
+KITH_IN_LIBRARY void* large_blocks::allocate(std::size_t bytes)
+{
+    bytes = rounded(bytes);
+    const std::lock_guard lock(mutex_);
+    const std::size_t now = in_use_ + bytes;
+    for (std::size_t i = kept_count_; i-- > 0;)
+        if (kept_[i].bytes == bytes) {
+            in_use_ = now;
+            return forget(i);
+        }
+    // Where faces at least triple, a level and the two before it, which a second run allocates in between, come to less
+    // than an eighth more; where they double it costs one block.
+    keep_only(std::min(limit_, (now > most_in_use_ ? now : most_in_use_ / 8 * 9) - now));
+    const std::size_t alignment = is_huge(bytes) ? page : cache_line;
+    void* block = std::aligned_alloc(alignment, bytes);
+    if (block == nullptr) {
+        keep_only(0);
+        block = std::aligned_alloc(alignment, bytes);
+    }
+    if (block == nullptr)
+        throw std::bad_alloc();
+    in_use_ = now;
+    most_in_use_ = std::max(most_in_use_, now);
+    if (is_huge(bytes))
+        advise_large_pages(static_cast<std::byte*>(block), bytes);
+    return block;
+}
+
+KITH_IN_LIBRARY void large_blocks::free(void* block, std::size_t bytes) noexcept
+{
+    bytes = rounded(bytes);
+    const std::lock_guard lock(mutex_);
+    in_use_ -= bytes;
+    if (kept_count_ == kept_.size() and smallest_kept()->bytes < bytes)
+        std::free(forget(std::size_t(smallest_kept() - kept_.begin())));
+    if (kept_count_ == kept_.size() or bytes > limit_ - std::min(limit_, kept_bytes_)) {
+        std::free(block);
+        return;
+    }
+    kept_[kept_count_++] = {block, bytes};
+    kept_bytes_ += bytes;
+}
+
+KITH_IN_LIBRARY void large_blocks::give_back()
+{
+    const std::lock_guard lock(mutex_);
+    keep_only(0);
+}
+
+#endif
 
 /// Those of the process. Never destroyed, so arrays of any lifetime may use it.
 inline constinit large_blocks shared_blocks;

@@ -8,6 +8,7 @@
 #include <kith/base/error.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh/bulk_reader.hpp>
+#include <kith/mesh/foreign_level.hpp>
 
 #include <algorithm>
 #include <concepts>

@@ -56,11 +56,9 @@ public:
             auto h = first_halfedge;
             do {
                 if (corners_.size() >= traits::halfedge_bound(mesh) or corner_number_[traits::index(mesh, h)] != none)
-                    throw mesh_error("face " + std::to_string(traits::index(mesh, f)) +
-                                     ": its half-edges do not form a cycle of their own; repair the mesh");
+                    detail::refuse_shared_halfedge(std::size_t(traits::index(mesh, f)));
                 if (vertices_.number(mesh, traits::source(mesh, h)) == none)
-                    throw mesh_error("face " + std::to_string(traits::index(mesh, f)) +
-                                     ": one of its vertices has been removed; repair the mesh");
+                    detail::refuse_removed_vertex(std::size_t(traits::index(mesh, f)));
                 corner_number_[traits::index(mesh, h)] = index_type(corners_.size());
                 corners_.push_back(h);
                 h = traits::next(mesh, h);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace kith {
@@ -16,7 +15,7 @@ namespace kith {
 /// Everything that is wrong with a mesh that can be built but not refined. Elements are named by the index that their
 /// library gives them. Nothing is changed. Cost: O(elements), faces with many corners a logarithm more.
 template <mesh M>
-mesh_report validate(const M& mesh)
+[[gnu::cold]] mesh_report validate(const M& mesh)
 {
     using traits = mesh_traits<M>;
     mesh_report report;
@@ -34,20 +33,14 @@ mesh_report validate(const M& mesh)
             ++faces_at[corners.back()];
             h = traits::next(mesh, h);
         } while (h != first and corners.size() <= traits::halfedge_bound(mesh));
-        std::ranges::sort(corners);
-        if (const auto twice = std::ranges::adjacent_find(corners); twice != corners.end())
-            report.add_repeated_corner(number(f), *twice);
-        if (corners.size() < 3)
-            report.add_few_corners(number(f), corners.size());
+        report.add_face_faults(number(f), corners);
     }
     if (empty)
         report.add_no_faces();
     for (const auto e : traits::edges(mesh)) {
         const auto h = traits::halfedge_of(mesh, e);
         if (traits::is_boundary(mesh, h) and traits::is_boundary(mesh, traits::opposite(mesh, h)))
-            report.add(problem::nonmanifold_edge, [&] {
-                return "edge " + std::to_string(number(e)) + ": has no face; remove it or give it a face";
-            });
+            report.add_edge_without_face(number(e));
     }
     for (const auto v : traits::vertices(mesh)) {
         if (not detail::point_is_finite(typename traits::point(traits::point_of(mesh, v))))
@@ -78,14 +71,45 @@ mesh_report validate(const M& mesh)
     return report;
 }
 
-/// `lift` of a mesh that can be refined. Errors: mesh_error with everything that `validate` finds. Cost: as `lift`.
+namespace detail {
+
+/// Of a mesh in which `validate` finds nothing, and which still cannot be lifted: its half-edges are shared by faces, or lead
+/// from elements that have been removed.
 template <mesh M>
+[[noreturn, gnu::cold]] void refuse_halfedges(const M& mesh)
+{
+    using traits = mesh_traits<M>;
+    std::vector<bool> is_there(traits::vertex_bound(mesh)), is_met(traits::halfedge_bound(mesh));
+    for (const auto v : traits::vertices(mesh))
+        is_there[std::size_t(traits::index(mesh, v))] = true;
+    for (const auto f : traits::faces(mesh)) {
+        const auto face = std::size_t(traits::index(mesh, f));
+        const auto first = traits::halfedge_of(mesh, f);
+        auto h = first;
+        do {
+            const auto number = std::size_t(traits::index(mesh, h));
+            if (is_met[number])
+                refuse_shared_halfedge(face);
+            if (not is_there[std::size_t(traits::index(mesh, traits::source(mesh, h)))])
+                refuse_removed_vertex(face);
+            is_met[number] = true;
+            h = traits::next(mesh, h);
+        } while (h != first);
+    }
+    throw mesh_error("the half-edges of the mesh do not join faces at edges; repair the mesh");
+}
+
+} // namespace detail
+
+/// `lift` of a mesh that can be refined, whose points may become arrays. Errors: mesh_error with everything that `validate`
+/// finds. Cost: as `lift`.
+template <mesh M, class Point = typename lifted_point<M>::type>
 auto lift_valid(const M& mesh)
 {
-    if (auto native = detail::bulk_reader<M>(mesh).read(generation_of(mesh)))
+    if (auto native = detail::bulk_reader<M, Point>(mesh).read(generation_of(mesh)))
         return *std::move(native);
     validate(mesh).require_ok();
-    return lift(level_elements<mesh_level<M>>(mesh), generation_of(mesh));
+    detail::refuse_halfedges(mesh);
 }
 
 /// The native mesh cannot be made with bad connectivity, so only its points and loose vertices are looked at.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,43 +19,19 @@
 
 namespace kith::detail {
 
-/// Reads a mesh of another library into the native arrays in a few passes on all threads, and sees on the way whether
-/// anything is wrong with it. What is wrong, `validate` knows.
-template <mesh M>
-class bulk_reader {
-    using traits = mesh_traits<M>;
-    using index = std::uint32_t;
-    using point = typename traits::point;
-    using halfedge = typename traits::halfedge;
+/// Connectivity that is read from another library's mesh, and what is seen on the way of whether it is one.
+template <std::unsigned_integral Index>
+class read_connectivity {
+protected:
+    /// Whether the mesh may be read by several threads.
+    explicit read_connectivity(bool parallel) : parallel_(parallel) {}
 
-public:
-    /// Errors: mesh_error for more elements than can be numbered.
-    explicit bulk_reader(const M& mesh)
-        : mesh_(mesh)
-        , vertices_(mesh, traits::vertices(mesh), traits::vertex_bound(mesh))
-        , edges_(mesh, traits::edges(mesh), traits::edge_bound(mesh))
-        , faces_(mesh, traits::faces(mesh), traits::face_bound(mesh))
-    {
-    }
-
-    /// The native mesh with its elements, numbered, directed and started as they are there; nothing unless the mesh is
-    /// one that can be refined. Cost: O(elements).
-    [[nodiscard]] std::optional<basic_mesh<point, index>> read(int generation)
-    {
-        t_.vertices = vertices_.size();
-        t_.faces = faces_.size();
-        if (not(read_faces() and sides_are_joined() and each_vertex_has_one_fan() and read_points()))
-            return std::nullopt;
-        return basic_mesh<point, index>(std::move(points_), std::move(t_), generation);
-    }
-
-private:
     /// Calls good(i) for all i below size, on all threads; whether it always held.
     template <class Good>
-    static bool all(std::size_t size, const Good& good)
+    bool all(std::size_t size, const Good& good) const
     {
         std::atomic<bool> result = true;
-        for_parts(size, std::is_trivially_copyable_v<point>, [&](std::size_t begin, std::size_t end) {
+        for_parts(size, parallel_, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 if (not good(i)) {
                     result.store(false, std::memory_order_relaxed);
@@ -63,7 +40,119 @@ private:
         });
         return result;
     }
+    /// Whether there may be so many.
+    bool make_corners(std::size_t corners, std::size_t edges);
+    [[nodiscard]] bool comes_to_no_vertex_twice(std::size_t first, std::size_t end) const;
+    /// Every half-edge belongs to one corner at most, and every edge has a face.
+    [[nodiscard]] bool sides_are_joined(std::size_t edges) const;
+    /// Lets fans start where they should: inside where they are told, at the boundary where nothing lies clockwise. In the
+    /// order of the faces, since their neighbours lie close together.
+    bool each_vertex_has_one_fan();
+    static void store(Index& place, Index value) { std::atomic_ref(place).store(value, std::memory_order_relaxed); }
 
+    connectivity<Index> t_;
+
+private:
+    bool parallel_;
+    bool is_closed_ = false;
+};
+
+template <std::unsigned_integral Index>
+bool read_connectivity<Index>::make_corners(std::size_t corners, std::size_t edges)
+{
+    if (corners > 2 * edges)
+        return false;
+    t_.corner_vertex = storage<Index>(corners);
+    t_.corner_halfedge = storage<Index>(corners);
+    is_closed_ = corners == 2 * edges;
+    t_.halfedge_corner = is_closed_ ? storage<Index>(corners) : storage<Index>(2 * edges, t_.none);
+    t_.vertex_corner = storage<Index>(t_.vertices, t_.none);
+    return true;
+}
+
+template <std::unsigned_integral Index>
+bool read_connectivity<Index>::comes_to_no_vertex_twice(std::size_t first, std::size_t end) const
+{
+    const auto begin = t_.corner_vertex.begin();
+    if (end - first > 16)
+        return std::set<Index>(begin + first, begin + end).size() == end - first;
+    for (std::size_t c = first + 1; c < end; ++c)
+        if (std::find(begin + first, begin + c, begin[c]) != begin + c)
+            return false;
+    return true;
+}
+
+template <std::unsigned_integral Index>
+bool read_connectivity<Index>::sides_are_joined(std::size_t edges) const
+{
+    return all(t_.corners(), [this](std::size_t c) { return t_.halfedge_corner[t_.corner_halfedge[c]] == c; }) and
+           (is_closed_ or all(edges, [this](std::size_t e) { return t_.halfedge_corner[2 * e] != t_.none; }));
+}
+
+template <std::unsigned_integral Index>
+bool read_connectivity<Index>::each_vertex_has_one_fan()
+{
+    std::atomic<std::size_t> fans = 0, corners_in_fans = 0;
+    for_parts(t_.corners(), true, [&](std::size_t begin, std::size_t end) {
+        std::size_t count = 0, size = 0;
+        for (std::size_t c = begin; c < end; ++c) {
+            const bool at_boundary = not is_closed_ and t_.across(Index(c)) == t_.none;
+            const Index v = t_.corner_vertex[c];
+            Index& start = t_.vertex_corner[v];
+            if (at_boundary)
+                store(start, Index(c));
+            else if (std::atomic_ref(start).load(std::memory_order_relaxed) != c)
+                continue;
+            std::size_t met = 1;
+            Index o = t_.next_in_fan(Index(c));
+            for (; o != t_.none and o != c and t_.corner_vertex[o] == v; o = t_.next_in_fan(o))
+                ++met;
+            if (o == (at_boundary ? t_.none : Index(c))) { // else it is met where it starts, or is no fan of v
+                ++count;
+                size += met;
+            }
+        }
+        fans += count;
+        corners_in_fans += size;
+    });
+    return fans == t_.vertices and corners_in_fans == t_.corners();
+}
+
+#ifdef KITH_COMPILED_SCHEMES
+extern template class read_connectivity<std::uint32_t>;
+#endif
+
+/// Reads a mesh of another library into the native arrays in a few passes on all threads, and sees on the way whether
+/// anything is wrong with it. What is wrong, `validate` knows.
+template <mesh M, class Point = typename mesh_traits<M>::point>
+class bulk_reader : read_connectivity<std::uint32_t> {
+    using traits = mesh_traits<M>;
+    using index = std::uint32_t;
+    using halfedge = typename traits::halfedge;
+
+public:
+    /// Errors: mesh_error for more elements than can be numbered.
+    explicit bulk_reader(const M& mesh)
+        : read_connectivity(std::is_trivially_copyable_v<Point>)
+        , mesh_(mesh)
+        , vertices_(mesh, traits::vertices(mesh), traits::vertex_bound(mesh))
+        , edges_(mesh, traits::edges(mesh), traits::edge_bound(mesh))
+        , faces_(mesh, traits::faces(mesh), traits::face_bound(mesh))
+    {
+    }
+
+    /// The native mesh with its elements, numbered, directed and started as they are there; nothing unless the mesh is
+    /// one that can be refined. Cost: O(elements).
+    [[nodiscard]] std::optional<basic_mesh<Point, index>> read(int generation)
+    {
+        t_.vertices = vertices_.size();
+        t_.faces = faces_.size();
+        if (not(read_faces() and sides_are_joined(edges_.size()) and each_vertex_has_one_fan() and read_points()))
+            return std::nullopt;
+        return basic_mesh<Point, index>(std::move(points_), std::move(t_), generation);
+    }
+
+private:
     bool read_faces()
     {
         if (t_.faces == 0)
@@ -95,13 +184,8 @@ private:
     }
     bool read_corners(std::size_t corners)
     {
-        if (corners > 2 * edges_.size())
+        if (not make_corners(corners, edges_.size()))
             return false;
-        t_.corner_vertex = storage<index>(corners);
-        t_.corner_halfedge = storage<index>(corners);
-        is_closed_ = corners == 2 * edges_.size();
-        t_.halfedge_corner = is_closed_ ? storage<index>(corners) : storage<index>(2 * edges_.size(), t_.none);
-        t_.vertex_corner = storage<index>(t_.vertices, t_.none);
         return all(t_.faces, [this](std::size_t f) {
             const std::size_t first = t_.first_corner(f), end = t_.first_corner(f + 1);
             const auto start = traits::halfedge_of(mesh_, faces_[f]);
@@ -126,16 +210,6 @@ private:
             return h == start and end - first >= 3 and comes_to_no_vertex_twice(first, end);
         });
     }
-    [[nodiscard]] bool comes_to_no_vertex_twice(std::size_t first, std::size_t end) const
-    {
-        const auto begin = t_.corner_vertex.begin();
-        if (end - first > 16)
-            return std::set<index>(begin + first, begin + end).size() == end - first;
-        for (std::size_t c = first + 1; c < end; ++c)
-            if (std::find(begin + first, begin + c, begin[c]) != begin + c)
-                return false;
-        return true;
-    }
     /// 2 * edge + side; side 0 is the one that directs the edge and has a face.
     [[nodiscard]] std::size_t number_of(halfedge h) const
     {
@@ -144,62 +218,24 @@ private:
         const bool is_first = (directs == h) != traits::is_boundary(mesh_, directs);
         return 2 * edges_.number(mesh_, e) + (is_first ? 0 : 1);
     }
-
-    /// Every half-edge belongs to one corner at most, and every edge has a face.
-    bool sides_are_joined()
-    {
-        return all(t_.corners(), [this](std::size_t c) { return t_.halfedge_corner[t_.corner_halfedge[c]] == c; }) and
-               (t_.corners() == 2 * edges_.size() or
-                all(edges_.size(), [this](std::size_t e) { return t_.halfedge_corner[2 * e] != t_.none; }));
-    }
-
-    /// Lets fans start where they should: inside where they are told, at the boundary where nothing lies clockwise. In the
-    /// order of the faces, since their neighbours lie close together.
-    bool each_vertex_has_one_fan()
-    {
-        std::atomic<std::size_t> fans = 0, corners_in_fans = 0;
-        for_parts(t_.corners(), true, [&](std::size_t begin, std::size_t end) {
-            std::size_t count = 0, size = 0;
-            for (std::size_t c = begin; c < end; ++c) {
-                const bool at_boundary = not is_closed_ and t_.across(index(c)) == t_.none;
-                const index v = t_.corner_vertex[c];
-                index& start = t_.vertex_corner[v];
-                if (at_boundary)
-                    store(start, index(c));
-                else if (std::atomic_ref(start).load(std::memory_order_relaxed) != c)
-                    continue;
-                std::size_t met = 1;
-                index o = t_.next_in_fan(index(c));
-                for (; o != t_.none and o != c and t_.corner_vertex[o] == v; o = t_.next_in_fan(o))
-                    ++met;
-                if (o == (at_boundary ? t_.none : index(c))) { // else it is met where it starts, or is no fan of v
-                    ++count;
-                    size += met;
-                }
-            }
-            fans += count;
-            corners_in_fans += size;
-        });
-        return fans == t_.vertices and corners_in_fans == t_.corners();
-    }
     bool read_points()
     {
-        points_ = storage<point>(t_.vertices);
+        points_ = storage<Point>(t_.vertices);
         return all(t_.vertices, [this](std::size_t i) {
             const auto v = vertices_[i];
-            points_[i] = traits::point_of(mesh_, v);
+            if constexpr (std::same_as<Point, typename traits::point>)
+                points_[i] = traits::point_of(mesh_, v);
+            else
+                points_[i] = affine<typename traits::point>::load(traits::point_of(mesh_, v));
             return t_.vertex_corner[i] != t_.none and point_is_finite(points_[i]);
         });
     }
-    static void store(index& place, index value) { std::atomic_ref(place).store(value, std::memory_order_relaxed); }
 
     const M& mesh_;
     dense_numbers<M, typename traits::vertex> vertices_;
     dense_numbers<M, typename traits::edge> edges_;
     dense_numbers<M, typename traits::face> faces_;
-    connectivity<index> t_;
-    storage<point> points_;
-    bool is_closed_ = false;
+    storage<Point> points_;
 };
 
 } // namespace kith::detail

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace kith {
@@ -31,26 +32,17 @@ public:
         for (const Handle x : range)
             has_gaps |= std::size_t(traits::index(mesh, x)) != size_++;
         has_gaps |= size_ != bound;
-        if constexpr (can_be_made)
-            if (not has_gaps)
-                return;
-        handles_.reserve(size_);
-        for (const Handle x : range)
-            handles_.push_back(x);
-        if (not has_gaps)
-            return;
-        numbers_.assign(bound, none);
-        for (std::size_t i = 0; i < handles_.size(); ++i)
-            numbers_[traits::index(mesh, handles_[i])] = index_type(i);
+        if (has_gaps or not can_be_made)
+            keep(mesh, range, has_gaps ? bound : 0);
     }
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] Handle operator[](std::size_t i) const
     {
         if constexpr (can_be_made)
-            if (handles_.empty())
-                return traits::template at<Handle>(i);
-        return handles_[i];
+            return traits::template at<Handle>(kept_.empty() ? i : kept_[i]);
+        else
+            return kept_[i];
     }
     /// Whether any handle, an invalid one or that of another mesh too, may be that of an element here.
     [[nodiscard]] bool has(const M& mesh, Handle x) const
@@ -68,8 +60,28 @@ public:
 private:
     static constexpr bool can_be_made = requires(std::size_t i) { traits::template at<Handle>(i); };
 
+    /// The handles and, below the bound, their numbers.
+    template <class Range>
+    [[gnu::noinline]] void keep(const M& mesh, const Range& range, std::size_t bound)
+    {
+        kept_.resize(size_);
+        numbers_.resize(bound, index_type(none));
+        std::size_t number = 0;
+        for (const Handle x : range) {
+            const auto index = index_type(traits::index(mesh, x));
+            if (bound != 0)
+                numbers_[index] = index_type(number);
+            if constexpr (can_be_made)
+                kept_[number] = index;
+            else
+                kept_[number] = x;
+            ++number;
+        }
+    }
+
     std::size_t size_ = 0;
-    std::vector<Handle> handles_;     // empty where the mesh makes them and there are no gaps
+    // The handles or, where the mesh makes them, their indices; none of these where there are no gaps, either.
+    std::vector<std::conditional_t<can_be_made, index_type, Handle>> kept_;
     std::vector<index_type> numbers_; // empty where there are no gaps
 };
 

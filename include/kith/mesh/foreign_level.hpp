@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
-#include <ranges>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,11 +38,20 @@ concept fillable_mesh = mesh<M> and std::default_initializable<M> and
                             T::mark_odd_generation(m);
                         };
 
-/// A level_sink that is a mesh of another library: its elements are numbered as they would be in a native mesh,
-/// and half-edge 2e+s is side s of edge e. What writes into it stays out of the loops, which have all else inlined: as fast, and
-/// without the assertions of the other library in every loop.
+/// The points of the native mesh that a mesh is lifted to, of which it can be made again.
+template <class M>
+struct lifted_point {
+    using type = typename mesh_traits<M>::point;
+};
 template <fillable_mesh M>
-class foreign_level {
+struct lifted_point<M> : native_point<typename mesh_traits<M>::point> {};
+
+/// A mesh of another library into which a level is written: its elements are numbered as they would be in a native mesh,
+/// and half-edge 2e+s is side s of edge e. What writes into it stays out of the loops, which have all else inlined: as fast, and
+/// without the assertions of the other library in every loop. Its points may be seen as arrays.
+template <fillable_mesh M, class Point>
+    requires std::same_as<Point, typename mesh_traits<M>::point> or std::same_as<Point, typename lifted_point<M>::type>
+class foreign_level final : public level_writer<Point, std::uint32_t> {
     using traits = mesh_traits<M>;
     using index = std::uint32_t;
     using vertex = typename traits::vertex;
@@ -50,51 +59,32 @@ class foreign_level {
     using halfedge = typename traits::halfedge;
 
 public:
-    using point_type = typename traits::point;
-    using index_type = index;
+    /// Precondition: the mesh is empty; it gets the attributes of `source`, if there is one.
+    explicit foreign_level(M& mesh, const M* source = nullptr) : mesh_(&mesh), source_(source) {}
 
-    /// Precondition: the mesh is empty; it gets the attributes of `source`, if there is one. Errors: those of `make_room`.
-    foreign_level(M& mesh, std::size_t vertex_count, std::size_t edge_count, std::size_t face_count, bool is_closed,
-                  const M* source = nullptr)
-        : mesh_(&mesh), vertex_count_(vertex_count), edge_count_(edge_count), is_closed_(is_closed)
+    void make_room(std::size_t vertices, std::size_t edges, std::size_t faces, bool is_closed) override
     {
+        vertex_count_ = vertices;
+        edge_count_ = edges;
+        is_closed_ = is_closed;
         shared_blocks.give_back(); // the other library takes its memory elsewhere
-        if constexpr (requires { traits::request_like(mesh, *source); })
-            if (source != nullptr)
-                traits::request_like(mesh, *source);
-        traits::make_room(mesh, vertex_count, edge_count, face_count);
+        if constexpr (requires { traits::request_like(*mesh_, *source_); })
+            if (source_ != nullptr)
+                traits::request_like(*mesh_, *source_);
+        traits::make_room(*mesh_, vertices, edges, faces);
     }
 
-    /// Its points, to be assigned.
-    [[nodiscard]] auto* points() const { return traits::points(*mesh_); }
+    /// Its points, to be assigned; arrays only where that is what they are in memory, see array_point.
+    [[nodiscard]] Point* points() const override { return reinterpret_cast<Point*>(traits::points(*mesh_)); }
 
-    /// Makes a face of its lines. Safe for different faces on several threads. Errors: those of `set_start`.
-    template <face_lines Lines>
-    [[gnu::noinline]] void set_face(index id, const Lines& lines)
-    {
-        const auto here = at<face>(id);
-        face_line<index> first{}, before{};
-        std::size_t count = 0;
-        for (const face_line<index>& line : lines) {
-            if (count++ == 0)
-                first = line;
-            else
-                traits::set_side(
-                    *mesh_, at<halfedge>(before.halfedge), here, at<vertex>(line.vertex), at<halfedge>(line.halfedge));
-            before = line;
-        }
-        traits::set_side(
-            *mesh_, at<halfedge>(before.halfedge), here, at<vertex>(first.vertex), at<halfedge>(first.halfedge));
-        traits::set_start(*mesh_, here, at<halfedge>(first.halfedge), count);
-    }
     /// Lets the fan of a vertex start at a half-edge that leaves it; at the boundary `finish` turns it.
-    [[gnu::noinline]] void set_start(index id, index leaving)
+    void set_start(index id, index leaving) override
     {
         traits::set_start(*mesh_, at<vertex>(id), at<halfedge>(leaving));
     }
 
     /// When all faces are there: joins the sides that have none.
-    void finish(int generation)
+    void finish(int generation) override
     {
         if (is_closed_)
             return;
@@ -109,6 +99,17 @@ private:
     static Handle at(std::size_t number)
     {
         return traits::template at<Handle>(number);
+    }
+    /// Safe for different faces on several threads. Errors: those of `set_start`.
+    void write_face(index id, std::span<const face_line<index>> lines) override
+    {
+        const auto here = at<face>(id);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const face_line<index>& next = lines[i + 1 == lines.size() ? 0 : i + 1];
+            traits::set_side(
+                *mesh_, at<halfedge>(lines[i].halfedge), here, at<vertex>(next.vertex), at<halfedge>(next.halfedge));
+        }
+        traits::set_start(*mesh_, here, at<halfedge>(lines[0].halfedge), lines.size());
     }
     /// Half-edges without a face run along the boundary the other way. Fans start where nothing lies clockwise: behind
     /// the boundary edge that leaves the vertex.
@@ -136,35 +137,58 @@ private:
     }
 
     M* mesh_;
-    std::size_t vertex_count_, edge_count_;
-    bool is_closed_;
+    const M* source_;
+    std::size_t vertex_count_ = 0, edge_count_ = 0;
+    bool is_closed_ = false;
 };
+
+/// Writes the elements of a native mesh, in the same order and direction. Precondition: it has its edges.
+/// Errors: those of `make_room`. Cost: O(elements).
+template <class Point, std::unsigned_integral Index>
+void write_level(level_writer<Point, Index>& level, const basic_mesh<Point, Index>& mesh)
+{
+    const connectivity<Index>& t = mesh.topology();
+    level.make_room(t.vertices, t.edges(), t.faces, t.corners() == 2 * t.edges());
+    Point* const points = level.points();
+    detail::for_parts(t.vertices, std::is_trivially_copyable_v<Point>, [&](std::size_t begin, std::size_t end) {
+        std::copy(mesh.points().data() + begin, mesh.points().data() + end, points + begin);
+        for (std::size_t v = begin; v < end; ++v)
+            level.set_start(Index(v), t.corner_halfedge[t.vertex_corner[v]]);
+    });
+    detail::for_parts(t.faces, true, [&](std::size_t begin, std::size_t end) {
+        std::vector<face_line<Index>> lines;
+        for (std::size_t f = begin; f < end; ++f) {
+            lines.clear();
+            for (std::size_t c = t.first_corner(f); c < t.first_corner(f + 1); ++c)
+                lines.push_back({t.corner_vertex[c], t.corner_halfedge[c]});
+            level.set_face(Index(f), lines);
+        }
+    });
+    level.finish(mesh.generation());
+}
 
 /// The mesh of another library with the elements of a native one, in the same order and direction, and with the attributes
 /// of `source` if there is one.
 /// Precondition: the native mesh has its edges. Errors: those of `make_room`. Cost: O(elements).
-template <fillable_mesh M>
-M fill(basic_mesh<typename mesh_traits<M>::point, std::uint32_t>&& fine, const M* source = nullptr)
+template <fillable_mesh M, class Point>
+M fill(const basic_mesh<Point, std::uint32_t>& fine, const M* source = nullptr)
 {
-    using point = typename mesh_traits<M>::point;
-    const connectivity<std::uint32_t>& t = fine.topology();
     M result; // not moved from here on: meshes of OpenMesh copy instead
-    foreign_level<M> level(result, t.vertices, t.edges(), t.faces, t.corners() == 2 * t.edges(), source);
-    detail::for_parts(t.vertices, std::is_trivially_copyable_v<point>, [&](std::size_t begin, std::size_t end) {
-        std::copy(fine.points().data() + begin, fine.points().data() + end, level.points() + begin);
-        for (std::size_t v = begin; v < end; ++v)
-            level.set_start(std::uint32_t(v), t.corner_halfedge[t.vertex_corner[v]]);
-    });
-    detail::for_parts(t.faces, true, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f)
-            level.set_face(std::uint32_t(f),
-                           std::views::iota(t.first_corner(f), t.first_corner(f + 1)) |
-                               std::views::transform([&t](std::uint32_t c) {
-                                   return face_line<std::uint32_t>{t.corner_vertex[c], t.corner_halfedge[c]};
-                               }));
-    });
-    level.finish(fine.generation());
+    foreign_level<M, Point> level(result, source);
+    write_level(level, fine);
     return result;
+}
+
+/// The mesh with these elements, refined from `source`, with what of the source it keeps.
+template <refinable_mesh M, class Point>
+M build_like(const M& source, basic_mesh<Point, std::uint32_t>&& fine)
+{
+    if constexpr (fillable_mesh<M>)
+        return fill(fine, &source);
+    else if constexpr (requires { mesh_traits<M>::build(std::move(fine), source); })
+        return mesh_traits<M>::build(std::move(fine), source);
+    else
+        return mesh_traits<M>::build(std::move(fine));
 }
 
 } // namespace kith

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace kith {
 
@@ -36,6 +38,56 @@ concept level_sink = requires(S& sink, typename S::index_type i,
     sink.set_start(i, i);
     // Comes last, with the generation of the level: nothing lies on the sides that no face has named.
     sink.finish(0);
+};
+
+/// A level_sink behind virtual functions: a step that writes into it is compiled once, whatever it is that is written.
+template <class Point, std::unsigned_integral Index>
+class level_writer {
+public:
+    using point_type = Point;
+    using index_type = Index;
+    using lines = std::span<const face_line<Index>>;
+
+    /// Comes first. A level is closed when it has no boundary. Errors: mesh_error for more elements than it can number.
+    virtual void make_room(std::size_t vertices, std::size_t edges, std::size_t faces, bool is_closed) = 0;
+    [[nodiscard]] virtual Point* points() const = 0;
+    virtual void set_start(Index vertex, Index leaving) = 0;
+    virtual void finish(int generation) = 0;
+
+    template <face_lines Lines>
+    void set_face(Index id, const Lines& of_face)
+    {
+        if constexpr (std::convertible_to<const Lines&, lines>) {
+            write_face(id, of_face);
+        } else {
+            std::array<face_line<Index>, 8> few;
+            std::size_t count = 0;
+            for (const face_line<Index>& line : of_face) {
+                if (count == few.size())
+                    return set_large_face(id, of_face);
+                few[count++] = line;
+            }
+            write_face(id, lines(few.data(), count));
+        }
+    }
+
+protected:
+    level_writer() = default;
+    level_writer(const level_writer&) = default;
+    level_writer& operator=(const level_writer&) = default;
+    ~level_writer() = default;
+
+private:
+    virtual void write_face(Index id, lines of_face) = 0;
+
+    template <face_lines Lines>
+    [[gnu::noinline]] void set_large_face(Index id, const Lines& of_face)
+    {
+        std::vector<face_line<Index>> all;
+        for (const face_line<Index>& line : of_face)
+            all.push_back(line);
+        write_face(id, all);
+    }
 };
 
 } // namespace kith

@@ -57,7 +57,9 @@ bool point_is_finite(const Point& point)
         if constexpr (std::floating_point<typename traits::sum>)
             return std::isfinite(value);
         else if constexpr (std::ranges::range<typename traits::sum>)
-            return std::ranges::all_of(value, [](auto x) { return std::isfinite(x); });
+            for (const auto& x : value)
+                if (not std::isfinite(x))
+                    return false;
     }
     return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/base/error.hpp>
+#include <kith/base/in_library.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,14 @@
 #include <vector>
 
 namespace kith {
+
+namespace detail {
+
+// A mesh whose half-edges were joined by hand, and not well.
+[[noreturn]] void refuse_shared_halfedge(std::size_t face);
+[[noreturn]] void refuse_removed_vertex(std::size_t face);
+
+} // namespace detail
 
 /// What can be wrong with a mesh.
 enum class problem : unsigned char {
@@ -35,55 +44,26 @@ public:
     explicit mesh_report(std::size_t first_number) : first_number_(first_number) {}
 
     /// An element as the user numbers it.
-    [[nodiscard]] std::string number(std::size_t element) const
-    {
-        return std::to_string(std::ptrdiff_t(element + first_number_)); // one that was negative reads like that
-    }
+    [[nodiscard]] std::string number(std::size_t element) const;
 
     /// Adds a problem; `describe()` is called only while there is room to tell it.
     template <class Describe>
     void add(problem kind, const Describe& describe)
     {
         if (counts_[std::size_t(kind)]++ < told_of_each_kind)
-            told_.emplace_back(kind, describe());
+            tell(kind, describe());
     }
 
     // What is found on more than one way into the library; elements by number.
-    void add_no_faces()
-    {
-        add(problem::empty_mesh, [] { return std::string("the mesh has no faces; nothing can be refined"); });
-    }
-    void add_not_finite(std::size_t vertex)
-    {
-        add(problem::not_finite,
-            [&] { return named("vertex", vertex) + "a coordinate is not a finite number; give it a place"; });
-    }
-    void add_isolated(std::size_t vertex)
-    {
-        add(problem::isolated_vertex,
-            [&] { return named("vertex", vertex) + "belongs to no face; remove it or give it a face"; });
-    }
-    void add_several_fans(std::size_t vertex, std::size_t faces)
-    {
-        add(problem::nonmanifold_vertex, [&] {
-            return named("vertex", vertex) + "its " + std::to_string(faces) +
-                   " faces form several fans; split the vertex, one copy per fan";
-        });
-    }
-    void add_few_corners(std::size_t face, std::size_t corners)
-    {
-        add(problem::degenerate_face, [&] {
-            return named("face", face) + "has " + std::to_string(corners) + (corners == 1 ? " corner" : " corners") +
-                   "; remove it";
-        });
-    }
-    void add_repeated_corner(std::size_t face, std::size_t vertex)
-    {
-        add(problem::degenerate_face, [&] {
-            return named("face", face) + "comes to vertex " + number(vertex) +
-                   " twice; remove the repeated corner or the face";
-        });
-    }
+    void add_no_faces();
+    void add_not_finite(std::size_t vertex);
+    void add_isolated(std::size_t vertex);
+    void add_edge_without_face(std::size_t edge);
+    /// Of a face with these vertices, which are sorted.
+    void add_face_faults(std::size_t face, std::vector<std::size_t>& vertices);
+    void add_several_fans(std::size_t vertex, std::size_t faces);
+    void add_few_corners(std::size_t face, std::size_t corners);
+    void add_repeated_corner(std::size_t face, std::size_t vertex);
 
     [[nodiscard]] bool ok() const { return told_.empty(); }
     explicit operator bool() const { return ok(); }
@@ -91,36 +71,14 @@ public:
     [[nodiscard]] bool has(problem kind) const { return count(kind) != 0; }
 
     /// One line per told problem, then how many more there are of each kind.
-    [[nodiscard]] std::vector<std::string> lines() const
-    {
-        std::vector<std::string> result;
-        for (const auto& [kind, text] : told_)
-            result.push_back(text);
-        for (std::size_t kind = 0; kind < counts_.size(); ++kind)
-            if (counts_[kind] > told_of_each_kind)
-                result.push_back("and " + std::to_string(counts_[kind] - told_of_each_kind) +
-                                 " more: " + std::string(names[kind]));
-        return result;
-    }
-    [[nodiscard]] std::string text() const
-    {
-        std::string result;
-        for (const auto& line : lines())
-            result += (result.empty() ? "" : "\n") + line;
-        return result;
-    }
+    [[nodiscard]] std::vector<std::string> lines() const;
+    [[nodiscard]] std::string text() const;
     /// Throws mesh_error with the text when there is any problem.
-    void require_ok() const
-    {
-        if (not ok())
-            throw mesh_error(text());
-    }
+    void require_ok() const;
 
 private:
-    [[nodiscard]] std::string named(const char* kind, std::size_t element) const
-    {
-        return kind + (" " + number(element)) + ": ";
-    }
+    void tell(problem kind, std::string&& text);
+    [[nodiscard]] std::string named(const char* kind, std::size_t element) const;
 
     static constexpr std::array<std::string_view, 8> names{"empty mesh",
                                                            "coordinates that are not finite",
@@ -135,5 +93,109 @@ private:
     std::array<std::size_t, 8> counts_{};
     std::vector<std::pair<problem, std::string>> told_;
 };
+
+#ifdef KITH_HAS_BODIES
+
+namespace detail {
+
+[[noreturn]] KITH_IN_LIBRARY void refuse_face(std::size_t face, const char* why)
+{
+    throw mesh_error("face " + std::to_string(face) + ": " + why + "; repair the mesh");
+}
+KITH_IN_LIBRARY void refuse_shared_halfedge(std::size_t face)
+{
+    refuse_face(face, "its half-edges do not form a cycle of their own");
+}
+KITH_IN_LIBRARY void refuse_removed_vertex(std::size_t face)
+{
+    refuse_face(face, "one of its vertices has been removed");
+}
+
+} // namespace detail
+
+KITH_IN_LIBRARY std::string mesh_report::number(std::size_t element) const
+{
+    return std::to_string(std::ptrdiff_t(element + first_number_)); // one that was negative reads like that
+}
+KITH_IN_LIBRARY void mesh_report::add_no_faces()
+{
+    add(problem::empty_mesh, [] { return std::string("the mesh has no faces; nothing can be refined"); });
+}
+KITH_IN_LIBRARY void mesh_report::add_not_finite(std::size_t vertex)
+{
+    add(problem::not_finite,
+        [&] { return named("vertex", vertex) + "a coordinate is not a finite number; give it a place"; });
+}
+KITH_IN_LIBRARY void mesh_report::add_isolated(std::size_t vertex)
+{
+    add(problem::isolated_vertex,
+        [&] { return named("vertex", vertex) + "belongs to no face; remove it or give it a face"; });
+}
+KITH_IN_LIBRARY void mesh_report::add_edge_without_face(std::size_t edge)
+{
+    add(problem::nonmanifold_edge, [&] { return named("edge", edge) + "has no face; remove it or give it a face"; });
+}
+KITH_IN_LIBRARY void mesh_report::add_face_faults(std::size_t face, std::vector<std::size_t>& vertices)
+{
+    std::sort(vertices.begin(), vertices.end());
+    if (const auto twice = std::adjacent_find(vertices.begin(), vertices.end()); twice != vertices.end())
+        add_repeated_corner(face, *twice);
+    if (vertices.size() < 3)
+        add_few_corners(face, vertices.size());
+}
+KITH_IN_LIBRARY void mesh_report::add_several_fans(std::size_t vertex, std::size_t faces)
+{
+    add(problem::nonmanifold_vertex, [&] {
+        return named("vertex", vertex) + "its " + std::to_string(faces) +
+               " faces form several fans; split the vertex, one copy per fan";
+    });
+}
+KITH_IN_LIBRARY void mesh_report::add_few_corners(std::size_t face, std::size_t corners)
+{
+    add(problem::degenerate_face, [&] {
+        return named("face", face) + "has " + std::to_string(corners) + (corners == 1 ? " corner" : " corners") +
+               "; remove it";
+    });
+}
+KITH_IN_LIBRARY void mesh_report::add_repeated_corner(std::size_t face, std::size_t vertex)
+{
+    add(problem::degenerate_face, [&] {
+        return named("face", face) + "comes to vertex " + number(vertex) +
+               " twice; remove the repeated corner or the face";
+    });
+}
+KITH_IN_LIBRARY std::vector<std::string> mesh_report::lines() const
+{
+    std::vector<std::string> result;
+    for (const auto& [kind, text] : told_)
+        result.push_back(text);
+    for (std::size_t kind = 0; kind < counts_.size(); ++kind)
+        if (counts_[kind] > told_of_each_kind)
+            result.push_back("and " + std::to_string(counts_[kind] - told_of_each_kind) +
+                             " more: " + std::string(names[kind]));
+    return result;
+}
+KITH_IN_LIBRARY std::string mesh_report::text() const
+{
+    std::string result;
+    for (const auto& line : lines())
+        result += (result.empty() ? "" : "\n") + line;
+    return result;
+}
+KITH_IN_LIBRARY void mesh_report::require_ok() const
+{
+    if (not ok())
+        throw mesh_error(text());
+}
+KITH_IN_LIBRARY void mesh_report::tell(problem kind, std::string&& text)
+{
+    told_.emplace_back(kind, std::move(text));
+}
+KITH_IN_LIBRARY std::string mesh_report::named(const char* kind, std::size_t element) const
+{
+    return kind + (" " + number(element)) + ": ";
+}
+
+#endif
 
 } // namespace kith

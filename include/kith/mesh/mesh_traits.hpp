@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <ranges>
 #include <type_traits>
 #include <utility>
@@ -61,6 +62,55 @@ class basic_mesh;
 template <class M>
 struct mesh_traits;
 
+/// What `vertices`, `edges` and `faces` may return where all handles are made of numbers from 0 on: those of which
+/// is_removed(handle) is not true.
+template <class Handle, std::integral Number, class IsRemoved>
+class numbered_handles {
+public:
+    class iterator {
+    public:
+        using value_type = Handle;
+        using difference_type = std::ptrdiff_t;
+        using iterator_concept = std::forward_iterator_tag;
+
+        iterator() = default;
+        iterator(const numbered_handles& all, Number number) : all_(&all), number_(number) { skip_removed(); }
+        Handle operator*() const { return Handle(number_); }
+        iterator& operator++()
+        {
+            ++number_;
+            skip_removed();
+            return *this;
+        }
+        iterator operator++(int)
+        {
+            const iterator before = *this;
+            ++*this;
+            return before;
+        }
+        friend bool operator==(const iterator& a, const iterator& b) { return a.number_ == b.number_; }
+
+    private:
+        void skip_removed()
+        {
+            while (number_ != all_->end_ and all_->is_removed_(Handle(number_)))
+                ++number_;
+        }
+
+        const numbered_handles* all_ = nullptr;
+        Number number_{};
+    };
+
+    numbered_handles(Number end, IsRemoved is_removed) : end_(end), is_removed_(std::move(is_removed)) {}
+
+    [[nodiscard]] iterator begin() const { return {*this, 0}; }
+    [[nodiscard]] iterator end() const { return {*this, end_}; }
+
+private:
+    Number end_;
+    IsRemoved is_removed_;
+};
+
 template <class R, class T>
 concept range_of = std::ranges::input_range<R> and std::convertible_to<std::ranges::range_reference_t<R>, T>;
 
@@ -113,15 +163,5 @@ template <class M, class T = mesh_traits<M>>
 concept refinable_mesh = mesh<M, T> and requires(basic_mesh<typename T::point, std::uint32_t>&& fine) {
     { T::build(std::move(fine)) } -> std::convertible_to<M>;
 };
-
-/// The mesh with these elements, refined from `source`: by `build`, with what of the source it keeps.
-template <refinable_mesh M>
-M build_like(const M& source, basic_mesh<typename mesh_traits<M>::point, std::uint32_t>&& fine)
-{
-    if constexpr (requires { mesh_traits<M>::build(std::move(fine), source); })
-        return mesh_traits<M>::build(std::move(fine), source);
-    else
-        return mesh_traits<M>::build(std::move(fine));
-}
 
 } // namespace kith

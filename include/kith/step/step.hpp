@@ -63,25 +63,68 @@ basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const
             mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
 }
 
-/// One step to a mesh of the type of `source`, from which it was refined: written straight into it where it is fillable and
-/// the scheme is trusted and declares its edges. Errors: as `refine_level`, and those of `make_room` or `build`.
+/// One step into a mesh of another library: straight where the scheme is trusted and declares its edges. Errors: as
+/// `refine_level`, and those of `make_room`.
+template <class Point, level Level, scheme Scheme>
+void refine_level_into(level_writer<Point, typename Level::index_type>& fine, const Level& coarse, const Scheme& scheme,
+                       int generation, numbering_of<Scheme, typename Level::index_type>& ids)
+{
+    if constexpr (is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
+        ids = {coarse, columns_of(scheme, generation)};
+        fine.make_room(ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed());
+        run_scheme_into(fine, coarse, scheme, generation, ids, &ids.dictionary);
+    } else {
+        write_level(fine, refine_level<connect::everything>(coarse, scheme, generation, ids));
+    }
+}
+
+/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_into`, and for faces that the scheme
+/// does not take.
+template <scheme Scheme, class Point, std::unsigned_integral Index>
+void refine_mesh_into(level_writer<Point, Index>& fine, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                      numbering_of<Scheme, Index>& ids)
+{
+    if constexpr (scheme_beside_state<Scheme>)
+        refine_mesh_into(fine, mesh, scheme.plain(), ids);
+    else
+        with_native_level<Scheme>(
+            mesh, [&](const auto& level) { refine_level_into(fine, level, scheme, mesh.generation(), ids); });
+}
+
+/// One step to a mesh of the type of `source`, from which it was refined. Errors: as `refine_level`, and those of `make_room`
+/// or `build`.
 template <mesh M, level Level, scheme Scheme>
 M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, int generation,
                     numbering_of<Scheme, typename Level::index_type>& ids)
 {
     if constexpr (scheme_beside_state<Scheme>) {
         return refine_level_like(source, coarse, scheme.plain(), generation, ids);
-    } else if constexpr (fillable_mesh<M> and is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
-        ids = {coarse, columns_of(scheme, generation)};
+    } else if constexpr (fillable_mesh<M>) {
         M result; // not moved from here on: meshes of OpenMesh copy instead
-        foreign_level<M> fine(
-            result, ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed(), &source);
-        run_scheme_into(fine, coarse, scheme, generation, ids, &ids.dictionary);
+        foreign_level<M, typename Level::point_type> fine(result, &source);
+        refine_level_into(fine, coarse, scheme, generation, ids);
         return result;
     } else {
         auto fine = refine_level<connect::everything>(coarse, scheme, generation, ids);
         shared_blocks.give_back(); // the other library takes its memory elsewhere
         return build_like(source, std::move(fine));
+    }
+}
+
+/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_like`, and for faces that the scheme
+/// does not take.
+template <mesh M, scheme Scheme, class Point, std::unsigned_integral Index>
+M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                   numbering_of<Scheme, Index>& ids)
+{
+    if constexpr (fillable_mesh<M>) {
+        M result; // not moved from here on: meshes of OpenMesh copy instead
+        foreign_level<M, Point> fine(result, &source);
+        refine_mesh_into(fine, mesh, scheme, ids);
+        return result;
+    } else {
+        return with_native_level<Scheme>(
+            mesh, [&](const auto& level) { return refine_level_like(source, level, scheme, mesh.generation(), ids); });
     }
 }
 

@@ -3,9 +3,13 @@
 
 #include <kith/mesh/make_mesh.hpp>
 
-#if defined(WITH_schemes)
+#if defined(WITH_schemes) or defined(WITH_compiled_schemes)
 #include <kith/catmull_clark.hpp>
 #include <kith/refine.hpp>
+#endif
+
+#if defined(WITH_compiled_schemes) and not defined(KITH_COMPILED_SCHEMES)
+#error "the schemes are compiled here, too"
 #endif
 
 #if defined(WITH_distributed)
@@ -49,7 +53,7 @@ int main()
     const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const auto square = kith::make_mesh(points, std::vector{std::array{0, 1, 2, 3}});
     bool is_right = square.edge_count() == 4;
-#if defined(WITH_schemes)
+#if defined(WITH_schemes) or defined(WITH_compiled_schemes)
     is_right &= kith::refine(square, kith::catmull_clark{}, 2).face_count() == 16;
 #endif
 #if defined(WITH_distributed)

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/doo_sabin.hpp>
+
+#include <kith/compiled_refine.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(doo_sabin)
+KITH_COMPILE_FLOATS(doo_sabin)
+
+} // namespace kith

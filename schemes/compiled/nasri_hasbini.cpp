@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/nasri_hasbini.hpp>
+
+#include <kith/compiled_refine.hpp>
+
+namespace kith {
+
+KITH_COMPILE_SCHEME(nasri_hasbini)
+
+} // namespace kith

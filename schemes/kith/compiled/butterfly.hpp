@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#ifdef KITH_COMPILED_SCHEMES
+
+#include <kith/compiled_refine.hpp>
+
+namespace kith {
+
+KITH_COMPILED_SCHEME(butterfly)
+KITH_COMPILED_FLOATS(butterfly)
+KITH_COMPILED_ORDER(butterfly)
+KITH_COMPILED_PATCHES(butterfly)
+
+} // namespace kith
+
+#endif

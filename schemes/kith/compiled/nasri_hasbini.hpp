@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#ifdef KITH_COMPILED_SCHEMES
+
+#include <kith/compiled_refine.hpp>
+
+namespace kith {
+
+KITH_COMPILED_SCHEME(nasri_hasbini)
+
+} // namespace kith
+
+#endif
