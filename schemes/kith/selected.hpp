@@ -3,12 +3,9 @@
 
 #include <kith/selected/polygon_closure_split.hpp>
 #include <kith/selected/red_green_split.hpp>
+#include <kith/selected/selectable_scheme.hpp>
 #include <kith/step/rules.hpp>
 
-#include <algorithm>
-#include <array>
-#include <concepts>
-#include <cstddef>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -16,24 +13,6 @@
 #include <utility>
 
 namespace kith {
-
-namespace detail {
-
-template <class Scheme>
-using columns_type = std::remove_cvref_t<decltype(columns_of(std::declval<const Scheme&>(), 0))>;
-template <class Scheme>
-inline constexpr bool splits_triangles = std::same_as<columns_type<Scheme>, decltype(triangle_split::columns())>;
-template <class Scheme>
-inline constexpr bool splits_into_quads = std::same_as<columns_type<Scheme>, decltype(quad_split::columns())>;
-
-} // namespace detail
-
-/// A scheme of which some faces may be refined alone, `selected`: it splits triangles in four (loop, butterfly, linear_triangles) or
-/// polygons of any kind into quads (catmull_clark, linear), or is one of the user's own with the columns of such a split.
-template <class S>
-concept selectable_scheme = scheme<S> and
-                            ((detail::splits_triangles<S> and needs_triangles<S>) or
-                             (detail::splits_into_quads<S> and not needs_quads<S> and not needs_triangles<S>));
 
 /// A scheme whose steps refine the faces that are chosen for them; of a level for which nothing was chosen all of them. What
 /// keeps the mesh conforming is `closure`: no vertex lies on the edge of another face. Vertices at cut edges have the rules of the
@@ -44,14 +23,6 @@ concept selectable_scheme = scheme<S> and
 template <selectable_scheme Scheme>
 class selected {
     using split = std::conditional_t<detail::splits_triangles<Scheme>, red_green_split, polygon_closure_split>;
-    static constexpr auto letters_of_name()
-    {
-        constexpr std::string_view before = "selected-", own = scheme_name<Scheme>();
-        std::array<char, before.size() + own.size()> result{};
-        std::ranges::copy(own, std::ranges::copy(before, result.begin()).out);
-        return result;
-    }
-    static constexpr auto letters = letters_of_name();
 
 public:
     explicit selected(Scheme scheme = {}) : scheme_(std::move(scheme)) {}
@@ -70,13 +41,14 @@ public:
     static constexpr auto traits()
     {
         constexpr auto& own = traits_of<Scheme>;
-        return scheme_traits{.name = std::string_view(letters.data(), letters.size()),
-                             .faces = own.faces,
-                             .closed_only = own.closed_only,
-                             .trusted = own.trusted,
-                             .require = own.require,
-                             .state = [](auto& scheme) { return states(scheme); },
-                             .closure = [](const auto& scheme) -> const auto& { return closure_of(scheme); }};
+        return scheme_traits{
+            .name = std::string_view(detail::name_of_selected<Scheme>.data(), detail::name_of_selected<Scheme>.size()),
+            .faces = own.faces,
+            .closed_only = own.closed_only,
+            .trusted = own.trusted,
+            .require = own.require,
+            .state = [](auto& scheme) { return states(scheme); },
+            .closure = [](const auto& scheme) -> const auto& { return closure_of(scheme); }};
     }
     [[nodiscard]] auto columns() const { return split{&closure_}.columns(); }
 
@@ -102,7 +74,7 @@ public:
         const auto edges = at_edges([&](auto e) {
             if (not closure_.is_cut(e))
                 return;
-            if (is_wide() and closure_.is_beside_green(e))
+            if (detail::is_wide<Scheme>() and closure_.is_beside_green(e))
                 assoc(e, V) = average(e.org(), e.dst());
             else
                 assoc(e, V) = all(e, V);
@@ -121,15 +93,6 @@ public:
     }
 
 private:
-    /// Masks that reach beyond the faces at an element have negative weights, as Butterfly's, which magnify the steps in size
-    /// between green faces from level to level: angles would shrink without end.
-    [[nodiscard]] bool is_wide() const
-    {
-        if constexpr (reaching_scheme<Scheme> and std::default_initializable<Scheme>)
-            return reach_of(Scheme(), 1) > 1; // its creases aside
-        else
-            return false;
-    }
     static const closure<split>& closure_of(const selected& scheme) { return scheme.closure_; }
     template <class Self>
     static auto states(Self& scheme)
