@@ -10,7 +10,7 @@
 #include <CGAL/Point_3.h>
 #include <CGAL/Vector_2.h>
 #include <CGAL/Vector_3.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <concepts>
 #include <cstddef>
