@@ -167,10 +167,8 @@ template <refinable_mesh M, scheme Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
     if constexpr (fillable_mesh<M>) {
-        M result; // not moved from here on: meshes of OpenMesh copy instead
-        foreign_level<M, typename lifted_point<M>::type> fine(result, &mesh);
-        detail::refine_levels_into(fine, lift_valid(mesh), scheme, levels, options);
-        return result;
+        return detail::made_like<typename lifted_point<M>::type>(
+            mesh, [&](auto& fine) { detail::refine_levels_into(fine, lift_valid(mesh), scheme, levels, options); });
     } else {
         auto control = lift_valid(mesh);
         detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});

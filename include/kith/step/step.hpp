@@ -91,6 +91,21 @@ void refine_mesh_into(level_writer<Point, Index>& fine, const basic_mesh<Point, 
             mesh, [&](const auto& level) { refine_level_into(fine, level, scheme, mesh.generation(), ids); });
 }
 
+namespace detail {
+
+/// A mesh of the type of `source`, written by write(sink). What is returned is made in place, in a function of its own: g++ before
+/// 14 would copy a mesh of OpenMesh out of an inner block.
+template <class Point, fillable_mesh M, class Write>
+M made_like(const M& source, const Write& write)
+{
+    M result;
+    foreign_level<M, Point> fine(result, &source);
+    write(fine);
+    return result;
+}
+
+} // namespace detail
+
 /// One step to a mesh of the type of `source`, from which it was refined. Errors: as `refine_level`, and those of `make_room`
 /// or `build`.
 template <mesh M, level Level, scheme Scheme>
@@ -100,10 +115,8 @@ M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, 
     if constexpr (scheme_beside_state<Scheme>) {
         return refine_level_like(source, coarse, scheme.plain(), generation, ids);
     } else if constexpr (fillable_mesh<M>) {
-        M result; // not moved from here on: meshes of OpenMesh copy instead
-        foreign_level<M, typename Level::point_type> fine(result, &source);
-        refine_level_into(fine, coarse, scheme, generation, ids);
-        return result;
+        return detail::made_like<typename Level::point_type>(
+            source, [&](auto& fine) { refine_level_into(fine, coarse, scheme, generation, ids); });
     } else {
         auto fine = refine_level<connect::everything>(coarse, scheme, generation, ids);
         shared_blocks.give_back(); // the other library takes its memory elsewhere
@@ -118,10 +131,7 @@ M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const 
                    numbering_of<Scheme, Index>& ids)
 {
     if constexpr (fillable_mesh<M>) {
-        M result; // not moved from here on: meshes of OpenMesh copy instead
-        foreign_level<M, Point> fine(result, &source);
-        refine_mesh_into(fine, mesh, scheme, ids);
-        return result;
+        return detail::made_like<Point>(source, [&](auto& fine) { refine_mesh_into(fine, mesh, scheme, ids); });
     } else {
         return with_native_level<Scheme>(
             mesh, [&](const auto& level) { return refine_level_like(source, level, scheme, mesh.generation(), ids); });
