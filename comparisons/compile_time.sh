@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # compile_time.sh [RUNS]: how long one file takes to compile that refines a mesh of CGAL or OpenMesh once by Loop, as a multiple of a
 # file with the mesh library alone: which includes kith, which refines by headers only, which refines where kith::compiled_schemes is
-# linked; and beside them, without kith, one that makes a triangle by the library's own functions. Processor seconds, medians of RUNS
-# runs (5) that take turns, so that other work on the machine meets all of them. CXX is the compiler.
+# linked, and where kith::compiled_cgal or kith::compiled_openmesh is; and beside them, without kith, one that makes a triangle by the
+# library's own functions. Processor seconds, medians of RUNS runs (5) that take turns, so that other work on the machine meets all of
+# them. CXX is the compiler.
 set -euo pipefail
 runs=${1:-5}
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -28,7 +29,8 @@ sources() {
 }"
     tee -a "$alone" >>"$including" <<<'mesh copy(const mesh& m) { return m; }'
     echo 'mesh refined(const mesh& m) { return kith::refine(m, kith::loop{}, 3); }' >>"$headers"
-    { echo '#define KITH_COMPILED_SCHEMES' && cat "$headers"; } >"$work/$1-compiled.cpp"
+    { echo '#define KITH_COMPILED_SCHEMES' && cat "$headers"; } >"$work/$1-schemes.cpp"
+    { echo "#define KITH_COMPILED_${1^^}" && cat "$work/$1-schemes.cpp"; } >"$work/$1-meshes.cpp"
 }
 sources CGAL cgal.hpp 'CGAL::Simple_cartesian<double>::Point_3' <<'LINES'
 #include <CGAL/Simple_cartesian.h>
@@ -46,12 +48,13 @@ seconds() { # FILE OPTION...
 }
 median() { sort -n | sed -n "$(((runs + 1) / 2))p"; }
 
-printf '%-10s %-14s %8s %9s %10s %13s %17s\n' mesh options alone triangle including 'headers only' compiled_schemes
+row='%-10s %-14s %8s %9s %10s %13s %17s %14s\n'
+printf "$row" mesh options alone triangle including 'headers only' compiled_schemes compiled_mesh
 for options in -O2 '-O2 -DNDEBUG' -O0; do
     for library in CGAL OpenMesh; do
         rm -f "$work"/times-*
         for ((run = 0; run < runs; ++run)); do
-            for way in alone making including headers compiled; do
+            for way in alone making including headers schemes meshes; do
                 if ! seconds $library-$way $options >>"$work/times-$way"; then
                     cat "$work/errors" >&2
                     exit 1
@@ -60,7 +63,7 @@ for options in -O2 '-O2 -DNDEBUG' -O0; do
         done
         alone=$(median <"$work/times-alone")
         ratio() { median <"$work/times-$1" | awk -v alone="$alone" '{ printf "%.2f", $1 / alone }'; }
-        printf '%-10s %-14s %6s s %9s %10s %13s %17s\n' $library "$options" "$alone" "$(ratio making)" "$(ratio including)" \
-            "$(ratio headers)" "$(ratio compiled)"
+        printf "$row" $library "$options" "$alone s" "$(ratio making)" "$(ratio including)" "$(ratio headers)" "$(ratio schemes)" \
+            "$(ratio meshes)"
     done
 done

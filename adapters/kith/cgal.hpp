@@ -126,3 +126,5 @@ private:
 };
 
 } // namespace kith
+
+#include <kith/cgal/compiled.hpp>

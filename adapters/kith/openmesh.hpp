@@ -229,3 +229,5 @@ private:
 };
 
 } // namespace kith
+
+#include <kith/openmesh/compiled.hpp>

@@ -7,7 +7,10 @@
 #include <kith/mesh/mesh_report.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace kith {
@@ -99,17 +102,30 @@ template <mesh M>
     throw mesh_error("the half-edges of the mesh do not join faces at edges; repair the mesh");
 }
 
+template <mesh M, class Point>
+basic_mesh<Point, std::uint32_t> lift_here(const M& mesh)
+{
+    if (auto native = bulk_reader<M, Point>(mesh).read(generation_of(mesh)))
+        return *std::move(native);
+    validate(mesh).require_ok();
+    refuse_halfedges(mesh);
+}
+
+/// The same, compiled in the library that `is_compiled_mesh` tells of.
+template <class M, class Point>
+basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh);
+
 } // namespace detail
 
 /// `lift` of a mesh that can be refined, whose points may become arrays. Errors: mesh_error with everything that `validate`
 /// finds. Cost: as `lift`.
 template <mesh M, class Point = typename lifted_point<M>::type>
-auto lift_valid(const M& mesh)
+basic_mesh<Point, std::uint32_t> lift_valid(const M& mesh)
 {
-    if (auto native = detail::bulk_reader<M, Point>(mesh).read(generation_of(mesh)))
-        return *std::move(native);
-    validate(mesh).require_ok();
-    detail::refuse_halfedges(mesh);
+    if constexpr (is_compiled_mesh<M> and std::same_as<Point, typename lifted_point<M>::type>)
+        return detail::lift_in_library<M, Point>(mesh);
+    else
+        return detail::lift_here<M, Point>(mesh);
 }
 
 /// The native mesh cannot be made with bad connectivity, so only its points and loose vertices are looked at.

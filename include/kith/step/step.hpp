@@ -10,6 +10,8 @@
 #include <kith/mesh/foreign_level.hpp>
 
 #include <concepts>
+#include <cstdint>
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -93,15 +95,32 @@ void refine_mesh_into(level_writer<Point, Index>& fine, const basic_mesh<Point, 
 
 namespace detail {
 
-/// A mesh of the type of `source`, written by write(sink). What is returned is made in place, in a function of its own: g++ before
-/// 14 would copy a mesh of OpenMesh out of an inner block.
-template <class Point, fillable_mesh M, class Write>
-M made_like(const M& source, const Write& write)
+/// What writes a level.
+template <class Point>
+using level_source = std::function<void(level_writer<Point, std::uint32_t>&)>;
+
+/// What is returned is made in place, in a function of its own: g++ before 14 would copy a mesh of OpenMesh out of an inner block.
+template <class Point, fillable_mesh M>
+M make_here(const M& source, const auto& write)
 {
     M result;
     foreign_level<M, Point> fine(result, &source);
     write(fine);
     return result;
+}
+
+/// The same, compiled in the library that `is_compiled_mesh` tells of.
+template <class M, class Point>
+M make_in_library(const M& source, const level_source<Point>& write);
+
+/// A mesh of the type of `source`, written by write(level_writer).
+template <class Point, fillable_mesh M, class Write>
+M made_like(const M& source, const Write& write)
+{
+    if constexpr (is_compiled_mesh<M> and std::same_as<Point, typename lifted_point<M>::type>)
+        return make_in_library<M, Point>(source, write);
+    else
+        return make_here<Point>(source, write);
 }
 
 } // namespace detail

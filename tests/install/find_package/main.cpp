@@ -24,6 +24,22 @@
 #include <kith/mpi/session.hpp>
 #endif
 
+#if defined(WITH_compiled_cgal)
+#include <CGAL/Simple_cartesian.h>
+#include <kith/cgal.hpp>
+#include <kith/loop.hpp>
+#include <kith/refine.hpp>
+using cgal_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+static_assert(kith::is_compiled_mesh<cgal_mesh>, "the mesh is compiled here, too");
+#endif
+
+#if defined(WITH_compiled_openmesh)
+#include <kith/loop.hpp>
+#include <kith/openmesh.hpp>
+#include <kith/refine.hpp>
+static_assert(kith::is_compiled_mesh<OpenMesh::TriMesh_ArrayKernelT<>>, "the mesh is compiled here, too");
+#endif
+
 #if defined(WITH_cgal)
 #include <CGAL/Simple_cartesian.h>
 #include <kith/cgal.hpp>
@@ -65,6 +81,19 @@ int main()
 #if defined(WITH_mpi)
     int version = 0, minor = 0;
     is_right &= MPI_Get_version(&version, &minor) == MPI_SUCCESS and version >= 3;
+#endif
+#if defined(WITH_compiled_cgal)
+    cgal_mesh triangle;
+    const auto a = triangle.add_vertex({0, 0, 0}), b = triangle.add_vertex({1, 0, 0}),
+               c = triangle.add_vertex({0, 1, 0});
+    triangle.add_face(a, b, c);
+    is_right &= kith::refine(triangle, kith::loop{}, 2).number_of_faces() == 16;
+#endif
+#if defined(WITH_compiled_openmesh)
+    OpenMesh::TriMesh_ArrayKernelT<> face;
+    const auto from = face.add_vertex({0, 0, 0}), right = face.add_vertex({1, 0, 0}), up = face.add_vertex({0, 1, 0});
+    face.add_face(from, right, up);
+    is_right &= kith::refine(face, kith::loop{}, 2).n_faces() == 16;
 #endif
 #if defined(WITH_openmesh)
     is_right &= OpenMesh::PolyMesh_ArrayKernelT<>().n_vertices() == 0;
