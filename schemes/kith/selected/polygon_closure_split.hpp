@@ -2,6 +2,7 @@
 #pragma once
 
 #include "closure.hpp"
+#include "new_sides.hpp"
 
 #include <kith/split/quad_split.hpp>
 
@@ -154,11 +155,12 @@ private:
 
     /// What a face gives birth to.
     template <class Assoc>
-    class pieces {
+    class pieces : new_sides<Assoc> {
         using line = face_line<typename Assoc::index_type>;
         static constexpr targets::to_vertex V{};
         static constexpr targets::to_edge E{};
         static constexpr targets::to_face F{};
+        using new_sides<Assoc>::assoc_, new_sides<Assoc>::kept, new_sides<Assoc>::start, new_sides<Assoc>::end;
 
         /// The lines of a quad, of which two sides may be cut: there are many, and none shall ask for memory.
         class quad_lines {
@@ -177,7 +179,7 @@ private:
         };
 
     public:
-        pieces(const marks_type& marks, const Assoc& assoc) : marks_(marks), assoc_(assoc) {}
+        pieces(const marks_type& marks, const Assoc& assoc) : new_sides<Assoc>(assoc), marks_(marks) {}
 
         template <face_element Face>
         void make_green(const Face& f) const
@@ -257,21 +259,6 @@ private:
                     return true;
             return false;
         }
-        [[nodiscard]] auto kept(const auto& c) const
-        {
-            const auto e = c.next_edge();
-            return assoc_(e, E).along(e);
-        }
-        [[nodiscard]] auto start(const auto& c) const
-        {
-            const auto e = c.next_edge();
-            return assoc_(c.v(), e, E).along(e);
-        }
-        [[nodiscard]] auto end(const auto& c) const
-        {
-            const auto e = c.next_edge();
-            return assoc_(c.next().v(), e, E).along(e);
-        }
         /// The lines along a side from a corner to before the next one.
         void append(auto& lines, const auto& c) const
         {
@@ -288,7 +275,6 @@ private:
         }
 
         const marks_type& marks_;
-        const Assoc& assoc_;
     };
     template <class Assoc>
     pieces(const marks_type&, const Assoc&) -> pieces<Assoc>;

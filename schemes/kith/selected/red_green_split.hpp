@@ -2,6 +2,7 @@
 #pragma once
 
 #include "closure.hpp"
+#include "new_sides.hpp"
 
 #include <kith/split/triangle_split.hpp>
 
@@ -132,14 +133,18 @@ private:
 
     /// What one face gives birth to.
     template <class Assoc, face_element Face>
-    class pieces {
+    class pieces : new_sides<Assoc> {
         using corner_type = decltype(std::declval<const Face&>().first_corner());
         static constexpr targets::to_vertex V{};
         static constexpr targets::to_edge E{};
         static constexpr targets::to_face F{};
+        using new_sides<Assoc>::assoc_, new_sides<Assoc>::kept, new_sides<Assoc>::start, new_sides<Assoc>::end;
 
     public:
-        pieces(const marks_type& marks, const Assoc& assoc, const Face& f) : marks_(marks), assoc_(assoc), f_(f) {}
+        pieces(const marks_type& marks, const Assoc& assoc, const Face& f)
+            : new_sides<Assoc>(assoc), marks_(marks), f_(f)
+        {
+        }
 
         /// It is one of a pair.
         [[nodiscard]] bool is_pair() const
@@ -260,28 +265,12 @@ private:
             return corner_where([this](const auto& c) { return kind(c) == side_kind::inner; });
         }
         [[nodiscard]] auto middle(const corner_type& c) const { return assoc_(c.next_edge(), V); }
-        [[nodiscard]] auto kept(const corner_type& c) const
-        {
-            const auto e = c.next_edge();
-            return assoc_(e, E).along(e);
-        }
-        [[nodiscard]] auto start(const corner_type& c) const
-        {
-            const auto e = c.next_edge();
-            return assoc_(c.v(), e, E).along(e);
-        }
-        [[nodiscard]] auto end(const corner_type& c) const
-        {
-            const auto e = c.next_edge();
-            return assoc_(c.next().v(), e, E).along(e);
-        }
         [[nodiscard]] auto leaving_apex(const corner_type& apex) const
         {
             return std::pair(assoc_(apex, F).corner(0), start(apex));
         }
 
         const marks_type& marks_;
-        const Assoc& assoc_;
         Face f_;
     };
     template <class Assoc, face_element Face>
