@@ -5,7 +5,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <kith/cgal.hpp>
+#include <kith/cgal_properties.hpp>
 
 namespace kith {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/level/validate.hpp>
+#include <kith/property/property_values.hpp>
 #include <kith/step/step.hpp>
 
 namespace kith::detail {
@@ -19,10 +20,24 @@ M make_in_library(const M& source, const level_source<Point>& write)
     return make_here<Point>(source, write);
 }
 
+template <class Handle, mesh_with_properties M>
+property_values<Handle, M> property_values<Handle, M>::read_in_library(const M& mesh)
+{
+    return read_here(mesh, static_cast<typename property_access<M>::value_types*>(nullptr));
+}
+
 } // namespace kith::detail
 
-/// KITH_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type are read and made.
+/// KITH_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type and their properties are read, and how such meshes
+/// are made.
 #define KITH_MESH_IN_LIBRARY(...)                                                                                      \
     template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::lift_in_library(const __VA_ARGS__&);                  \
     template __VA_ARGS__ detail::make_in_library(const __VA_ARGS__&,                                                   \
-                                                 const detail::level_source<lifted_point<__VA_ARGS__>::type>&);
+                                                 const detail::level_source<lifted_point<__VA_ARGS__>::type>&);        \
+    KITH_PROPERTIES_IN_LIBRARY(vertex, __VA_ARGS__)                                                                    \
+    KITH_PROPERTIES_IN_LIBRARY(halfedge, __VA_ARGS__)                                                                  \
+    KITH_PROPERTIES_IN_LIBRARY(edge, __VA_ARGS__)                                                                      \
+    KITH_PROPERTIES_IN_LIBRARY(face, __VA_ARGS__)
+#define KITH_PROPERTIES_IN_LIBRARY(element, ...)                                                                       \
+    template detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>                                   \
+    detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>::read_in_library(const __VA_ARGS__&);

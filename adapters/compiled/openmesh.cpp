@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_in_library.hpp"
 
-#include <kith/openmesh.hpp>
+#include <kith/openmesh_properties.hpp>
 
 namespace kith {
 

@@ -127,4 +127,23 @@ private:
 
 } // namespace kith
 
-#include <kith/cgal/compiled.hpp>
+#ifdef KITH_COMPILED_CGAL // where kith::compiled_cgal is linked
+
+namespace CGAL {
+
+template <class Number>
+struct Simple_cartesian;
+class Epick;
+
+} // namespace CGAL
+
+namespace kith {
+
+template <>
+inline constexpr bool is_compiled_mesh<CGAL::Surface_mesh<CGAL::Point_3<CGAL::Simple_cartesian<double>>>> = true;
+template <>
+inline constexpr bool is_compiled_mesh<CGAL::Surface_mesh<CGAL::Point_3<CGAL::Epick>>> = true;
+
+} // namespace kith
+
+#endif

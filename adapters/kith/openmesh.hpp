@@ -228,6 +228,15 @@ private:
     }
 };
 
-} // namespace kith
+#ifdef KITH_COMPILED_OPENMESH // where kith::compiled_openmesh is linked
+template <>
+inline constexpr bool is_compiled_mesh<OpenMesh::PolyMesh_ArrayKernelT<>> = true;
+template <>
+inline constexpr bool is_compiled_mesh<OpenMesh::TriMesh_ArrayKernelT<>> = true;
+template <>
+inline constexpr bool is_compiled_mesh<OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>> = true;
+template <>
+inline constexpr bool is_compiled_mesh<OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>> = true;
+#endif
 
-#include <kith/openmesh/compiled.hpp>
+} // namespace kith

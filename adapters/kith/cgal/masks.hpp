@@ -29,7 +29,7 @@ void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation
     in_place::refined<typename view_type::point> surface{std::move(control), true};
     kith::detail::require_refinable(surface.mesh, scheme, 1, {});
     std::vector<typename view_type::graph_point> made;
-    in_place::step(surface, scheme, carried, false, [&](const auto& ids, const auto& new_points) {
+    in_place::step(surface, scheme, carried.values(), false, [&](const auto& ids, const auto& new_points) {
         made.resize(new_points.size());
         place(view, surface.mesh, ids, std::span(made));
     });

@@ -3,6 +3,7 @@
 
 #include "subdivision.hpp"
 
+#include <kith/in_place/compiled.hpp>
 #include <kith/kobbelt.hpp>
 #include <kith/presets.hpp>
 

@@ -144,7 +144,7 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
         else
             return true;
     };
-    const auto fine = in_place::refine(std::move(control), scheme, steps, carried, false, go_on);
+    const auto fine = in_place::refine(std::move(control), scheme, steps, carried.values(), false, go_on);
     if (not fine)
         return;
     write(g, points, *fine, carried);

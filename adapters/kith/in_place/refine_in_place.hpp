@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -37,7 +38,7 @@ bool keeps_vertices(const Ids& ids, std::size_t vertices)
         return false;
 }
 
-/// One step, with what goes along: `carried` (carried_properties.hpp), and the scheme, which becomes that of the next level.
+/// One step, with what goes along: `carried`, such as carried_values, and the scheme, which becomes that of the next level.
 /// Where points stay, old vertices do not move, as if each had been reset after the step. change(numbering, points) is called
 /// with the new points before they are used.
 template <class Point, class Scheme, class Carried, class Change>
@@ -93,11 +94,11 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
     }
 }
 
-/// Refines, and makes the scheme that of the last level. After each level go_on(share of the work) may say no; then nothing
+/// Refines, and makes scheme and values those of the last level. After each level go_on(share of the work) may say no; then nothing
 /// is returned. Errors: as `refine`.
-template <class Point, scheme Scheme, class Carried, class GoOn>
+template <class Point, scheme Scheme, class Carried>
 std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme, int levels, Carried& carried,
-                                     bool points_stay, const GoOn& go_on)
+                                     bool points_stay, const std::function<bool(double)>& go_on)
 {
     refined<Point> surface{std::move(control), true};
     prepare(surface, scheme, carried);

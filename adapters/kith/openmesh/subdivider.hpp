@@ -116,7 +116,8 @@ private:
         in_place::carried_properties<Mesh> carried(mesh);
         Used next = used;
         const auto go_on = [&](double done) { return not progress_ or progress_(done); };
-        const auto fine = in_place::refine(read(mesh, generation), next, int(n), carried, not update_points, go_on);
+        const auto fine = in_place::refine(
+            read(mesh, generation), next, int(n), carried.values(), not update_points, go_on);
         if (not fine)
             return false;
         write_connectivity(mesh, fine->mesh.topology(), fine->keeps_vertices);

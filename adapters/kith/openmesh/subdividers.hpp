@@ -3,6 +3,7 @@
 
 #include "subdivider.hpp"
 
+#include <kith/in_place/compiled.hpp>
 #include <kith/presets.hpp>
 
 #include <utility>

@@ -46,10 +46,6 @@ struct lifted_point {
 template <fillable_mesh M>
 struct lifted_point<M> : native_point<typename mesh_traits<M>::point> {};
 
-/// Whether the program links what reads and makes meshes of this type, such as kith::compiled_cgal; adapters say so.
-template <class M>
-inline constexpr bool is_compiled_mesh = false;
-
 /// A mesh of another library into which a level is written: its elements are numbered as they would be in a native mesh,
 /// and half-edge 2e+s is side s of edge e. What writes into it stays out of the loops, which have all else inlined: as fast, and
 /// without the assertions of the other library in every loop. Its points may be seen as arrays.

@@ -164,4 +164,8 @@ concept refinable_mesh = mesh<M, T> and requires(basic_mesh<typename T::point, s
     { T::build(std::move(fine)) } -> std::convertible_to<M>;
 };
 
+/// Whether the program links what reads and makes meshes of this type, such as kith::compiled_cgal; adapters say so.
+template <class M>
+inline constexpr bool is_compiled_mesh = false;
+
 } // namespace kith

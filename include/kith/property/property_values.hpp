@@ -63,12 +63,23 @@ public:
 
     /// Cost: O(elements) per property.
     template <class... T>
-    property_values(const M& mesh, std::tuple<T...>*) : handles_(handles_of<Handle>(mesh))
+    property_values(const M& mesh, std::tuple<T...>* types)
     {
+        if constexpr (is_compiled_mesh<M> and std::same_as<std::tuple<T...>, typename access::value_types>)
+            *this = read_in_library(mesh);
+        else
+            *this = read_here(mesh, types);
+    }
+    template <class... T>
+    static property_values read_here(const M& mesh, std::tuple<T...>*)
+    {
+        property_values result;
+        result.handles_ = handles_of<Handle>(mesh);
         for (const std::string& name : access::template names<Handle>(mesh)) {
-            const bool is_known = not access::follows_from_points(name) and (read<T>(mesh, name) or ...);
-            (is_known ? known_ : unknown_).push_back(name);
+            const bool is_known = not access::follows_from_points(name) and (result.read<T>(mesh, name) or ...);
+            (is_known ? result.known_ : result.unknown_).push_back(name);
         }
+        return result;
     }
 
     [[nodiscard]] const std::vector<averaged>& means() const { return means_; }
@@ -99,6 +110,10 @@ public:
     }
 
 private:
+    property_values() = default;
+    /// With the usual types, compiled in the library that `is_compiled_mesh` tells of.
+    static property_values read_in_library(const M& mesh);
+
     /// Whether the property is of this type.
     template <class T>
     bool read(const M& mesh, const std::string& name)
