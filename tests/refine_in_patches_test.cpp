@@ -24,12 +24,14 @@ namespace {
 using kith::connect;
 
 template <class Point, class Index, class Scheme>
-kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mesh, const Scheme& scheme, int levels)
+kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mesh, const Scheme& scheme, int levels,
+                                              connect last_level)
 {
     kith::numbering_of<Scheme, Index> ids;
     for (int level = 1; level < levels; ++level)
         mesh = kith::refine_mesh<connect::everything>(mesh, scheme, ids);
-    return kith::refine_mesh<connect::faces>(mesh, scheme, ids);
+    return last_level == connect::faces ? kith::refine_mesh<connect::faces>(mesh, scheme, ids)
+                                        : kith::refine_mesh<connect::everything>(mesh, scheme, ids);
 }
 
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -53,7 +55,9 @@ bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, i
         kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, costs);
         if (not patches.is_worth_looking())
             continue;
-        EXPECT_TRUE(same_bits(patches.refine(mesh), level_by_level(mesh, scheme, levels))) << levels;
+        for (const connect last : {connect::faces, connect::everything})
+            EXPECT_TRUE(same_bits(patches.refine(mesh, last), level_by_level(mesh, scheme, levels, last)))
+                << levels << ' ' << (last == connect::faces);
         compared = true;
     }
     return compared;
@@ -180,11 +184,12 @@ TEST(refine_in_patches, is_what_refine_does_with_a_large_level_on_any_number_of_
     ASSERT_TRUE((kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::catmull_clark>(
                      torus, kith::catmull_clark{}, 6)
                      .is_worth_looking()));
-    const auto given = level_by_level(torus, kith::catmull_clark{}, 6);
-    for (const int threads : {1, 2, 3, 7}) {
-        const thread_count count(threads);
-        EXPECT_TRUE(same_bits(refine(torus, kith::catmull_clark{}, 6, {.last_level = connect::faces}), given))
-            << threads;
+    for (const connect last : {connect::faces, connect::everything}) {
+        const auto given = level_by_level(torus, kith::catmull_clark{}, 6, last);
+        for (const int threads : {1, 2, 3, 4, 7}) {
+            const thread_count count(threads);
+            EXPECT_TRUE(same_bits(refine(torus, kith::catmull_clark{}, 6, {.last_level = last}), given)) << threads;
+        }
     }
 }
 

@@ -151,9 +151,8 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
         return control;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (options.last_level == connect::faces)
-            if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
-                return patches.refine(std::move(control));
+        if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
+            return patches.refine(std::move(control), options.last_level);
 #endif
     if constexpr (orderable_scheme<Scheme, Index>)
         if (options.last_level == connect::faces and is_worth_ordering(control.topology(), scheme, levels) and

@@ -14,7 +14,7 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// The last steps of a refinement to face-vertex lists, face by face: a face of the level before them owns a patch of the last
+/// The last steps of a refinement, face by face: a face of the level before them owns a patch of the last
 /// level. Faces with alike neighbourhoods share a template, which is replayed in SIMD lanes; the few others are refined as
 /// meshes of their own. The numbers and the bits are those of refining level by level.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
@@ -40,8 +40,8 @@ public:
                    costs_.share_of_walks * double(plan_->last().faces);
     }
 
-    /// What refining level by level makes with connect::faces, to the bit. Precondition: is_worth_looking().
-    [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh) const
+    /// What refining level by level makes, to the bit; of the last level what is asked for. Precondition: is_worth_looking().
+    [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh, connect last_level) const
     {
         face_classes<Index> classes(plan_->rings);
         numbering ids;
@@ -56,10 +56,11 @@ public:
         if (plan_->begin == plan_->first)
             classes.look_at(mesh.topology());
         if (const auto patches = patched_level<Point, Index, Scheme>::make(mesh, classes, scheme_, *plan_, costs_))
-            return filled(mesh, *patches);
+            return filled(mesh, *patches, last_level);
         for (int level = plan_->begin; level + 1 < levels_; ++level)
             mesh = refine_mesh<connect::everything>(mesh, scheme_, ids);
-        return refine_mesh<connect::faces>(mesh, scheme_, ids);
+        return last_level == connect::faces ? refine_mesh<connect::faces>(mesh, scheme_, ids)
+                                            : refine_mesh<connect::everything>(mesh, scheme_, ids);
     }
 
 private:
@@ -67,14 +68,26 @@ private:
     static constexpr std::size_t degree = numbering::common_degree;
 
     [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh,
-                                                  const patched_level<Point, Index, Scheme>& patches) const
+                                                  const patched_level<Point, Index, Scheme>& patches,
+                                                  connect last_level) const
     {
         const counts& last = plan_->last();
         storage<Point> points(last.vertices);
         connectivity<Index> fine;
         fine.vertices = last.vertices;
         fine.allocate_faces(last.faces, int(degree), [](std::size_t) { return degree; });
-        patches.fill(mesh, {points.data(), fine.corner_vertex.data()});
+        if (last_level == connect::everything) {
+            fine.corner_halfedge = storage<Index>(fine.corners());
+            fine.halfedge_corner = storage<Index>(2 * last.edges);
+            fine.vertex_corner = storage<Index>(last.vertices);
+        }
+        patches.fill(mesh,
+                     {points.data(),
+                      fine.corner_vertex.data(),
+                      fine.corner_halfedge.data(),
+                      fine.halfedge_corner.data(),
+                      fine.vertex_corner.data(),
+                      true});
         const int generation = mesh.generation() + levels_ - plan_->begin;
         return basic_mesh<Point, Index>(std::move(points), std::move(fine), generation);
     }

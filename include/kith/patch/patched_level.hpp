@@ -68,7 +68,7 @@ public:
         return patched_level(mesh, classes, scheme, plan, [&](class_number c) { return gains(members[c]); });
     }
 
-    /// Makes the points of the last level, and its faces where there is room for them. The mesh is that of `make`, or one with other
+    /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`, or one with other
     /// points. Cost: that of the programs, and of refining the faces that have no template.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
@@ -95,6 +95,7 @@ public:
                 for (std::size_t c = 0; c < count.size(); ++c)
                     if (count[c] != 0)
                         flush(c);
+                publish();
             },
             1);
         refine_few(mesh, to);
@@ -156,6 +157,9 @@ private:
         const std::vector<int> rings = rings_before_steps(scheme_, bases_.size());
         submesh_cutter<Point, Index> cutter(mesh);
         std::vector<bool> is_one(mesh.face_count(), false);
+        const auto refine = [&](const basic_mesh<Point, Index>& level, numbering& ids) {
+            return refine_mesh<connect::everything>(level, scheme_, ids);
+        };
         for (std::span<const Index> few = few_; not few.empty(); few = few.subspan(std::min(at_once, few.size()))) {
             const auto here = few.first(std::min(at_once, few.size()));
             for (const Index f : here)
@@ -176,8 +180,8 @@ private:
                 bases_,
                 rings,
                 [](const auto& face) { return face.owned; },
-                [&](const auto& level, auto& ids) { return refine_mesh<connect::everything>(level, scheme_, ids); },
-                [&](const auto& level, auto& ids) { return refine_mesh<connect::faces>(level, scheme_, ids); });
+                refine,
+                refine);
             copy_owned(fine, numbers, to);
         }
     }
@@ -185,17 +189,29 @@ private:
     static void copy_owned(const basic_mesh<Point, Index>& part, const part_of_whole<owned_number<Index>>& numbers,
                            const output& to)
     {
+        const connectivity<Index>& fine = part.topology();
+        const auto corner_in_whole = [&](Index c) {
+            return Index(degree * numbers.faces[c / degree].number + c % degree);
+        };
         for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
-            if (numbers.vertices[v].owned)
-                to.points[numbers.vertices[v].number] = part.point(v);
-        if (not to.has_faces())
-            return;
-        for (std::size_t f = 0; f < numbers.faces.size(); ++f) {
-            if (not numbers.faces[f].owned)
+            if (const auto [number, owned] = numbers.vertices[v]; owned) {
+                to.points[number] = part.point(v);
+                if (to.has_edges())
+                    to.vertex_corner[number] = corner_in_whole(fine.vertex_corner[v]);
+            }
+        for (std::size_t c = 0; to.has_faces() and c < fine.corners(); ++c) {
+            if (not numbers.faces[c / degree].owned)
                 continue;
-            Index* corner = to.corner_vertex + degree * std::size_t(numbers.faces[f].number);
-            for (const Index v : part.face(f))
-                *corner++ = numbers.vertices[v].number;
+            const Index corner = corner_in_whole(Index(c));
+            to.corner_vertex[corner] = numbers.vertices[fine.corner_vertex[c]].number;
+            if (not to.has_edges())
+                continue;
+            const Index side = fine.corner_halfedge[c];
+            const Index halfedge = Index(2 * numbers.edges[side / 2].number + side % 2);
+            to.corner_halfedge[corner] = halfedge;
+            to.halfedge_corner[halfedge] = corner;
+            if (fine.is_boundary(side / 2))
+                to.halfedge_corner[halfedge ^ 1] = fine.none;
         }
     }
 
