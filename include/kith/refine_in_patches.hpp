@@ -55,7 +55,8 @@ public:
         }
         if (plan_->begin == plan_->first)
             classes.look_at(mesh.topology());
-        if (const auto patches = patched_level<Point, Index, Scheme>::make(mesh, classes, scheme_, *plan_, costs_))
+        if (const auto patches = patched_level<Point, Index, Scheme>::make(
+                mesh, classes, scheme_, *plan_, costs_, last_level == connect::everything))
             return filled(mesh, *patches, last_level);
         for (int level = plan_->begin; level + 1 < levels_; ++level)
             mesh = refine_mesh<connect::everything>(mesh, scheme_, ids);
@@ -86,8 +87,7 @@ private:
                       fine.corner_vertex.data(),
                       fine.corner_halfedge.data(),
                       fine.halfedge_corner.data(),
-                      fine.vertex_corner.data(),
-                      true});
+                      fine.vertex_corner.data()});
         const int generation = mesh.generation() + levels_ - plan_->begin;
         return basic_mesh<Point, Index>(std::move(points), std::move(fine), generation);
     }

@@ -25,7 +25,6 @@ struct patch_output {
     Index* corner_halfedge = nullptr; ///< nothing: neither the others
     Index* halfedge_corner = nullptr;
     Index* vertex_corner = nullptr;
-    bool past_caches = false; ///< it is so large that it is not in the caches when it is read
 
     [[nodiscard]] bool has_faces() const { return corner_vertex != nullptr; }
     [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
@@ -45,9 +44,10 @@ public:
     /// How many faces are filled at a time.
     static constexpr std::size_t width = lanes<scalar>::count;
 
-    /// For faces of a mesh that all have this degree, as have those of the level that is written.
-    patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to)
-        : coarse_(&coarse), to_(to)
+    /// For faces of a mesh that all have this degree, as have those of the level that is written: past the caches if that is too
+    /// large to be in them when it is read.
+    patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
+        : coarse_(&coarse), to_(to), past_caches_(past_caches)
     {
     }
 
@@ -138,7 +138,7 @@ private:
 
     [[nodiscard]] bool goes_past_caches(const run& r, std::size_t bytes) const
     {
-        return to_.past_caches and r.step == 1 and r.count * bytes >= 128;
+        return past_caches_ and r.step == 1 and r.count * bytes >= 128;
     }
     /// Calls for what will be written: it is here when the program has run.
     template <class T>
@@ -147,7 +147,8 @@ private:
         for (const run& r : places)
             if (not goes_past_caches(r, sizeof(T)))
                 for (std::size_t lane = 0; lane < width; ++lane) {
-                    const auto* const first = reinterpret_cast<const char*>(array + Index(r.offset + multiple(r.of, lane)));
+                    const auto* const first = reinterpret_cast<const char*>(array +
+                                                                            Index(r.offset + multiple(r.of, lane)));
                     for (std::size_t i = 0; i < r.step * r.count * sizeof(T); i += 64)
                         __builtin_prefetch(first + i, 1);
                 }
@@ -209,7 +210,7 @@ private:
     {
         bool is_aligned = past_caches;
         for (std::size_t i = 0; i < 4; ++i)
-            is_aligned = is_aligned and reinterpret_cast<std::uintptr_t>(to[i]) % sizeof(quad) == 0;
+            is_aligned = is_aligned and reinterpret_cast<std::uintptr_t>(to[i]) % 64 == 0;
         const Index* const multiples = multiples_.data() + lane;
         const auto number = [&](std::size_t i) __attribute__((always_inline)) {
             return *reinterpret_cast<const quad*>(multiples + of[i] * width) + offset[i];
@@ -235,6 +236,7 @@ private:
 
     const basic_mesh<Point, Index>* coarse_;
     patch_output<Point, Index> to_;
+    bool past_caches_;
     storage<scalar> slots_;
     storage<Index> first_corners_, sources_, multiples_;
 };

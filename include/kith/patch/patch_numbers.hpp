@@ -74,8 +74,7 @@ private:
     static bool follows(const run& last, Index offset, place of)
     {
         const Index step = Index(offset - last.offset);
-        return of == last.of and
-               (last.count == 1 ? step == 1 or step == 2 : step == Index(last.step * last.count));
+        return of == last.of and (last.count == 1 ? step == 1 or step == 2 : step == Index(last.step * last.count));
     }
     place find(const affine_number<Index>& n)
     {
@@ -83,8 +82,8 @@ private:
             if (factor == n.factor)
                 return made;
         auto& known = of_source_[n.source];
-        const std::uint32_t source =
-            known.empty() ? std::uint32_t(sources_.size()) : multiples_[known.front().second].source;
+        const std::uint32_t source = known.empty() ? std::uint32_t(sources_.size())
+                                                   : multiples_[known.front().second].source;
         if (known.empty())
             sources_.push_back(n.source);
         known.emplace_back(n.factor, place(multiples_.size()));

@@ -45,7 +45,8 @@ struct patch_template {
     std::vector<source> sources;
     std::vector<typename numbers::multiple> multiples;
     std::vector<typename numbers::run> vertices, corners, halfedges; ///< the places that are written
-    typename numbers::list vertex_corner, corner_vertex, corner_halfedge, halfedge_corner; ///< what is written, run after run
+    typename numbers::list vertex_corner, corner_vertex, corner_halfedge,
+        halfedge_corner; ///< what is written, run after run
 };
 
 /// Makes templates of a scheme for the faces of one level.
@@ -168,10 +169,7 @@ private:
 
     using number = affine_number<Index>;
 
-    static number corner_of(const number& face, std::size_t corner)
-    {
-        return face.child(corner, degree);
-    }
+    static number corner_of(const number& face, std::size_t corner) { return face.child(corner, degree); }
 
     static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.offset); }
 
@@ -194,8 +192,7 @@ private:
         result made;
         made.steps.assign(walk.steps().begin(), walk.steps().end());
         patch_numbers<Index> listed(sources.size());
-        const auto owned =
-            in_order(numbers.vertices, [&](const number& n) { return sources.is_owned(n.source); });
+        const auto owned = in_order(numbers.vertices, [&](const number& n) { return sources.is_owned(n.source); });
         list_vertices(owned, numbers, fine.topology(), listed, made);
         list_faces(in_order(numbers.faces, [&](const number& n) { return n.source == sources.centre(); }),
                    numbers,

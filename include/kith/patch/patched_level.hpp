@@ -18,11 +18,12 @@
 namespace kith {
 
 /// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1. Measured
-/// with the schemes of the library; a template takes 1900 (Butterfly) to 6600 (sqrt(3)) final faces.
+/// with the schemes of the library; a template takes 2500 (Butterfly) to 9300 (sqrt(3)) final faces.
 struct patch_costs {
-    double in_patch = .5;
-    double among_few = 6;        ///< of few faces with their rings, where making a template is not worth it
-    double of_template = 3000;   ///< of making one, in final faces
+    double in_patch = .5;            ///< .3 (Butterfly) to .6
+    double in_patch_with_edges = .6; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
+    double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
+    double of_template = 3000;       ///< of making one, in final faces
     double of_walk = 3;          ///< of each face that is met in a walk around one of the first level to find its class
     double share_of_walks = .05; ///< nobody looks where all walks cost more than this share of the whole
     double to_be_cheaper = .9;   ///< patches must come to less than so much
@@ -43,23 +44,25 @@ class patched_level {
 public:
     using output = patch_output<Point, Index>;
 
-    /// Of a mesh whose faces have these classes; nothing where it is no gain. Cost: that of the templates.
+    /// Of a mesh whose faces have these classes, to make faces or all connectivity; nothing where it is no gain. Cost: that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                                             const Scheme& scheme, const patch_plan& plan, const patch_costs& costs)
+                                             const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
+                                             bool with_edges = false)
     {
+        const double in_patch = with_edges ? costs.in_patch_with_edges : costs.in_patch;
         std::vector<std::size_t> members(classes.count(), 0);
         for (const class_number c : classes.of_faces())
             if (c != classes.unlike)
                 ++members[c];
         const double faces_of_patch = double(plan.last().faces) / double(mesh.face_count());
         const auto gains = [&](std::size_t count) {
-            return double(count) * faces_of_patch * (costs.among_few - costs.in_patch) > costs.of_template;
+            return double(count) * faces_of_patch * (costs.among_few - in_patch) > costs.of_template;
         };
         double cost = 0;
         std::size_t in_templates = 0;
         for (const std::size_t count : members)
             if (gains(count)) {
-                cost += costs.of_template + double(count) * faces_of_patch * costs.in_patch;
+                cost += costs.of_template + double(count) * faces_of_patch * in_patch;
                 in_templates += count;
             }
         cost += double(mesh.face_count() - in_templates) * faces_of_patch * costs.among_few;
@@ -73,11 +76,13 @@ public:
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
         constexpr std::size_t width = patch_filler<Point, Index, degree>::width;
+        constexpr std::size_t cached_bytes = std::size_t(8) << 20;
+        const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
         detail::for_parts(
             mesh.face_count(),
             true,
             [&](std::size_t begin, std::size_t end) {
-                patch_filler<Point, Index, degree> filler(mesh, to);
+                patch_filler<Point, Index, degree> filler(mesh, to, past_caches);
                 std::vector<Index> waiting(templates_.size() * width);
                 std::vector<std::uint8_t> count(templates_.size(), 0);
                 const auto flush = [&](std::size_t c) {
@@ -111,7 +116,7 @@ private:
     template <class Gains>
     patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
                   const patch_plan& plan, const Gains& gains)
-        : scheme_(scheme), bases_(plan.bases), template_of_face_(mesh.face_count())
+        : scheme_(scheme), vertices_(plan.last().vertices), bases_(plan.bases), template_of_face_(mesh.face_count())
     {
         const auto kept = templates::of(scheme, mesh.generation(), plan.rings, bases_);
         template_maker<Scheme, Point, Index> maker(mesh, scheme, bases_);
@@ -216,6 +221,7 @@ private:
     }
 
     Scheme scheme_;
+    std::size_t vertices_; // of the last level
     std::vector<column_bases> bases_;
     std::vector<typename templates::pointer> templates_;
     storage<class_number> template_of_face_;
