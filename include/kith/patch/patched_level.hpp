@@ -155,7 +155,8 @@ private:
     /// The patches of the faces that have no template, as meshes of their own, level by level.
     void refine_few(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
-        constexpr std::size_t at_once = 1024;
+        constexpr std::size_t at_once =
+            128; // so that they take less than the level before the last one, which is not there
         if (few_.empty())
             return;
         const connectivity<Index>& whole = mesh.topology();
