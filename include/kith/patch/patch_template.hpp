@@ -3,11 +3,11 @@
 
 #include "child_numbers.hpp"
 #include "face_walk.hpp"
-#include "lane_program.hpp"
 #include "patch_numbers.hpp"
 #include "refine_part.hpp"
-#include "tape.hpp"
 
+#include <kith/lane/lane_program.hpp>
+#include <kith/lane/tape.hpp>
 #include <kith/level/native_level.hpp>
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
