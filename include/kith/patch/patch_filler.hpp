@@ -4,6 +4,7 @@
 #include "patch_template.hpp"
 
 #include <kith/base/storage.hpp>
+#include <kith/mesh/level_sink.hpp>
 
 #include <array>
 #include <concepts>
@@ -25,6 +26,7 @@ struct patch_output {
     Index* corner_halfedge = nullptr; ///< nothing: neither the others
     Index* halfedge_corner = nullptr;
     Index* vertex_corner = nullptr;
+    level_writer<Point, Index>* writer = nullptr; ///< of a mesh of another library, in place of these arrays
 
     [[nodiscard]] bool has_faces() const { return corner_vertex != nullptr; }
     [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
@@ -80,6 +82,10 @@ public:
             write(to_.corner_halfedge, t.corners, t.corner_halfedge);
             write(to_.halfedge_corner, t.halfedges, t.halfedge_corner);
             write(to_.vertex_corner, t.vertices, t.vertex_corner);
+        }
+        if (to_.writer != nullptr) {
+            write_faces(*to_.writer, t);
+            write_starts(*to_.writer, t, faces.size());
         }
     }
 
@@ -178,6 +184,38 @@ private:
         }
     }
 
+    /// Lines of faces, run by run.
+    [[gnu::always_inline]] void write_faces(level_writer<Point, Index>& to, const patch& t)
+    {
+        using line = face_line<Index>;
+        std::size_t first = 0;
+        for (const run& r : t.corners) {
+            make_room(lines_, width * r.count);
+            for (std::size_t i = 0; i < r.count; ++i) {
+                const std::size_t c = first + i;
+                const Index* const vertex = multiples_.data() + t.corner_vertex.of[c] * width;
+                const Index* const halfedge = multiples_.data() + t.corner_halfedge.of[c] * width;
+                for (std::size_t lane = 0; lane < width; ++lane)
+                    lines_[r.count * lane + i] = line{Index(t.corner_vertex.offset[c] + vertex[lane]),
+                                                      Index(t.corner_halfedge.offset[c] + halfedge[lane])};
+            }
+            for (std::size_t lane = 0; lane < width; ++lane)
+                to.set_faces(Index(Index(r.offset + multiple(r.of, lane)) / Degree),
+                             Degree,
+                             std::span<const line>(lines_.data() + r.count * lane, r.count));
+            first += r.count;
+        }
+    }
+    [[gnu::always_inline]] void write_starts(level_writer<Point, Index>& to, const patch& t, std::size_t lanes)
+    {
+        std::size_t v = 0;
+        for (const run& r : t.vertices)
+            for (std::size_t i = 0; i < r.count; ++i, ++v)
+                for (std::size_t lane = 0; lane < lanes; ++lane)
+                    to.set_start(Index(r.offset + multiple(r.of, lane) + r.step * i),
+                                 Index(t.vertex_halfedge.offset[v] + multiple(t.vertex_halfedge.of[v], lane)));
+    }
+
     /// Numbers into the places of an array.
     [[gnu::always_inline]] void write(Index* array, const std::vector<run>& places, const list& numbers) const
     {
@@ -238,6 +276,7 @@ private:
     patch_output<Point, Index> to_;
     bool past_caches_;
     storage<scalar> slots_;
+    storage<face_line<Index>> lines_;
     storage<Index> first_corners_, sources_, multiples_;
 };
 

@@ -45,7 +45,7 @@ struct patch_template {
     std::vector<source> sources;
     std::vector<typename numbers::multiple> multiples;
     std::vector<typename numbers::run> vertices, corners, halfedges; ///< the places that are written
-    typename numbers::list vertex_corner, corner_vertex, corner_halfedge,
+    typename numbers::list vertex_corner, vertex_halfedge, corner_vertex, corner_halfedge,
         halfedge_corner; ///< what is written, run after run
 };
 
@@ -219,13 +219,16 @@ private:
     static void list_vertices(std::span<const std::uint32_t> owned, const affine_numbers& numbers,
                               const connectivity<Index>& fine, patch_numbers<Index>& listed, result& made)
     {
-        std::vector<number> vertices, starts;
+        std::vector<number> vertices, starts, leaving;
         for (const std::uint32_t v : owned) {
             const Index start = fine.vertex_corner[v];
             vertices.push_back(numbers.vertices[v]);
+            const Index h = fine.corner_halfedge[start];
+            leaving.push_back(numbers.edges[h / 2].child(h % 2, 2));
             starts.push_back(corner_of(numbers.faces[start / degree], start % degree));
         }
         made.vertices = listed.runs(vertices);
+        made.vertex_halfedge = listed.all(leaving);
         made.vertex_corner = listed.all(starts);
     }
 

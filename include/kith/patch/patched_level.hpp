@@ -7,6 +7,7 @@
 #include "patch_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -199,12 +200,24 @@ private:
         const auto corner_in_whole = [&](Index c) {
             return Index(degree * numbers.faces[c / degree].number + c % degree);
         };
+        const auto halfedge_in_whole = [&](Index h) { return Index(2 * numbers.edges[h / 2].number + h % 2); };
         for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
             if (const auto [number, owned] = numbers.vertices[v]; owned) {
                 to.points[number] = part.point(v);
                 if (to.has_edges())
                     to.vertex_corner[number] = corner_in_whole(fine.vertex_corner[v]);
+                if (to.writer != nullptr)
+                    to.writer->set_start(number, halfedge_in_whole(fine.corner_halfedge[fine.vertex_corner[v]]));
             }
+        std::array<face_line<Index>, degree> lines;
+        for (std::size_t f = 0; to.writer != nullptr and f < fine.faces; ++f) {
+            if (not numbers.faces[f].owned)
+                continue;
+            for (std::size_t i = 0; i < degree; ++i)
+                lines[i] = {numbers.vertices[fine.corner_vertex[degree * f + i]].number,
+                            halfedge_in_whole(fine.corner_halfedge[degree * f + i])};
+            to.writer->set_face(numbers.faces[f].number, lines);
+        }
         for (std::size_t c = 0; to.has_faces() and c < fine.corners(); ++c) {
             if (not numbers.faces[c / degree].owned)
                 continue;
@@ -213,7 +226,7 @@ private:
             if (not to.has_edges())
                 continue;
             const Index side = fine.corner_halfedge[c];
-            const Index halfedge = Index(2 * numbers.edges[side / 2].number + side % 2);
+            const Index halfedge = halfedge_in_whole(side);
             to.corner_halfedge[corner] = halfedge;
             to.halfedge_corner[halfedge] = corner;
             if (fine.is_boundary(side / 2))
