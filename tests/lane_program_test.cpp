@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/patch/lane_program.hpp>
+#include <kith/lane/lane_program.hpp>
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -24,12 +26,14 @@ namespace {
 using kith::connect;
 
 template <class Point, class Index, class Scheme>
-kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mesh, const Scheme& scheme, int levels)
+kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mesh, const Scheme& scheme, int levels,
+                                              connect last_level)
 {
     kith::numbering_of<Scheme, Index> ids;
     for (int level = 1; level < levels; ++level)
         mesh = kith::refine_mesh<connect::everything>(mesh, scheme, ids);
-    return kith::refine_mesh<connect::faces>(mesh, scheme, ids);
+    return last_level == connect::faces ? kith::refine_mesh<connect::faces>(mesh, scheme, ids)
+                                        : kith::refine_mesh<connect::everything>(mesh, scheme, ids);
 }
 
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -44,6 +48,59 @@ constexpr kith::patch_costs some_templates{
 template <class Scheme>
 constexpr bool has_patches = kith::patchable_scheme<Scheme, std::array<double, 3>, std::uint32_t>;
 
+/// A mesh of another library, as simple as can be: what is written into it, as native arrays.
+template <class Point, class Index>
+class written_level final : public kith::level_writer<Point, Index> {
+public:
+    void make_room(std::size_t vertices, std::size_t edges, std::size_t faces, bool is_closed) override
+    {
+        points_ = kith::storage<Point>(vertices);
+        leaving_.resize(vertices);
+        mesh_.vertices = vertices;
+        mesh_.faces = faces;
+        sides_ = 2 * edges;
+        is_closed_ = is_closed;
+    }
+    [[nodiscard]] Point* points() const override { return points_.data(); }
+    void set_start(Index vertex, Index leaving) override { leaving_[vertex] = leaving; }
+    void set_faces(Index first, std::size_t degree, std::span<const kith::face_line<Index>> lines) override
+    {
+        if (mesh_.degree == 0) {
+            mesh_.allocate_faces(mesh_.faces, int(degree), [degree](std::size_t) { return degree; });
+            mesh_.allocate_edges(sides_ / 2);
+        }
+        Index corner = Index(degree * first);
+        for (const auto& [vertex, halfedge] : lines) {
+            mesh_.corner_vertex[corner] = vertex;
+            mesh_.set_side(corner++, halfedge);
+        }
+    }
+    void finish(int generation) override { generation_ = generation; }
+
+    kith::basic_mesh<Point, Index> take()
+    {
+        EXPECT_EQ(is_closed_, std::ranges::count(mesh_.halfedge_corner, mesh_.none) == 0);
+        mesh_.vertex_corner = kith::storage<Index>(leaving_.size());
+        for (std::size_t v = 0; v < leaving_.size(); ++v)
+            mesh_.vertex_corner[v] = mesh_.halfedge_corner[leaving_[v]];
+        return {kith::storage<Point>(points_), std::move(mesh_), generation_};
+    }
+
+private:
+    mutable kith::storage<Point> points_;
+    std::vector<Index> leaving_;
+    kith::connectivity<Index> mesh_;
+    std::size_t sides_ = 0;
+    bool is_closed_ = false;
+    int generation_ = 0;
+};
+
+template <class Point, class Index>
+bool same_level(const kith::basic_mesh<Point, Index>& a, const kith::basic_mesh<Point, Index>& b)
+{
+    return same_bits(a, b) and a.generation() == b.generation();
+}
+
 /// Whether there was something to compare.
 template <class Point, class Index, class Scheme>
 bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
@@ -53,7 +110,13 @@ bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, i
         kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, costs);
         if (not patches.is_worth_looking())
             continue;
-        EXPECT_TRUE(same_bits(patches.refine(mesh), level_by_level(mesh, scheme, levels))) << levels;
+        for (const connect last : {connect::faces, connect::everything})
+            EXPECT_TRUE(same_level(patches.refine(mesh, last), level_by_level(mesh, scheme, levels, last)))
+                << levels << ' ' << (last == connect::faces);
+        const thread_count one(1);
+        written_level<Point, Index> written;
+        patches.refine_into(written, mesh);
+        EXPECT_TRUE(same_level(written.take(), level_by_level(mesh, scheme, levels, connect::everything))) << levels;
         compared = true;
     }
     return compared;
@@ -169,6 +232,7 @@ TEST(refine_in_patches, takes_other_numbers_and_indices)
         EXPECT_TRUE(compare(mesh, kith::catmull_clark{}, 3));
     };
     of_type(std::array<float, 3>(), std::uint32_t());
+    of_type(std::array<float, 3>(), std::uint64_t());
     of_type(std::array<double, 2>(), std::uint32_t());
     of_type(std::array<double, 4>(), std::uint64_t());
     of_type(std::array<float, 1>(), std::uint16_t());
@@ -180,11 +244,12 @@ TEST(refine_in_patches, is_what_refine_does_with_a_large_level_on_any_number_of_
     ASSERT_TRUE((kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::catmull_clark>(
                      torus, kith::catmull_clark{}, 6)
                      .is_worth_looking()));
-    const auto given = level_by_level(torus, kith::catmull_clark{}, 6);
-    for (const int threads : {1, 2, 3, 7}) {
-        const thread_count count(threads);
-        EXPECT_TRUE(same_bits(refine(torus, kith::catmull_clark{}, 6, {.last_level = connect::faces}), given))
-            << threads;
+    for (const connect last : {connect::faces, connect::everything}) {
+        const auto given = level_by_level(torus, kith::catmull_clark{}, 6, last);
+        for (const int threads : {1, 2, 3, 4, 7}) {
+            const thread_count count(threads);
+            EXPECT_TRUE(same_bits(refine(torus, kith::catmull_clark{}, 6, {.last_level = last}), given)) << threads;
+        }
     }
 }
 

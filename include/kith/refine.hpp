@@ -114,6 +114,11 @@ void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Inde
     require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
     if (levels == 0)
         return write_level(fine, control);
+#ifdef KITH_HAS_LANES
+    if constexpr (patchable_scheme<Scheme, Point, Index>)
+        if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
+            return patches.refine_into(fine, std::move(control));
+#endif
     const auto coarse = refine_on(std::move(control), scheme, levels - 1);
     numbering_of<Scheme, Index> ids;
     refine_mesh_into(fine, coarse, scheme, ids);
@@ -151,9 +156,8 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
         return control;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (options.last_level == connect::faces)
-            if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
-                return patches.refine(std::move(control));
+        if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
+            return patches.refine(std::move(control), options.last_level);
 #endif
     if constexpr (orderable_scheme<Scheme, Index>)
         if (options.last_level == connect::faces and is_worth_ordering(control.topology(), scheme, levels) and

@@ -14,7 +14,7 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// The last steps of a refinement to face-vertex lists, face by face: a face of the level before them owns a patch of the last
+/// The last steps of a refinement, face by face: a face of the level before them owns a patch of the last
 /// level. Faces with alike neighbourhoods share a template, which is replayed in SIMD lanes; the few others are refined as
 /// meshes of their own. The numbers and the bits are those of refining level by level.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
@@ -40,8 +40,36 @@ public:
                    costs_.share_of_walks * double(plan_->last().faces);
     }
 
-    /// What refining level by level makes with connect::faces, to the bit. Precondition: is_worth_looking().
-    [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh) const
+    /// What refining level by level makes, to the bit; of the last level what is asked for. Precondition: is_worth_looking().
+    [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh, connect last_level) const
+    {
+        if (const auto made = patches_after(mesh, last_level))
+            return filled(mesh, *made, last_level);
+        mesh = before_last(std::move(mesh));
+        numbering ids;
+        return last_level == connect::faces ? refine_mesh<connect::faces>(mesh, scheme_, ids)
+                                            : refine_mesh<connect::everything>(mesh, scheme_, ids);
+    }
+    /// The same into a mesh of another library. Precondition: is_worth_looking(). Errors: those of `make_room`.
+    void refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index> mesh) const
+    {
+        if (const auto made = patches_after(mesh, connect::everything)) {
+            const counts& last = plan_->last();
+            fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
+            made->fill(mesh, {.points = fine.points(), .writer = &fine});
+            return fine.finish(mesh.generation() + levels_ - plan_->begin);
+        }
+        numbering ids;
+        refine_mesh_into(fine, before_last(std::move(mesh)), scheme_, ids);
+    }
+
+private:
+    using numbering = numbering_of<Scheme, Index>;
+    using patches = patched_level<Point, Index, Scheme>;
+    static constexpr std::size_t degree = numbering::common_degree;
+
+    /// Makes of the mesh the level whose faces own patches; nothing where they are no gain.
+    [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, connect last_level) const
     {
         face_classes<Index> classes(plan_->rings);
         numbering ids;
@@ -55,26 +83,35 @@ public:
         }
         if (plan_->begin == plan_->first)
             classes.look_at(mesh.topology());
-        if (const auto patches = patched_level<Point, Index, Scheme>::make(mesh, classes, scheme_, *plan_, costs_))
-            return filled(mesh, *patches);
+        return patches::make(mesh, classes, scheme_, *plan_, costs_, last_level == connect::everything);
+    }
+    /// Where patches are no gain: the level before the last one, level by level.
+    [[nodiscard]] basic_mesh<Point, Index> before_last(basic_mesh<Point, Index> mesh) const
+    {
+        numbering ids;
         for (int level = plan_->begin; level + 1 < levels_; ++level)
             mesh = refine_mesh<connect::everything>(mesh, scheme_, ids);
-        return refine_mesh<connect::faces>(mesh, scheme_, ids);
+        return mesh;
     }
-
-private:
-    using numbering = numbering_of<Scheme, Index>;
-    static constexpr std::size_t degree = numbering::common_degree;
-
-    [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh,
-                                                  const patched_level<Point, Index, Scheme>& patches) const
+    [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh, const patches& made,
+                                                  connect last_level) const
     {
         const counts& last = plan_->last();
         storage<Point> points(last.vertices);
         connectivity<Index> fine;
         fine.vertices = last.vertices;
         fine.allocate_faces(last.faces, int(degree), [](std::size_t) { return degree; });
-        patches.fill(mesh, {points.data(), fine.corner_vertex.data()});
+        if (last_level == connect::everything) {
+            fine.corner_halfedge = storage<Index>(fine.corners());
+            fine.halfedge_corner = storage<Index>(2 * last.edges);
+            fine.vertex_corner = storage<Index>(last.vertices);
+        }
+        made.fill(mesh,
+                  {points.data(),
+                   fine.corner_vertex.data(),
+                   fine.corner_halfedge.data(),
+                   fine.halfedge_corner.data(),
+                   fine.vertex_corner.data()});
         const int generation = mesh.generation() + levels_ - plan_->begin;
         return basic_mesh<Point, Index>(std::move(points), std::move(fine), generation);
     }

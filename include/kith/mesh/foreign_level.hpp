@@ -83,6 +83,23 @@ public:
         traits::set_start(*mesh_, at<vertex>(id), at<halfedge>(leaving));
     }
 
+    /// Safe for different faces on several threads. Errors: those of `set_start`.
+    void set_faces(index first, std::size_t degree, std::span<const face_line<index>> lines) override
+    {
+        for (; not lines.empty(); lines = lines.subspan(degree), ++first) {
+            const auto here = at<face>(first);
+            for (std::size_t i = 0; i < degree; ++i) {
+                const face_line<index>& next = lines[i + 1 == degree ? 0 : i + 1];
+                traits::set_side(*mesh_,
+                                 at<halfedge>(lines[i].halfedge),
+                                 here,
+                                 at<vertex>(next.vertex),
+                                 at<halfedge>(next.halfedge));
+            }
+            traits::set_start(*mesh_, here, at<halfedge>(lines[0].halfedge), degree);
+        }
+    }
+
     /// When all faces are there: joins the sides that have none.
     void finish(int generation) override
     {
@@ -99,17 +116,6 @@ private:
     static Handle at(std::size_t number)
     {
         return traits::template at<Handle>(number);
-    }
-    /// Safe for different faces on several threads. Errors: those of `set_start`.
-    void write_face(index id, std::span<const face_line<index>> lines) override
-    {
-        const auto here = at<face>(id);
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            const face_line<index>& next = lines[i + 1 == lines.size() ? 0 : i + 1];
-            traits::set_side(
-                *mesh_, at<halfedge>(lines[i].halfedge), here, at<vertex>(next.vertex), at<halfedge>(next.halfedge));
-        }
-        traits::set_start(*mesh_, here, at<halfedge>(lines[0].halfedge), lines.size());
     }
     /// Half-edges without a face run along the boundary the other way. Fans start where nothing lies clockwise: behind
     /// the boundary edge that leaves the vertex.

@@ -52,13 +52,15 @@ public:
     virtual void make_room(std::size_t vertices, std::size_t edges, std::size_t faces, bool is_closed) = 0;
     [[nodiscard]] virtual Point* points() const = 0;
     virtual void set_start(Index vertex, Index leaving) = 0;
+    /// Faces of one degree whose numbers follow one another, the lines of all in one list.
+    virtual void set_faces(Index first, std::size_t degree, lines of_faces) = 0;
     virtual void finish(int generation) = 0;
 
     template <face_lines Lines>
     void set_face(Index id, const Lines& of_face)
     {
         if constexpr (std::convertible_to<const Lines&, lines>) {
-            write_face(id, of_face);
+            set_faces(id, of_face.size(), of_face);
         } else {
             std::array<face_line<Index>, 8> few;
             std::size_t count = 0;
@@ -67,7 +69,7 @@ public:
                     return set_large_face(id, of_face);
                 few[count++] = line;
             }
-            write_face(id, lines(few.data(), count));
+            set_faces(id, count, lines(few.data(), count));
         }
     }
 
@@ -78,15 +80,13 @@ protected:
     ~level_writer() = default;
 
 private:
-    virtual void write_face(Index id, lines of_face) = 0;
-
     template <face_lines Lines>
     [[gnu::noinline]] void set_large_face(Index id, const Lines& of_face)
     {
         std::vector<face_line<Index>> all;
         for (const face_line<Index>& line : of_face)
             all.push_back(line);
-        write_face(id, all);
+        set_faces(id, all.size(), all);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "patch_template.hpp"
 
 #include <kith/base/storage.hpp>
+#include <kith/mesh/level_sink.hpp>
 
 #include <array>
 #include <concepts>
@@ -17,16 +18,21 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// Where a level is written: its points, and the vertices of its faces corner by corner, or nowhere.
+/// Where a level is written: its points, and the arrays of its connectivity or nothing.
 template <class Point, std::unsigned_integral Index>
 struct patch_output {
     Point* points;
     Index* corner_vertex = nullptr;
+    Index* corner_halfedge = nullptr; ///< nothing: neither the others
+    Index* halfedge_corner = nullptr;
+    Index* vertex_corner = nullptr;
+    level_writer<Point, Index>* writer = nullptr; ///< of a mesh of another library, in place of these arrays
 
     [[nodiscard]] bool has_faces() const { return corner_vertex != nullptr; }
+    [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
 };
 
-/// Writes the points and faces that some faces of a level own, after templates, as many faces at a time as there are lanes.
+/// Writes what some faces of a level own, after templates, as many faces at a time as there are lanes.
 template <class Point, std::unsigned_integral Index, std::size_t Degree>
     requires fits_lanes<Point>
 class patch_filler {
@@ -40,9 +46,10 @@ public:
     /// How many faces are filled at a time.
     static constexpr std::size_t width = lanes<scalar>::count;
 
-    /// For faces of a mesh that all have this degree, as have those of the level that is written.
-    patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to)
-        : coarse_(&coarse), to_(to)
+    /// For faces of a mesh that all have this degree, as have those of the level that is written: past the caches if that is too
+    /// large to be in them when it is read.
+    patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
+        : coarse_(&coarse), to_(to), past_caches_(past_caches)
     {
     }
 
@@ -51,19 +58,34 @@ public:
     {
         make_room(slots_, t.program.slots() * size * width);
         make_room(first_corners_, t.steps.size() + 1);
-        make_room(numbers_, t.vertices.size() * width);
+        make_room(sources_, t.sources.size() * width);
+        make_room(multiples_, t.multiples.size() * width);
         for (std::size_t lane = 0; lane < width; ++lane) { // where there are fewer faces the first stands for them
             walk(t, faces[lane < faces.size() ? lane : 0]);
             load(t, lane);
-            number(t, numbers_of(t, lane));
+            look_up(t, lane);
         }
-        for (std::size_t lane = 0; lane < faces.size(); ++lane)
-            call_for(t, faces[lane], numbers_of(t, lane));
+        multiply(t);
+        call_for(to_.points, t.vertices);
+        if (to_.has_faces())
+            call_for(to_.corner_vertex, t.corners);
+        if (to_.has_edges()) {
+            call_for(to_.corner_halfedge, t.corners);
+            call_for(to_.halfedge_corner, t.halfedges);
+            call_for(to_.vertex_corner, t.vertices);
+        }
         t.program.template run<size>(reinterpret_cast<pack*>(slots_.data()));
-        for (std::size_t lane = 0; lane < faces.size(); ++lane) {
-            store(t, lane, numbers_of(t, lane));
-            if (to_.has_faces())
-                connect(t, faces[lane], numbers_of(t, lane));
+        store(t);
+        if (to_.has_faces())
+            write(to_.corner_vertex, t.corners, t.corner_vertex);
+        if (to_.has_edges()) {
+            write(to_.corner_halfedge, t.corners, t.corner_halfedge);
+            write(to_.halfedge_corner, t.halfedges, t.halfedge_corner);
+            write(to_.vertex_corner, t.vertices, t.vertex_corner);
+        }
+        if (to_.writer != nullptr) {
+            write_faces(*to_.writer, t);
+            write_starts(*to_.writer, t, faces.size());
         }
     }
 
@@ -74,11 +96,6 @@ private:
         if (array.size() < size)
             array = storage<T>(size);
     }
-    [[nodiscard]] Index* numbers_of(const patch& t, std::size_t lane)
-    {
-        return numbers_.data() + t.vertices.size() * lane;
-    }
-
     /// Finds the faces of the neighbourhood.
     [[gnu::always_inline]] void walk(const patch& t, Index face)
     {
@@ -100,65 +117,167 @@ private:
                 *to = point[i];
         }
     }
-    /// The numbers of the fine vertices.
-    [[gnu::always_inline]] void number(const patch& t, Index* to) const
+    /// The numbers that others follow from.
+    [[gnu::always_inline]] void look_up(const patch& t, std::size_t lane)
     {
         const connectivity<Index>& mesh = coarse_->topology();
-        const Index* offset = t.vertices.offset.data();
-        const Index* factor = t.vertices.factor.data();
-        std::size_t i = 0;
-        for (std::size_t s = 0; s < t.vertices.sources.size(); ++s) {
-            const auto& [kind, place] = t.vertices.sources[s];
+        Index* to = sources_.data() + lane;
+        for (const auto& [kind, place] : t.sources) {
             const Index at = corner(place);
-            const Index source = kind == tuple_kind::v   ? mesh.corner_vertex[at]
-                                 : kind == tuple_kind::e ? Index(mesh.corner_halfedge[at] / 2)
-                                                         : Index(at / Degree);
-            for (const std::size_t end = t.vertices.end[s]; i < end; ++i)
-                to[i] = Index(offset[i] + factor[i] * source);
+            *to = kind == tuple_kind::v   ? mesh.corner_vertex[at]
+                  : kind == tuple_kind::e ? Index(mesh.corner_halfedge[at] / 2)
+                                          : Index(at / Degree);
+            to += width;
         }
     }
-    /// The first corner of a run.
-    [[nodiscard]] static std::size_t first_corner(const typename patch::face_run& run, Index face)
+    [[gnu::always_inline]] void multiply(const patch& t)
     {
-        return Degree * std::size_t(Index(run.offset + run.factor * face));
+        Index* to = multiples_.data();
+        for (const auto& [source, factor] : t.multiples)
+            for (std::size_t lane = 0; lane < width; ++lane)
+                *to++ = Index(factor * sources_[source * width + lane]);
+    }
+    [[nodiscard]] Index multiple(std::size_t which, std::size_t lane) const { return multiples_[which * width + lane]; }
+
+    using run = typename patch_numbers<Index>::run;
+    using list = typename patch_numbers<Index>::list;
+
+    [[nodiscard]] bool goes_past_caches(const run& r, std::size_t bytes) const
+    {
+        return past_caches_ and r.step == 1 and r.count * bytes >= 128;
     }
     /// Calls for what will be written: it is here when the program has run.
-    [[gnu::always_inline]] void call_for(const patch& t, Index face, const Index* numbers) const
+    template <class T>
+    [[gnu::always_inline]] void call_for(T* array, const std::vector<run>& places) const
     {
-        constexpr std::size_t indices_of_line = 64 / sizeof(Index);
-        for (std::size_t v = 0; v < t.outputs.size(); v += 2)
-            __builtin_prefetch(to_.points + numbers[t.outputs[v]], 1);
-        if (not to_.has_faces())
-            return;
-        for (const auto& run : t.runs)
-            for (std::size_t i = 0; i < Degree * run.count; i += indices_of_line)
-                __builtin_prefetch(to_.corner_vertex + first_corner(run, face) + i, 1);
+        for (const run& r : places)
+            if (not goes_past_caches(r, sizeof(T)))
+                for (std::size_t lane = 0; lane < width; ++lane) {
+                    const auto* const first = reinterpret_cast<const char*>(array +
+                                                                            Index(r.offset + multiple(r.of, lane)));
+                    for (std::size_t i = 0; i < r.step * r.count * sizeof(T); i += 64)
+                        __builtin_prefetch(first + i, 1);
+                }
     }
-    [[gnu::always_inline]] void store(const patch& t, std::size_t lane, const Index* numbers) const
+
+    /// The points of the owned vertices.
+    [[gnu::always_inline]] void store(const patch& t) const
     {
-        const std::span<const std::uint16_t> slots = t.program.outputs();
-        for (std::size_t v = 0; v < slots.size(); ++v) {
-            const scalar* const value = slots_.data() + lane + slots[v] * size * width;
-            Point& point = to_.points[numbers[t.outputs[v]]];
-            for (std::size_t i = 0; i < size; ++i)
-                point[i] = value[i * width];
+        const std::uint16_t* slot = t.program.outputs().data();
+        for (const run& r : t.vertices) {
+            Point* to[width];
+            for (std::size_t lane = 0; lane < width; ++lane)
+                to[lane] = to_.points + Index(r.offset + multiple(r.of, lane));
+            const auto all = [&](const auto& store) __attribute__((always_inline)) {
+                for (std::size_t v = 0; v < r.count; ++v) {
+                    const scalar* const from = slots_.data() + slot[v] * (size * width);
+                    for (std::size_t lane = 0; lane < width; ++lane)
+                        for (std::size_t i = 0; i < size; ++i)
+                            store(&to[lane][r.step * v][i], from[i * width + lane]);
+                }
+            };
+            if (goes_past_caches(r, sizeof(Point)))
+                all([](scalar* at, scalar x) __attribute__((always_inline)) { store_past_caches(at, x); });
+            else
+                all([](scalar* at, scalar x) __attribute__((always_inline)) { *at = x; });
+            slot += r.count;
         }
     }
-    [[gnu::always_inline]] void connect(const patch& t, Index face, const Index* numbers) const
+
+    /// Lines of faces, run by run.
+    [[gnu::always_inline]] void write_faces(level_writer<Point, Index>& to, const patch& t)
     {
-        const typename patch::place* vertex = t.corners.data();
-        for (const auto& run : t.runs) {
-            Index* to = to_.corner_vertex + first_corner(run, face);
-            for (std::size_t f = 0; f < run.count; ++f, to += Degree, vertex += Degree)
-                for (std::size_t i = 0; i < Degree; ++i)
-                    to[i] = numbers[vertex[i]];
+        using line = face_line<Index>;
+        std::size_t first = 0;
+        for (const run& r : t.corners) {
+            make_room(lines_, width * r.count);
+            for (std::size_t i = 0; i < r.count; ++i) {
+                const std::size_t c = first + i;
+                const Index* const vertex = multiples_.data() + t.corner_vertex.of[c] * width;
+                const Index* const halfedge = multiples_.data() + t.corner_halfedge.of[c] * width;
+                for (std::size_t lane = 0; lane < width; ++lane)
+                    lines_[r.count * lane + i] = line{Index(t.corner_vertex.offset[c] + vertex[lane]),
+                                                      Index(t.corner_halfedge.offset[c] + halfedge[lane])};
+            }
+            for (std::size_t lane = 0; lane < width; ++lane)
+                to.set_faces(Index(Index(r.offset + multiple(r.of, lane)) / Degree),
+                             Degree,
+                             std::span<const line>(lines_.data() + r.count * lane, r.count));
+            first += r.count;
         }
+    }
+    [[gnu::always_inline]] void write_starts(level_writer<Point, Index>& to, const patch& t, std::size_t lanes)
+    {
+        std::size_t v = 0;
+        for (const run& r : t.vertices)
+            for (std::size_t i = 0; i < r.count; ++i, ++v)
+                for (std::size_t lane = 0; lane < lanes; ++lane)
+                    to.set_start(Index(r.offset + multiple(r.of, lane) + r.step * i),
+                                 Index(t.vertex_halfedge.offset[v] + multiple(t.vertex_halfedge.of[v], lane)));
+    }
+
+    /// Numbers into the places of an array.
+    [[gnu::always_inline]] void write(Index* array, const std::vector<run>& places, const list& numbers) const
+    {
+        const Index* offset = numbers.offset.data();
+        const auto* of = numbers.of.data();
+        for (const run& r : places) {
+            Index* to[width];
+            for (std::size_t lane = 0; lane < width; ++lane)
+                to[lane] = array + Index(r.offset + multiple(r.of, lane));
+            std::size_t i = 0;
+            if constexpr (4 * sizeof(Index) == sizeof(quad) and width % 4 == 0)
+                if (r.step == 1 and r.count >= 4) {
+                    i = r.count / 4 * 4;
+                    for (std::size_t lane = 0; lane < width; lane += 4)
+                        write_quads(to + lane, i, goes_past_caches(r, sizeof(Index)), offset, of, lane);
+                }
+            for (; i < r.count; ++i)
+                for (std::size_t lane = 0; lane < width; ++lane)
+                    to[lane][r.step * i] = Index(offset[i] + multiple(of[i], lane));
+            offset += r.count;
+            of += r.count;
+        }
+    }
+
+    typedef std::uint32_t quad __attribute__((vector_size(16), may_alias));
+
+    /// The same for four lanes, four numbers at a time, which are turned from lanes into rows.
+    [[gnu::always_inline]] void write_quads(Index* const* to, std::size_t count, bool past_caches, const Index* offset,
+                                            const typename patch_numbers<Index>::place* of, std::size_t lane) const
+    {
+        bool is_aligned = past_caches;
+        for (std::size_t i = 0; i < 4; ++i)
+            is_aligned = is_aligned and reinterpret_cast<std::uintptr_t>(to[i]) % 64 == 0;
+        const Index* const multiples = multiples_.data() + lane;
+        const auto number = [&](std::size_t i) __attribute__((always_inline)) {
+            return *reinterpret_cast<const quad*>(multiples + of[i] * width) + offset[i];
+        };
+        const auto turn = [&](std::size_t i, const auto& store) __attribute__((always_inline)) {
+            const quad a = number(i), b = number(i + 1), c = number(i + 2), d = number(i + 3);
+            const quad ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+            const quad ef = __builtin_shufflevector(a, b, 2, 6, 3, 7), gh = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+            store(to[0] + i, quad(__builtin_shufflevector(ab, cd, 0, 1, 4, 5)));
+            store(to[1] + i, quad(__builtin_shufflevector(ab, cd, 2, 3, 6, 7)));
+            store(to[2] + i, quad(__builtin_shufflevector(ef, gh, 0, 1, 4, 5)));
+            store(to[3] + i, quad(__builtin_shufflevector(ef, gh, 2, 3, 6, 7)));
+        };
+        if (is_aligned)
+            for (std::size_t i = 0; i < count; i += 4)
+                turn(i, [](Index* at, quad q) __attribute__((always_inline)) {
+                    store_past_caches(reinterpret_cast<quad*>(at), q);
+                });
+        else
+            for (std::size_t i = 0; i < count; i += 4)
+                turn(i, [](Index* at, quad q) __attribute__((always_inline)) { __builtin_memcpy(at, &q, sizeof(q)); });
     }
 
     const basic_mesh<Point, Index>* coarse_;
     patch_output<Point, Index> to_;
+    bool past_caches_;
     storage<scalar> slots_;
-    storage<Index> first_corners_, numbers_;
+    storage<face_line<Index>> lines_;
+    storage<Index> first_corners_, sources_, multiples_;
 };
 
 #endif

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "child_numbers.hpp"
-#include "lanes.hpp"
 #include "refine_part.hpp"
+
+#include <kith/lane/lanes.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,10 +3,11 @@
 
 #include "child_numbers.hpp"
 #include "face_walk.hpp"
-#include "lane_program.hpp"
+#include "patch_numbers.hpp"
 #include "refine_part.hpp"
-#include "tape.hpp"
 
+#include <kith/lane/lane_program.hpp>
+#include <kith/lane/tape.hpp>
 #include <kith/level/native_level.hpp>
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
@@ -25,37 +26,27 @@
 namespace kith {
 
 /// What some steps make of a face and its neighbourhood, for all faces whose neighbourhoods are alike: where the coarse points are,
-/// how they become the fine ones, which numbers those and the new faces have. Made once, by the scheme's own text. A face owns
-/// what it, its left sides of edges and the starts of fans in it give birth to.
+/// how they become the fine ones, and which numbers are written where. Made once, by the scheme's own text. A face owns what it,
+/// its left sides of edges and the starts of fans in it give birth to: the points and starts of these vertices, the corners of
+/// these faces, what lies on the half-edges at these corners, and that nothing lies across where they are at the boundary.
 template <std::floating_point Scalar, std::unsigned_integral Index>
 struct patch_template {
+    using numbers = patch_numbers<Index>;
+
     /// An element of the coarse level whose number others follow from: the vertex of a corner, its edge, its face.
     struct source {
         tuple_kind kind; ///< v, e or f
         walked_corner at;
     };
-    /// New elements of one kind whose numbers follow from those of one element each: offset + factor * number of the source.
-    struct new_elements {
-        std::vector<source> sources;
-        std::vector<std::uint32_t> end; ///< those of source i come before end[i], after those of the sources before it
-        std::vector<Index> offset, factor;
-
-        [[nodiscard]] std::size_t size() const { return offset.size(); }
-    };
-    /// New faces whose numbers follow one another: offset + factor * that of the face itself.
-    struct face_run {
-        Index offset, factor;
-        std::size_t count;
-    };
-    using place = std::uint16_t; ///< in one of the lists
 
     std::vector<walk_step> steps;
     std::vector<walked_corner> inputs; ///< those whose vertices fill the first slots of the program
-    lane_program<Scalar> program;
-    new_elements vertices;      ///< those of the owned faces
-    std::vector<place> outputs; ///< the owned ones among them, which are the outputs of the program
-    std::vector<face_run> runs;
-    std::vector<place> corners; ///< of the faces, run after run: their vertices
+    lane_program<Scalar> program;      ///< its outputs are the points of the owned vertices
+    std::vector<source> sources;
+    std::vector<typename numbers::multiple> multiples;
+    std::vector<typename numbers::run> vertices, corners, halfedges; ///< the places that are written
+    typename numbers::list vertex_corner, vertex_halfedge, corner_vertex, corner_halfedge,
+        halfedge_corner; ///< what is written, run after run
 };
 
 /// Makes templates of a scheme for the faces of one level.
@@ -176,87 +167,100 @@ private:
         std::vector<bool> turned_;
     };
 
-    /// Lists new elements by their sources and tells the place of each; empty where places are too small for them.
-    static std::vector<typename result::place> list(const sources_of_part& sources,
-                                                    const std::vector<affine_number<Index>>& numbers,
-                                                    const std::vector<bool>& is_listed,
-                                                    typename result::new_elements& to)
+    using number = affine_number<Index>;
+
+    static number corner_of(const number& face, std::size_t corner) { return face.child(corner, degree); }
+
+    static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.offset); }
+
+    /// Those of some elements, in the order of their numbers.
+    template <class IsOne>
+    static std::vector<std::uint32_t> in_order(const std::vector<number>& numbers, const IsOne& is_one)
     {
-        std::vector<std::uint32_t> listed;
+        std::vector<std::uint32_t> result;
         for (std::uint32_t i = 0; i < numbers.size(); ++i)
-            if (is_listed[i])
-                listed.push_back(i);
-        if (listed.size() > std::numeric_limits<typename result::place>::max())
-            return {};
-        std::ranges::sort(listed, {}, [&](std::uint32_t i) {
-            return std::tuple(numbers[i].source, numbers[i].factor, numbers[i].offset);
-        });
-        std::vector<typename result::place> place(numbers.size());
-        for (const std::uint32_t i : listed) {
-            const auto& n = numbers[i];
-            place[i] = typename result::place(to.size());
-            if (to.size() == 0 or n.source != numbers[listed[to.size() - 1]].source) {
-                to.sources.push_back(sources.source(n.source));
-                to.end.push_back(std::uint32_t(to.size()));
-            }
-            ++to.end.back();
-            to.offset.push_back(n.offset);
-            to.factor.push_back(n.factor);
-        }
-        return place;
+            if (is_one(numbers[i]))
+                result.push_back(i);
+        std::ranges::sort(result, {}, [&](std::uint32_t i) { return order_of(numbers[i]); });
+        return result;
     }
 
     std::optional<result> assemble(const face_walk<Index>& walk, const sources_of_part& sources,
                                    const affine_numbers& numbers, const basic_mesh<value, Index>& fine,
                                    const tape<scalar>& tape) const
     {
-        const connectivity<Index>& topology = fine.topology();
         result made;
         made.steps.assign(walk.steps().begin(), walk.steps().end());
-
-        std::vector<std::uint32_t> own_faces;
-        for (std::uint32_t f = 0; f < numbers.faces.size(); ++f)
-            if (numbers.faces[f].source == sources.centre())
-                own_faces.push_back(f);
-        std::ranges::sort(own_faces, {}, [&](std::uint32_t f) {
-            return std::pair(numbers.faces[f].factor, numbers.faces[f].offset);
-        });
-
-        std::vector<bool> has_vertex(topology.vertices);
-        for (std::size_t v = 0; v < has_vertex.size(); ++v)
-            has_vertex[v] = sources.is_owned(numbers.vertices[v].source);
-        for (const std::uint32_t f : own_faces)
-            for (const Index v : fine.face(f))
-                has_vertex[v] = true;
-        const auto place = list(sources, numbers.vertices, has_vertex, made.vertices);
-        if (place.empty())
+        patch_numbers<Index> listed(sources.size());
+        const auto owned = in_order(numbers.vertices, [&](const number& n) { return sources.is_owned(n.source); });
+        list_vertices(owned, numbers, fine.topology(), listed, made);
+        list_faces(in_order(numbers.faces, [&](const number& n) { return n.source == sources.centre(); }),
+                   numbers,
+                   fine.topology(),
+                   listed,
+                   made);
+        if (listed.is_too_long())
             return {};
+        made.multiples = listed.multiples();
+        for (const std::uint32_t source : listed.sources())
+            made.sources.push_back(sources.source(source));
 
-        std::vector<std::pair<typename result::place, std::uint32_t>> owned;
-        for (std::uint32_t v = 0; v < place.size(); ++v)
-            if (sources.is_owned(numbers.vertices[v].source))
-                owned.emplace_back(place[v], v);
-        std::ranges::sort(owned);
         std::vector<std::uint32_t> outputs;
-        for (const auto& [output, v] : owned) {
-            made.outputs.push_back(output);
+        for (const std::uint32_t v : owned)
             outputs.push_back(fine.point(v).value);
-        }
-        for (const std::uint32_t f : own_faces) {
-            const auto& n = numbers.faces[f];
-            if (made.runs.empty() or made.runs.back().factor != n.factor or
-                made.runs.back().offset + made.runs.back().count != n.offset)
-                made.runs.push_back({n.offset, n.factor, 0});
-            ++made.runs.back().count;
-            for (const Index v : fine.face(f))
-                made.corners.push_back(place[v]);
-        }
         made.program = lane_program<scalar>(tape, outputs);
         if (made.program.is_too_long())
             return {};
         for (const std::uint32_t v : made.program.inputs())
             made.inputs.push_back(sources.corner_of_vertex(v));
         return made;
+    }
+
+    static void list_vertices(std::span<const std::uint32_t> owned, const affine_numbers& numbers,
+                              const connectivity<Index>& fine, patch_numbers<Index>& listed, result& made)
+    {
+        std::vector<number> vertices, starts, leaving;
+        for (const std::uint32_t v : owned) {
+            const Index start = fine.vertex_corner[v];
+            vertices.push_back(numbers.vertices[v]);
+            const Index h = fine.corner_halfedge[start];
+            leaving.push_back(numbers.edges[h / 2].child(h % 2, 2));
+            starts.push_back(corner_of(numbers.faces[start / degree], start % degree));
+        }
+        made.vertices = listed.runs(vertices);
+        made.vertex_halfedge = listed.all(leaving);
+        made.vertex_corner = listed.all(starts);
+    }
+
+    static void list_faces(std::span<const std::uint32_t> own, const affine_numbers& numbers,
+                           const connectivity<Index>& fine, patch_numbers<Index>& listed, result& made)
+    {
+        std::vector<number> corners, vertices, halfedges;
+        std::vector<std::pair<number, number>> sides;
+        for (const std::uint32_t f : own)
+            for (std::size_t i = 0; i < degree; ++i) {
+                const std::size_t c = degree * f + i;
+                const Index h = fine.corner_halfedge[c];
+                const number& edge = numbers.edges[h / 2];
+                corners.push_back(corner_of(numbers.faces[f], i));
+                vertices.push_back(numbers.vertices[fine.corner_vertex[c]]);
+                halfedges.push_back(edge.child(h % 2, 2));
+                sides.emplace_back(halfedges.back(), corners.back());
+                if (fine.is_boundary(h / 2))
+                    sides.emplace_back(edge.child(1, 2), number{fine.none, 0, edge.source});
+            }
+        made.corners = listed.runs(corners);
+        made.corner_vertex = listed.all(vertices);
+        made.corner_halfedge = listed.all(halfedges);
+
+        std::ranges::sort(sides, {}, [](const auto& side) { return order_of(side.first); });
+        std::vector<number> at, across;
+        for (const auto& [halfedge, corner] : sides) {
+            at.push_back(halfedge);
+            across.push_back(corner);
+        }
+        made.halfedges = listed.runs(at);
+        made.halfedge_corner = listed.all(across);
     }
 
     const basic_mesh<Point, Index>& mesh_;

@@ -7,6 +7,7 @@
 #include "patch_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -18,11 +19,12 @@
 namespace kith {
 
 /// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1. Measured
-/// with the schemes of the library; a template takes 1900 (Butterfly) to 6600 (sqrt(3)) final faces.
+/// with the schemes of the library; a template takes 2500 (Butterfly) to 9300 (sqrt(3)) final faces.
 struct patch_costs {
-    double in_patch = .5;
-    double among_few = 6;        ///< of few faces with their rings, where making a template is not worth it
-    double of_template = 3000;   ///< of making one, in final faces
+    double in_patch = .5;            ///< .3 (Butterfly) to .6
+    double in_patch_with_edges = .6; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
+    double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
+    double of_template = 3000;       ///< of making one, in final faces
     double of_walk = 3;          ///< of each face that is met in a walk around one of the first level to find its class
     double share_of_walks = .05; ///< nobody looks where all walks cost more than this share of the whole
     double to_be_cheaper = .9;   ///< patches must come to less than so much
@@ -43,23 +45,25 @@ class patched_level {
 public:
     using output = patch_output<Point, Index>;
 
-    /// Of a mesh whose faces have these classes; nothing where it is no gain. Cost: that of the templates.
+    /// Of a mesh whose faces have these classes, to make faces or all connectivity; nothing where it is no gain. Cost: that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                                             const Scheme& scheme, const patch_plan& plan, const patch_costs& costs)
+                                             const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
+                                             bool with_edges = false)
     {
+        const double in_patch = with_edges ? costs.in_patch_with_edges : costs.in_patch;
         std::vector<std::size_t> members(classes.count(), 0);
         for (const class_number c : classes.of_faces())
             if (c != classes.unlike)
                 ++members[c];
         const double faces_of_patch = double(plan.last().faces) / double(mesh.face_count());
         const auto gains = [&](std::size_t count) {
-            return double(count) * faces_of_patch * (costs.among_few - costs.in_patch) > costs.of_template;
+            return double(count) * faces_of_patch * (costs.among_few - in_patch) > costs.of_template;
         };
         double cost = 0;
         std::size_t in_templates = 0;
         for (const std::size_t count : members)
             if (gains(count)) {
-                cost += costs.of_template + double(count) * faces_of_patch * costs.in_patch;
+                cost += costs.of_template + double(count) * faces_of_patch * in_patch;
                 in_templates += count;
             }
         cost += double(mesh.face_count() - in_templates) * faces_of_patch * costs.among_few;
@@ -68,16 +72,18 @@ public:
         return patched_level(mesh, classes, scheme, plan, [&](class_number c) { return gains(members[c]); });
     }
 
-    /// Makes the points of the last level, and its faces where there is room for them. The mesh is that of `make`, or one with other
+    /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`, or one with other
     /// points. Cost: that of the programs, and of refining the faces that have no template.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
         constexpr std::size_t width = patch_filler<Point, Index, degree>::width;
+        constexpr std::size_t cached_bytes = std::size_t(8) << 20;
+        const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
         detail::for_parts(
             mesh.face_count(),
             true,
             [&](std::size_t begin, std::size_t end) {
-                patch_filler<Point, Index, degree> filler(mesh, to);
+                patch_filler<Point, Index, degree> filler(mesh, to, past_caches);
                 std::vector<Index> waiting(templates_.size() * width);
                 std::vector<std::uint8_t> count(templates_.size(), 0);
                 const auto flush = [&](std::size_t c) {
@@ -95,6 +101,7 @@ public:
                 for (std::size_t c = 0; c < count.size(); ++c)
                     if (count[c] != 0)
                         flush(c);
+                publish();
             },
             1);
         refine_few(mesh, to);
@@ -110,7 +117,7 @@ private:
     template <class Gains>
     patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
                   const patch_plan& plan, const Gains& gains)
-        : scheme_(scheme), bases_(plan.bases), template_of_face_(mesh.face_count())
+        : scheme_(scheme), vertices_(plan.last().vertices), bases_(plan.bases), template_of_face_(mesh.face_count())
     {
         const auto kept = templates::of(scheme, mesh.generation(), plan.rings, bases_);
         template_maker<Scheme, Point, Index> maker(mesh, scheme, bases_);
@@ -149,13 +156,17 @@ private:
     /// The patches of the faces that have no template, as meshes of their own, level by level.
     void refine_few(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
-        constexpr std::size_t at_once = 1024;
+        constexpr std::size_t at_once =
+            128; // so that they take less than the level before the last one, which is not there
         if (few_.empty())
             return;
         const connectivity<Index>& whole = mesh.topology();
         const std::vector<int> rings = rings_before_steps(scheme_, bases_.size());
         submesh_cutter<Point, Index> cutter(mesh);
         std::vector<bool> is_one(mesh.face_count(), false);
+        const auto refine = [&](const basic_mesh<Point, Index>& level, numbering& ids) {
+            return refine_mesh<connect::everything>(level, scheme_, ids);
+        };
         for (std::span<const Index> few = few_; not few.empty(); few = few.subspan(std::min(at_once, few.size()))) {
             const auto here = few.first(std::min(at_once, few.size()));
             for (const Index f : here)
@@ -176,8 +187,8 @@ private:
                 bases_,
                 rings,
                 [](const auto& face) { return face.owned; },
-                [&](const auto& level, auto& ids) { return refine_mesh<connect::everything>(level, scheme_, ids); },
-                [&](const auto& level, auto& ids) { return refine_mesh<connect::faces>(level, scheme_, ids); });
+                refine,
+                refine);
             copy_owned(fine, numbers, to);
         }
     }
@@ -185,21 +196,46 @@ private:
     static void copy_owned(const basic_mesh<Point, Index>& part, const part_of_whole<owned_number<Index>>& numbers,
                            const output& to)
     {
+        const connectivity<Index>& fine = part.topology();
+        const auto corner_in_whole = [&](Index c) {
+            return Index(degree * numbers.faces[c / degree].number + c % degree);
+        };
+        const auto halfedge_in_whole = [&](Index h) { return Index(2 * numbers.edges[h / 2].number + h % 2); };
         for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
-            if (numbers.vertices[v].owned)
-                to.points[numbers.vertices[v].number] = part.point(v);
-        if (not to.has_faces())
-            return;
-        for (std::size_t f = 0; f < numbers.faces.size(); ++f) {
+            if (const auto [number, owned] = numbers.vertices[v]; owned) {
+                to.points[number] = part.point(v);
+                if (to.has_edges())
+                    to.vertex_corner[number] = corner_in_whole(fine.vertex_corner[v]);
+                if (to.writer != nullptr)
+                    to.writer->set_start(number, halfedge_in_whole(fine.corner_halfedge[fine.vertex_corner[v]]));
+            }
+        std::array<face_line<Index>, degree> lines;
+        for (std::size_t f = 0; to.writer != nullptr and f < fine.faces; ++f) {
             if (not numbers.faces[f].owned)
                 continue;
-            Index* corner = to.corner_vertex + degree * std::size_t(numbers.faces[f].number);
-            for (const Index v : part.face(f))
-                *corner++ = numbers.vertices[v].number;
+            for (std::size_t i = 0; i < degree; ++i)
+                lines[i] = {numbers.vertices[fine.corner_vertex[degree * f + i]].number,
+                            halfedge_in_whole(fine.corner_halfedge[degree * f + i])};
+            to.writer->set_face(numbers.faces[f].number, lines);
+        }
+        for (std::size_t c = 0; to.has_faces() and c < fine.corners(); ++c) {
+            if (not numbers.faces[c / degree].owned)
+                continue;
+            const Index corner = corner_in_whole(Index(c));
+            to.corner_vertex[corner] = numbers.vertices[fine.corner_vertex[c]].number;
+            if (not to.has_edges())
+                continue;
+            const Index side = fine.corner_halfedge[c];
+            const Index halfedge = halfedge_in_whole(side);
+            to.corner_halfedge[corner] = halfedge;
+            to.halfedge_corner[halfedge] = corner;
+            if (fine.is_boundary(side / 2))
+                to.halfedge_corner[halfedge ^ 1] = fine.none;
         }
     }
 
     Scheme scheme_;
+    std::size_t vertices_; // of the last level
     std::vector<column_bases> bases_;
     std::vector<typename templates::pointer> templates_;
     storage<class_number> template_of_face_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 
@@ -64,6 +65,34 @@ template <class Pack>
     __asm__("" : "+x"(product));
 #elif defined(__aarch64__) && !defined(__clang__)
     __asm__("" : "+w"(product));
+#endif
+}
+
+/// Writes to memory without fetching what was there, where the processor can: for what is not read again soon. Other threads see
+/// it after `publish`.
+template <class T>
+[[gnu::always_inline]] inline void store_past_caches(T* to, T value)
+{
+#if defined(__clang__)
+    __builtin_nontemporal_store(value, to);
+#elif defined(__x86_64__)
+    if constexpr (sizeof(T) == 16)
+        __builtin_ia32_movntdq(reinterpret_cast<long long __attribute__((vector_size(16)))*>(to),
+                               reinterpret_cast<long long __attribute__((vector_size(16)))>(value));
+    else if constexpr (sizeof(T) == 8)
+        __builtin_ia32_movnti64(reinterpret_cast<long long*>(to), std::bit_cast<long long>(value));
+    else if constexpr (sizeof(T) == 4)
+        __builtin_ia32_movnti(reinterpret_cast<int*>(to), std::bit_cast<int>(value));
+    else
+        *to = value;
+#else
+    *to = value;
+#endif
+}
+[[gnu::always_inline]] inline void publish()
+{
+#if defined(__x86_64__)
+    __builtin_ia32_sfence();
 #endif
 }
 
