@@ -18,10 +18,13 @@ struct tile_request {
     std::string output;
     bool with_origin = false; ///< rank and tile of each cell, so that the bytes depend on the job as well
     bool limit = false;       ///< the vertices at their places on the limit surface, with the normals there
+    face_varying_linear linear = face_varying_linear::all; ///< of the attributes of corners
     basic_mesh<> control;
+    io::mesh_attributes kinds; ///< of what is carried, the same on all ranks
+    attribute_fields attributes;
 };
 
-/// Reads the control mesh of a request, and what the file says of its creases. Errors: file_error, mesh_error.
+/// Reads the control mesh of a request, with what the output holds of its attributes, and what the file says of its creases. Errors: file_error, mesh_error.
 void read_control(tile_request& request, const std::string& path);
 
 } // namespace kith::tool
