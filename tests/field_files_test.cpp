@@ -259,6 +259,13 @@ TEST(field_files, refuses_names_that_are_taken_and_fields_without_values)
         });
         EXPECT_NE(text.find("called \"" + name + "\""), std::string::npos) << text;
     }
+    const auto text_of = [&](std::vector<kith::file_array> fields) {
+        return error_text<kith::mesh_error>([&] { kith::vtu_file(counts, 0, false, false, std::move(fields)); });
+    };
+    using enum kith::field_on;
+    EXPECT_EQ(text_of({{"red", vertices, "UInt8", 1, 1}, {"red", faces, "UInt8", 1, 1}}), "no error");
+    EXPECT_EQ(text_of({{"uv", corners, "Float32", 2, 8}}),
+              "the field \"uv\" is on edges or corners, where a file of VTK has no values; leave it out");
     const auto tile = std::move(last_tiles(torus, scheme, 0, {partitions::blocks(torus.face_count(), 1), 1})[0]);
     const directory here;
     const kith::vtu_file layout(counts, 0, false, false, arrays<scheme_type>());

@@ -123,9 +123,31 @@ attribute_counts count_of(const io::mesh_attributes& attributes, face_varying_li
             corners != face_varying_linear::all};
 }
 
+namespace {
+
+/// As fields have them, `together` at a time.
+double carried(std::size_t numbers)
+{
+    return double((numbers + together - 1) / together * together);
+}
+
+} // namespace
+
+element_bytes field_bytes(const attribute_counts& attributes)
+{
+    const bool marked = attributes.along_seams and attributes.corners != 0;
+    return {8 * carried(attributes.vertices),
+            attributes.faces == 0 ? 0. : 4.,
+            8 * carried(attributes.corners) + (marked ? 4 : 0)};
+}
+
+element_bytes written_bytes(const attribute_counts& attributes)
+{
+    return {16. * double(attributes.vertices), 16. * double(attributes.faces), 16. * double(attributes.corners)};
+}
+
 double bytes_of(const attribute_counts& attributes, const counts& level)
 {
-    const auto carried = [](std::size_t numbers) { return double((numbers + together - 1) / together * together); };
     const auto bytes = [&](std::size_t numbers, std::uint64_t elements) {
         return 8 * (2 * carried(numbers) + double(numbers)) * double(elements);
     };

@@ -5,6 +5,7 @@
 #include <kith/field/field.hpp>
 #include <kith/format/mesh_attributes.hpp>
 #include <kith/mesh/basic_mesh.hpp>
+#include <kith/tile/plan_tile.hpp>
 
 #include <array>
 #include <concepts>
@@ -123,12 +124,19 @@ io::mesh_attributes kinds_of(const io::mesh_attributes& attributes);
 struct attribute_counts {
     std::size_t vertices = 0, faces = 0, corners = 0;
     bool along_seams = false; ///< those of corners go as smoothly as the surface
+
+    [[nodiscard]] bool any() const { return vertices != 0 or faces != 0 or corners != 0; }
 };
 attribute_counts count_of(const io::mesh_attributes& attributes,
                           face_varying_linear corners = face_varying_linear::all);
 
 /// The bytes that these need beside a level with so many elements, with those of the level before.
 double bytes_of(const attribute_counts& attributes, const counts& level);
+
+/// The bytes of the fields of a level, for each vertex, face and corner.
+element_bytes field_bytes(const attribute_counts& attributes);
+/// Of their values when they are written: as numbers of the program, and as those of a file.
+element_bytes written_bytes(const attribute_counts& attributes);
 
 /// Takes the normals of the file out, which do not go by the masks of a scheme. Whether there were any.
 bool take_normals(io::mesh_attributes& attributes);

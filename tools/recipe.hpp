@@ -17,8 +17,8 @@ namespace kith::tool {
 /// any number of ranks, or jobs without MPI, can go on from.
 struct recipe {
     std::vector<std::pair<std::string, std::string>> settings{}; ///< by name: version, scheme, its words, levels, ...
-    std::vector<std::byte> control{};                            ///< the mesh as it was read, its creases and attributes
-    partition parts{};                                           ///< the journal depends on it, the surface does not
+    std::vector<std::byte> control{}; ///< the mesh as it was read, its creases and attributes
+    partition parts{};                ///< the journal depends on it, the surface does not
     std::string output{};
 };
 

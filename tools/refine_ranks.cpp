@@ -42,7 +42,9 @@ namespace {
 
 tiling_kind tiling_of(const rank_request& request)
 {
-    return {.threads = tiles_at_once(SIZE_MAX, request.threads), .limit = request.what.limit};
+    return {.threads = tiles_at_once(SIZE_MAX, request.threads),
+            .limit = request.what.limit,
+            .attributes = count_of(request.what.kinds, request.what.linear)};
 }
 
 /// As many tiles as are asked for, or as it takes to stay within the memory of a rank.

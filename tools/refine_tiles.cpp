@@ -180,14 +180,15 @@ tiled_result refine_tiles(const tile_request& request, const tiling& how)
                    parts,
                    how.partitioner,
                    how.memory,
-                   {.threads = tiles_at_once(wanted), .limit = request.limit},
+                   {.threads = tiles_at_once(wanted),
+                    .limit = request.limit,
+                    .attributes = count_of(request.kinds, request.linear)},
                    "--tiles");
     auto result = std::visit(
         [&]<class Scheme>(const Scheme& scheme) -> tiled_result {
             if constexpr (reaching_scheme<Scheme>)
-                return with_attributes(scheme, request, [&](const auto& s) {
-                    return refine_by(s, request, how, kept, range);
-                });
+                return with_attributes(
+                    scheme, request, [&](const auto& s) { return refine_by(s, request, how, kept, range); });
             else
                 return {};
         },

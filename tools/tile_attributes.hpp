@@ -36,11 +36,10 @@ const auto& plain(const Scheme& scheme)
         return scheme;
 }
 
-/// The rings of shadows that tiles need on the last level: nothing where it needs no edges, which attributes and limits do.
+/// As rings_of_last_level.
 inline std::optional<int> last_rings(const tile_request& request)
 {
-    return request.limit ? std::optional(rings_for_limit(request.scheme))
-                         : has_attributes(request) ? std::optional(0) : std::nullopt;
+    return rings_of_last_level(request.scheme, request.limit, has_attributes(request));
 }
 
 /// The attributes of a level as arrays of a file of tiles.

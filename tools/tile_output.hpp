@@ -25,7 +25,7 @@ void require_tile_format(const std::string& path);
 /// What is written, and how.
 struct output_request {
     std::string path;
-    std::string journal; ///< the directory, or nothing
+    std::string journal;              ///< the directory, or nothing
     std::vector<file_array> arrays{}; ///< of attributes
     int levels = 0;
     bool with_origin = false;

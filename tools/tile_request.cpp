@@ -19,8 +19,13 @@ void read_control(tile_request& request, const std::string& path)
     add_lost_sharpness(control.not_kept, left.edges, left.vertices);
     if (not control.isolated.empty())
         control.not_kept.push_back(io::counted(control.isolated.size(), "vertex") + " without a face");
-    settle_tile_attributes(control, request.output, {request.scheme, request.levels, request.limit});
+    take_control(request, control);
     note_losses(path, control.not_kept);
+}
+
+void take_control(tile_request& request, control_mesh& control)
+{
+    settle_tile_attributes(control, request.output, {request.scheme, request.levels, request.limit});
     require_no_holes(control);
     request.kinds = kinds_of(control.attributes);
     request.attributes = attribute_fields(control.attributes, control.mesh, request.linear);

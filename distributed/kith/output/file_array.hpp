@@ -81,11 +81,8 @@ file_array array_of(const named_field<Find>& named)
         "a VTU file has room for values at points and at cells; fields on edges and corners have no place there");
     static_assert(numbers_of<value> != 0 and sizeof(value) <= 8 * numbers_of<value>,
                   "a VTU file holds numbers of up to eight bytes and std::array of them; make such a field of others");
-    return {named.name,
-            field_type::where,
-            vtk_word<typename number_type<value>::type>(),
-            numbers_of<value>,
-            sizeof(value)};
+    return {
+        named.name, field_type::where, vtk_word<typename number_type<value>::type>(), numbers_of<value>, sizeof(value)};
 }
 
 } // namespace detail

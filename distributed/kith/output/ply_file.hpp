@@ -25,13 +25,13 @@ namespace detail {
 inline std::string ply_word(const file_array& array)
 {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 8> words{{{"Int8", "char"},
-                                                                                 {"UInt8", "uchar"},
-                                                                                 {"Int16", "short"},
-                                                                                 {"UInt16", "ushort"},
-                                                                                 {"Int32", "int"},
-                                                                                 {"UInt32", "uint"},
-                                                                                 {"Float32", "float"},
-                                                                                 {"Float64", "double"}}};
+                                                                                  {"UInt8", "uchar"},
+                                                                                  {"Int16", "short"},
+                                                                                  {"UInt16", "ushort"},
+                                                                                  {"Int32", "int"},
+                                                                                  {"UInt32", "uint"},
+                                                                                  {"Float32", "float"},
+                                                                                  {"Float64", "double"}}};
     const auto found = std::ranges::find(words, array.type, &std::pair<std::string_view, std::string_view>::first);
     if (found == words.end())
         throw mesh_error("the field \"" + array.name + "\" has numbers of type " + array.type +
