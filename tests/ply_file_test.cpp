@@ -219,7 +219,7 @@ TEST(ply_file, refuses_what_the_format_has_no_room_for)
         points.push_back({double(i), double(i * i), 0});
         face.push_back(i);
     }
-    const auto disk = kith::make_mesh(points, std::vector{face});
+    const auto disk = kith::make_mesh(points, std::vector<std::vector<int>>{face});
     EXPECT_EQ(error_text<kith::mesh_error>([&] {
                   write(kith::ply_file(counts_of(disk), false, arrays),
                         here.path / "file",

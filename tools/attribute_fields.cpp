@@ -2,6 +2,7 @@
 #include "attribute_fields.hpp"
 
 #include <kith/base/storage.hpp>
+#include <kith/tile/plan_tile.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -5,7 +5,6 @@
 #include <kith/field/field.hpp>
 #include <kith/format/mesh_attributes.hpp>
 #include <kith/mesh/basic_mesh.hpp>
-#include <kith/tile/plan_tile.hpp>
 
 #include <array>
 #include <concepts>
@@ -14,6 +13,10 @@
 #include <memory>
 #include <utility>
 #include <vector>
+
+namespace kith {
+struct element_bytes;
+}
 
 namespace kith::tool {
 

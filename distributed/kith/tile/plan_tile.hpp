@@ -49,7 +49,8 @@ inline double bytes_of_last_tile(const planned_level& whole, double share)
 /// the tile before a step, what the step makes of it and of its shadows, and what is kept of that; an eighth more for
 /// memory that is kept to be used again, a third if there were tiles before, of other sizes. With `last_rings` the last level
 /// has its edges and as many rings of shadows, and its elements take `last_more` when it is done. `state` is what the scheme
-/// keeps of each level, such as fields: it is there of the level before a step, and of the next before and after it is cut.
+/// keeps of each level, such as fields: it is there twice of the level before a step and of
+/// the next, and then of the part of this that is kept.
 /// `whole` is the plan of the whole mesh with the tile's type of index, although that index could not number it. `owned` is
 /// the tile's share of the corners of level 0, `shadows` are the faces around it as a share of all. Of shadows the rings stay
 /// and their faces get smaller, so that their share falls with every level.
@@ -68,8 +69,8 @@ std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& 
     for (std::size_t level = 0; level + 1 < whole.size(); ++level) {
         const planned_level& next = whole[level + 1];
         const double before = detail::bytes_of_tile(whole[level], share(level)) +
-                              state.of(whole[level].counts, share(level)) + 2 * state.of(next.counts, share(level)) +
-                              state.of(next.counts, share(level + 1));
+                              2 * state.of(whole[level].counts, share(level)) +
+                              2 * state.of(next.counts, share(level)) + state.of(next.counts, share(level + 1));
         if (level + 2 == whole.size() and not last_rings) {
             const double marks = double(next.counts.faces) + 6 * double(next.counts.vertices);
             most = std::max(most,
