@@ -91,12 +91,35 @@ column() { # column N vertex|face: the values of the text file; those of no pare
     awk -v n="$1" -v what="$2" '$1 == "element" { count[$2] = $3 } body { ++line } $1 == "end_header" { body = 1 }
         line && (line <= count["vertex"]) == (what == "vertex") { print (n > 0 ? $n : $(NF + n)) + 0 }' text.ply
 }
+vertices() { awk '$1 == "element" { count[$2] = $3 } body && ++line <= count["vertex"] { print } $1 == "end_header" { body = 1 }' "$1"; }
+# ids_and_areas FILE: the properties patch and area of the faces, where they stand in a text file.
+ids_and_areas() {
+    awk '$1 == "element" { count[$2] = $3; what = $2; at = 0 } $1 == "property" && what == "face" && $2 != "list" { ++at; place[$3] = at; last = at }
+        body && ++line > count["vertex"] { print $(NF - last + place["patch"]) + 0, $(NF - last + place["area"]) } $1 == "end_header" { body = 1 }' "$1"
+}
 same_values() { check "values of $1" test "$(array "$1" "$2" "$3")" = "$(column "$4" "$5")"; }
 same_values px Float64 f8 4 vertex
 same_values red UInt8 u1 5 vertex
 same_values id Int32 d4 9 vertex
 same_values patch UInt16 u2 -1 face
 check "as cells, the others at points" awk '/<CellData>/ { cell = 1 } /"(patch|area)"/ { wrong += !cell } /"(px|id)"/ { wrong += cell } END { exit wrong > 0 }' whole.vtu
+# It is read again with them.
+for levels in 0 2; do
+    run refine rich.ply -s doo-sabin -n $levels -o first.vtu
+    run refine first.vtu -s doo-sabin -n 0 -o second.vtu
+    exits 0
+    says "^kith: note: first.vtu: not kept: the property 'parent' of faces, the property 'level' of faces$"
+    run compare first.vtu second.vtu --tolerance 0
+    exits 0
+    run refine second.vtu -s doo-sabin -n 0 -o third.vtu
+    same second.vtu third.vtu
+    run refine first.vtu -s doo-sabin -n 0 -o read.ply
+    run refine rich.ply -s doo-sabin -n $levels -o text.ply --drop-isolated
+    check "the vertices of level $levels" test "$(vertices read.ply)" = "$(vertices text.ply)"
+    check "and faces" test "$(ids_and_areas read.ply)" = "$(ids_and_areas text.ply)"
+done
+run info first.vtu
+exits 0
 run refine rich.ply -s catmull-clark -n 2 -o out.pvtu --tiles 3 --verify
 exits 0
 has out.pvtu '^<PDataArray type="Int32" Name="id"/>$'
