@@ -174,7 +174,4 @@ exits 0
 run refine charts.obj -s loop -n 1 -o out.obj --uv round
 exits 2
 says "^kith: --uv: 'round' is not one of none, corners, corners.1, corners.2, boundaries, all$"
-run refine charts.obj -s catmull-clark -n 1 -o out.ply --uv none --tiles 2
-exits 2
-says '^kith: --uv: tiles carry no texture coordinates; leave it out$'
 finish
