@@ -32,6 +32,8 @@ public:
         read_cells();
         add_attributes("PointData", all(points_), soup_.attributes.vertices);
         add_attributes("CellData", faces_, soup_.attributes.faces);
+        for (const auto& [name, words] : words_)
+            soup_.not_kept.push_back("the field data '" + shown(name) + "'");
         return std::move(soup_);
     }
 
@@ -55,7 +57,9 @@ private:
                     throw file_error("has several pieces; save it as one");
                 points_ = count_of(tag, "NumberOfPoints");
                 cells_ = count_of(tag, "NumberOfCells");
-            } else if (tag.name == "DataArray" and not section.empty() and section != "FieldData") {
+            } else if (tag.name == "DataArray" and section == "FieldData") {
+                add_words(tag);
+            } else if (tag.name == "DataArray" and not section.empty()) {
                 arrays_[section].push_back(tag);
             } else if (tag.name.starts_with('/')) {
                 section = tag.name == "/DataArray" ? section : "";
@@ -73,6 +77,23 @@ private:
         if (not numbers_)
             throw file_error("a file of VTK begins with the element VTKFile, which is not there");
         return *numbers_;
+    }
+    /// What is said of the file as a whole: words for which the numbers of an array of that name stand.
+    void add_words(const xml_tag& tag)
+    {
+        std::vector<std::string> words;
+        if (tag.attribute("type") == "String" and tag.attribute("format") == "ascii") {
+            std::string word;
+            text_cursor<text_kind::plain> text(tag.text);
+            while (text.to_content()) {
+                const int letter = text.whole<int>([] { return std::string("a letter of a word"); });
+                if (letter != 0)
+                    word += letter > 0 and letter < ' ' ? '_' : char(letter); // lines of OBJ end there
+                else
+                    words.push_back(std::exchange(word, {}));
+            }
+        }
+        words_[tag.attribute("Name")] = words;
     }
     static std::size_t count_of(const xml_tag& tag, std::string_view name)
     {
@@ -204,12 +225,30 @@ private:
             const auto names = names_of(array, section);
             const bool fits = array.type.bytes < 8 or array.type.floating;
             for (std::size_t i = 0; i < array.components; ++i) {
-                attribute a{free_name(names[i], attributes), fits ? array.type : ply_number{8, true, true}, {}};
+                attribute a{names[i], fits ? array.type : ply_number{8, true, true}, {}};
                 for (const std::size_t element : elements)
                     a.values.push_back(stored(a, values[array.components * element + i], array.name));
+                if (section == "CellData")
+                    take_labels(a);
+                if (a.labels.empty())
+                    a.name = free_name(a.name, attributes);
                 attributes.push_back(std::move(a));
             }
         }
+    }
+    /// The words of an attribute, where each value is the number of one and the first says none.
+    void take_labels(attribute& a)
+    {
+        const auto found = words_.find(a.name);
+        constexpr std::array<std::string_view, 4> shared{"object", "group", "material", "smoothing group"};
+        const bool is_shared = std::ranges::find(shared, a.name) != shared.end();
+        if (not is_shared or found == words_.end() or found->second.empty() or not found->second.front().empty())
+            return;
+        const auto is_number = [&](double x) { return x >= 0 and x < double(found->second.size()); };
+        if (a.type.floating or not std::ranges::all_of(a.values, is_number))
+            return;
+        a.labels = std::move(found->second);
+        words_.erase(found);
     }
     static double stored(const attribute& a, double value, const std::string& name)
     {
@@ -226,6 +265,7 @@ private:
     std::optional<vtu_numbers> numbers_;
     std::map<std::string, std::vector<xml_tag>> arrays_; ///< of points, cells and their data
     std::map<std::string, xml_tag> sections_;
+    std::map<std::string, std::vector<std::string>> words_; ///< of arrays, until one has taken them
     std::size_t points_ = 0, cells_ = 0;
     std::vector<std::size_t> faces_; ///< the cells that are faces
     polygon_soup soup_;

@@ -115,8 +115,11 @@ std::vector<std::byte> pack_kinds(const io::mesh_attributes& kinds)
     packer out;
     for_each_element(kinds, [&](const std::vector<io::attribute>& of_elements) {
         out.add(of_elements.size());
-        for (const io::attribute& a : of_elements)
-            out.add_array(a.name).add(a.type);
+        for (const io::attribute& a : of_elements) {
+            out.add_array(a.name).add(a.type).add(a.labels.size());
+            for (const std::string& label : a.labels)
+                out.add_array(label);
+        }
     });
     return out.take();
 }
@@ -130,6 +133,8 @@ io::mesh_attributes unpack_kinds(const std::vector<std::byte>& bytes)
             auto& a = of_elements.emplace_back();
             a.name = next_text(in);
             a.type = in.get<ply_number>();
+            for (auto labels = in.get<std::size_t>(); labels > 0; --labels)
+                a.labels.push_back(next_text(in));
         }
     });
     return result;

@@ -30,7 +30,7 @@ tile_request request_from(const recipe& recipe);
 /// The inverse of recipe_of, but for the partition. Errors: as request_from, and pack_error for bytes that end too early.
 tile_request request_with_control(const recipe& recipe);
 
-/// Names and types of attributes, as a message and from one. Errors: pack_error.
+/// Names, types and labels of attributes, as a message and from one. Errors: pack_error.
 std::vector<std::byte> pack_kinds(const io::mesh_attributes& kinds);
 io::mesh_attributes unpack_kinds(const std::vector<std::byte>& bytes);
 

@@ -22,7 +22,7 @@ struct attribute_use {
 void settle_attributes(control_mesh& control, io::mesh_format format, const attribute_use& use);
 
 /// The same for files of tiles: .ply has what it has without tiles, texture coordinates of corners only where all faces have some,
-/// so that every byte has its place; .vtu and .pvtu have the numbers of vertices and faces, but for names that they take.
+/// so that every byte has its place; .vtu and .pvtu have the numbers and words of vertices and faces, but for names that they take.
 void settle_tile_attributes(control_mesh& control, const std::string& output, const attribute_use& use);
 
 } // namespace kith::tool

@@ -23,7 +23,7 @@ attribute_list all_of(const std::vector<io::attribute>& attributes)
 file_array array_of(const io::attribute& a, field_on where, std::size_t numbers)
 {
     const std::string word = a.type.floating ? "Float" : a.type.is_signed ? "Int" : "UInt";
-    return {a.name, where, word + std::to_string(8 * a.type.bytes), numbers, numbers * a.type.bytes};
+    return {a.name, where, word + std::to_string(8 * a.type.bytes), numbers, numbers * a.type.bytes, a.labels};
 }
 
 /// For each element the numbers of these attributes, one after the other.

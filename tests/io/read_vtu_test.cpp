@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -43,6 +44,7 @@ std::string refusal(const std::string& bytes)
 void expect_tetrahedron(const std::string& bytes)
 {
     const auto soup = read(bytes);
+    EXPECT_EQ(soup.not_kept, (std::vector<std::string>{"the field data 'words'"}));
     EXPECT_EQ(soup.points, files::corners);
     ASSERT_EQ(soup.faces.size(), 4);
     for (std::size_t f = 0; f < 4; ++f)
@@ -123,7 +125,7 @@ std::string file(way how, bool long_lengths = false)
     });
     return "<?xml version=\"1.0\"?>\n<!-- <Piece> -->\n<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\"" +
            std::string(long_lengths ? " header_type=\"UInt64\"" : "") +
-           ">\n<UnstructuredGrid>\n<FieldData>\n<DataArray type=\"String\" Name=\"words\" format=\"ascii\">1 2\n"
+           ">\n<UnstructuredGrid>\n<FieldData>\n<DataArray type=\"String\" Name=\"words\" format=\"ascii\">1 0\n"
            "</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"4\" NumberOfCells=\"4\">\n<PointData "
            "TCoords=\"where\">" +
            arrays[4] + arrays[5] + "</PointData><CellData>" + arrays[6] + "</CellData><Points>\n" + arrays[0] +
@@ -166,6 +168,34 @@ TEST(read_vtu, faces_of_all_kinds_and_what_lies_beside_them)
     EXPECT_EQ(soup.attributes.faces[0].name, "x_"); // not a coordinate
     EXPECT_EQ(soup.attributes.faces[0].values, (std::vector<double>{2, 3}));
     EXPECT_EQ(read(cells("4", "9", "0 1 3 2")).faces.vertices, (std::vector<std::size_t>{0, 1, 3, 2}));
+}
+
+TEST(read_vtu, words_of_faces_as_field_data)
+{
+    const auto with_words = [](const std::string& name, const std::string& words, const std::string& more = "") {
+        const std::string fields = "<UnstructuredGrid><FieldData><DataArray type=\"String\" Name=\"" + name +
+                                   "\" format=\"ascii\">" + words + "</DataArray>" + more + "</FieldData>";
+        return read(replaced(
+            replaced(cells("3 6", "5 5"), "<UnstructuredGrid>", fields), "Name=\"x\"", "Name=\"" + name + "\""));
+    };
+    const auto named = with_words("smoothing group", "0 114 101 100 0\n -61 10 32 98 0");
+    ASSERT_EQ(named.attributes.faces.size(), 1);
+    EXPECT_EQ(named.attributes.faces[0].name, "smoothing group");
+    EXPECT_EQ(named.attributes.faces[0].labels, (std::vector<std::string>{"", "red", "\xc3_ b"}));
+    EXPECT_EQ(named.attributes.faces[0].values, (std::vector<double>{1, 2}));
+    EXPECT_TRUE(named.not_kept.empty());
+
+    for (const auto& [name, words] : std::vector<std::pair<std::string, std::string>>{
+             {"material", "0 114 0"},         // too few
+             {"material", "98 0 114 0 97 0"}, // none that says none
+             {"region", "0 114 0 97 0"}}) {   // for which there is no word elsewhere
+        const auto soup = with_words(name, words);
+        EXPECT_TRUE(soup.attributes.faces[0].labels.empty());
+        EXPECT_EQ(soup.not_kept, std::vector<std::string>{"the field data '" + name + "'"});
+    }
+    const auto other = with_words("group", "0 114 0 97 0", "<DataArray type=\"Float64\" Name=\"time\">0.5</DataArray>");
+    EXPECT_EQ(other.attributes.faces[0].labels.size(), 3);
+    EXPECT_EQ(other.not_kept, (std::vector<std::string>{"the field data 'time'"}));
 }
 
 TEST(read_vtu, refuses_what_it_does_not_read_and_says_what_to_do)

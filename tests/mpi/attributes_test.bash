@@ -36,6 +36,13 @@ for ranks in 2 4; do
         same whole.vtu ranks.vtu
     done
 done
+grid 4 >grid.obj # words, too
+run refine grid.obj -s catmull-clark -n 2 -o whole.vtu
+for mode in spmd manager; do
+    on 3 refine grid.obj -s catmull-clark -n 2 -o ranks.vtu --mode $mode --journal kept
+    exits 0
+    same whole.vtu ranks.vtu
+done
 run refine rich.ply -s catmull-clark -n 2 -o one.pvtu --tiles 4
 on 2 refine rich.ply -s catmull-clark -n 2 -o out.pvtu --tiles-per-rank 2
 exits 0

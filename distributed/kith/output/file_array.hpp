@@ -25,9 +25,10 @@ namespace kith {
 struct file_array {
     std::string name;
     field_on on;
-    std::string type;    ///< of its numbers, in VTK's word
-    std::size_t numbers; ///< of each value
-    std::size_t bytes;   ///< of each value
+    std::string type;                 ///< of its numbers, in VTK's word
+    std::size_t numbers;              ///< of each value
+    std::size_t bytes;                ///< of each value
+    std::vector<std::string> words{}; ///< for which the values stand, if they are numbers of words
 };
 
 /// The values that a tile has for such an array: of all its elements, in their order.

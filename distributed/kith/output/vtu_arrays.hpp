@@ -85,8 +85,11 @@ public:
     {
         places.resize(arrays_.size());
         for (std::size_t i = 0; i < arrays_.size(); ++i)
-            if (arrays_[i].on == kind)
+            if (arrays_[i].on == kind) {
                 places[i] = layout.add(elements * arrays_[i].bytes, attributes(arrays_[i]));
+                if (not arrays_[i].words.empty())
+                    layout.add_words(xml_text(arrays_[i].name), arrays_[i].words);
+            }
     }
 
 private:
