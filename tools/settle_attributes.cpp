@@ -42,9 +42,7 @@ void move_if(std::vector<io::attribute>& from, std::vector<io::attribute>& to, c
 io::mesh_attributes not_in_vtu(io::mesh_attributes& attributes)
 {
     io::mesh_attributes rest;
-    const auto has_no_room = [](const io::attribute& a) {
-        return not kith::detail::vtu_arrays::is_free(a.name);
-    };
+    const auto has_no_room = [](const io::attribute& a) { return not kith::detail::vtu_arrays::is_free(a.name); };
     move_if(attributes.vertices, rest.vertices, has_no_room);
     move_if(attributes.faces, rest.faces, has_no_room);
     std::swap(attributes.corners, rest.corners);

@@ -50,7 +50,7 @@ class vtu_numbers {
 public:
     /// Errors: file_error for an order of bytes or a compression that is not read.
     explicit vtu_numbers(const xml_tag& file);
-    /// What comes behind the arrays: <AppendedData>, and all that follows.
+    /// What comes behind the arrays: the element AppendedData, and all that follows.
     void set_appended(const xml_tag& tag, std::string_view rest);
 
     /// So many values of an array, one component after the other; of whole numbers of eight bytes those that a double holds.

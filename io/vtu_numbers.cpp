@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtu_arrays.hpp"
+#include "vtu_numbers.hpp"
 
 #include <kith/text/text_cursor.hpp>
 
