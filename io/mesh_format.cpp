@@ -32,6 +32,8 @@ std::optional<mesh_format> find_format(const std::string& path)
         return mesh_format::ply;
     if (extension == ".stl")
         return mesh_format::stl;
+    if (extension == ".vtu")
+        return mesh_format::vtu;
     return std::nullopt;
 }
 
@@ -42,15 +44,13 @@ mesh_format format_of(const std::string& path)
     if (const auto format = find_format(path))
         return *format;
     const std::string extension = extension_of(path);
-    const std::string written = extension == ".vtu" or extension == ".pvtu"
-                                    ? "; " + extension + " is written in tiles and not read"
-                                    : "";
-    throw file_error(path + ": the extension decides the format and must be .off, .obj, .ply or .stl" + written);
+    const std::string written = extension == ".pvtu" ? "; .pvtu is written in tiles and not read" : "";
+    throw file_error(path + ": the extension decides the format and must be .off, .obj, .ply, .stl or .vtu" + written);
 }
 
 mesh_format output_format_of(const std::string& path)
 {
-    if (const auto format = find_format(path))
+    if (const auto format = find_format(path); format and *format != mesh_format::vtu)
         return *format;
     throw file_error(path +
                      ": the extension decides the format and must be .off, .obj, .ply or .stl, or .vtu or .pvtu, which "

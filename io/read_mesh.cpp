@@ -16,6 +16,7 @@ polygon_soup read_mesh(mesh_format format, std::string_view bytes)
     case mesh_format::obj: return read_obj(bytes);
     case mesh_format::ply: return read_ply(bytes);
     case mesh_format::stl: return read_stl(bytes);
+    case mesh_format::vtu: return read_vtu(bytes);
     default: return read_off(bytes);
     }
 }

@@ -63,18 +63,4 @@ inline double unit_color(const attribute& a, std::size_t element)
     return a.type.floating ? x : x / (std::ldexp(1., int(8 * a.type.bytes) - int(a.type.is_signed)) - 1);
 }
 
-/// Calls f with a value in its type, among whole numbers with 0 for none. Precondition: as_stored.
-template <class F>
-void with_type(const ply_number& type, double value, const F& f)
-{
-    if (not type.floating and std::isnan(value))
-        value = 0;
-    if (type.floating)
-        type.bytes == 4 ? f(float(value)) : f(value);
-    else if (type.is_signed)
-        type.bytes == 1 ? f(std::int8_t(value)) : type.bytes == 2 ? f(std::int16_t(value)) : f(std::int32_t(value));
-    else
-        type.bytes == 1 ? f(std::uint8_t(value)) : type.bytes == 2 ? f(std::uint16_t(value)) : f(std::uint32_t(value));
-}
-
 } // namespace kith::io

@@ -243,6 +243,23 @@ TEST(field_files, a_journal_tells_values_that_are_others)
     EXPECT_FALSE(is_as_written());
 }
 
+TEST(field_files, say_for_which_words_numbers_stand)
+{
+    using enum kith::field_on;
+    const directory here;
+    const std::vector<kith::file_array> with_words{{"a & b", faces, "UInt8", 1, 1, {"", "hi"}},
+                                                   {"c", faces, "UInt8", 1, 1}};
+    const kith::vtu_file layout({4, 6, 4, 12}, 0, false, false, with_words);
+    auto file = kith::offset_file::create((here.path / "file").string(), layout.size());
+    layout.write_frame(file);
+    file.close();
+    const std::string bytes = bytes_of(here.path / "file");
+    EXPECT_NE(bytes.find("<UnstructuredGrid>\n<FieldData>\n<DataArray type=\"String\" Name=\"a &amp; b\" "
+                         "NumberOfTuples=\"2\" format=\"ascii\">\n0\n104 105 0\n</DataArray>\n</FieldData>\n<Piece"),
+              std::string::npos)
+        << bytes.substr(0, 600);
+}
+
 TEST(field_files, refuses_names_that_are_taken_and_fields_without_values)
 {
     const auto torus = native(shapes::torus(3, 4));
@@ -259,6 +276,13 @@ TEST(field_files, refuses_names_that_are_taken_and_fields_without_values)
         });
         EXPECT_NE(text.find("called \"" + name + "\""), std::string::npos) << text;
     }
+    const auto text_of = [&](std::vector<kith::file_array> fields) {
+        return error_text<kith::mesh_error>([&] { kith::vtu_file(counts, 0, false, false, std::move(fields)); });
+    };
+    using enum kith::field_on;
+    EXPECT_EQ(text_of({{"red", vertices, "UInt8", 1, 1}, {"red", faces, "UInt8", 1, 1}}), "no error");
+    EXPECT_EQ(text_of({{"uv", corners, "Float32", 2, 8}}),
+              "the field \"uv\" is on edges or corners, where a file of VTK has no values; leave it out");
     const auto tile = std::move(last_tiles(torus, scheme, 0, {partitions::blocks(torus.face_count(), 1), 1})[0]);
     const directory here;
     const kith::vtu_file layout(counts, 0, false, false, arrays<scheme_type>());

@@ -7,6 +7,7 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
+#include <kith/output/ply_file.hpp>
 #include <kith/output/vtu_pieces.hpp>
 #include <kith/refine_in_tiles.hpp>
 

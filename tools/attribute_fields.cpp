@@ -2,9 +2,11 @@
 #include "attribute_fields.hpp"
 
 #include <kith/base/storage.hpp>
+#include <kith/tile/plan_tile.hpp>
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace kith::tool {
 
@@ -45,8 +47,7 @@ void take_values(const std::vector<Field>& fields, std::vector<io::attribute>& a
     }
 }
 
-/// The same attributes without their values.
-std::vector<io::attribute> kinds_of(const std::vector<io::attribute>& attributes)
+std::vector<io::attribute> without_values(const std::vector<io::attribute>& attributes)
 {
     std::vector<io::attribute> result;
     for (const auto& a : attributes)
@@ -71,21 +72,48 @@ attribute_fields::attribute_fields(const io::mesh_attributes& attributes, const 
     storage<std::uint32_t> parents(mesh.face_count());
     for (std::size_t f = 0; f < parents.size(); ++f)
         parents[f] = std::uint32_t(f + 1);
-    parents_ = field<field_on::faces, std::uint32_t, from_parent<>>(parents);
+    parents_ = parent_field(parents);
+    control_values values;
+    for (const io::attribute& of_faces : attributes.faces)
+        values.push_back(of_faces.values);
+    of_control_faces_ = std::make_shared<const control_values>(std::move(values));
 }
 
-io::mesh_attributes attribute_fields::at_level(const io::mesh_attributes& control) const
+io::mesh_attributes attribute_fields::at_level(const io::mesh_attributes& kinds) const
 {
-    io::mesh_attributes result{
-        kinds_of(control.vertices), kinds_of(control.faces), kinds_of(control.corners), control.material_files};
+    io::mesh_attributes result = kinds_of(kinds);
     take_values(vertices_, result.vertices);
     take_values(corners_, result.corners);
     for (std::size_t i = 0; i < result.faces.size(); ++i) {
-        const double without = control.faces[i].labels.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
+        const double without = kinds.faces[i].labels.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
         for (const std::uint32_t parent : parents_.values())
-            result.faces[i].values.push_back(parent == 0 ? without : control.faces[i].values[parent - 1]);
+            result.faces[i].values.push_back(parent == 0 ? without : (*of_control_faces_)[i][parent - 1]);
     }
     return result;
+}
+
+std::pair<attribute_fields::parent_field, attribute_fields::control_values> attribute_fields::faces_here() const
+{
+    std::vector<std::uint32_t> met(parents_.values().begin(), parents_.values().end());
+    met.push_back(0);
+    std::ranges::sort(met);
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+    parent_field parents = parents_;
+    for (std::size_t f = 0; f < parents.size(); ++f)
+        parents[f] = std::uint32_t(std::ranges::lower_bound(met, parents[f]) - met.begin());
+    control_values values(parents.empty() ? 0 : of_control_faces_->size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t m = 1; m < met.size(); ++m)
+            values[i].push_back((*of_control_faces_)[i][met[m] - 1]);
+    return {std::move(parents), std::move(values)};
+}
+
+io::mesh_attributes kinds_of(const io::mesh_attributes& attributes)
+{
+    return {without_values(attributes.vertices),
+            without_values(attributes.faces),
+            without_values(attributes.corners),
+            attributes.material_files};
 }
 
 attribute_counts count_of(const io::mesh_attributes& attributes, face_varying_linear corners)
@@ -96,9 +124,31 @@ attribute_counts count_of(const io::mesh_attributes& attributes, face_varying_li
             corners != face_varying_linear::all};
 }
 
+namespace {
+
+/// As fields have them, `together` at a time.
+double carried(std::size_t numbers)
+{
+    return double((numbers + together - 1) / together * together);
+}
+
+} // namespace
+
+element_bytes field_bytes(const attribute_counts& attributes)
+{
+    const bool marked = attributes.along_seams and attributes.corners != 0;
+    return {8 * carried(attributes.vertices),
+            attributes.faces == 0 ? 0. : 4.,
+            8 * carried(attributes.corners) + (marked ? 4 : 0)};
+}
+
+element_bytes written_bytes(const attribute_counts& attributes)
+{
+    return {16. * double(attributes.vertices), 16. * double(attributes.faces), 16. * double(attributes.corners)};
+}
+
 double bytes_of(const attribute_counts& attributes, const counts& level)
 {
-    const auto carried = [](std::size_t numbers) { return double((numbers + together - 1) / together * together); };
     const auto bytes = [&](std::size_t numbers, std::uint64_t elements) {
         return 8 * (2 * carried(numbers) + double(numbers)) * double(elements);
     };

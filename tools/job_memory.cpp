@@ -89,11 +89,13 @@ std::vector<planned_level> plan_of_tiles(const Scheme& scheme, const basic_mesh<
     return with_short_index(plan(count(control.topology()), scheme, levels, control.generation(), 24, 8));
 }
 
-/// The control mesh twice, for it is cut, and the boundary of the last level but one where the numbers depend on it.
+/// The control mesh twice, for it is cut, its attributes, with which the scheme goes from hand to hand, and the boundary of the last
+/// level but one where the numbers depend on it.
 template <class Scheme>
-double bytes_beside_tiles(const std::vector<planned_level>& levels)
+double bytes_beside_tiles(const std::vector<planned_level>& levels, const attribute_counts& attributes)
 {
-    double result = 2 * double(levels[0].bytes);
+    double result = 2 * double(levels[0].bytes) + 4 * field_bytes(attributes).of(levels[0].counts, 1) +
+                    8 * double(attributes.faces) * double(levels[0].counts.faces);
     if constexpr (numbers_boundary<Scheme>)
         result += 300 * double(levels[levels.size() < 2 ? 0 : levels.size() - 2].counts.boundary_edges);
     return result;
@@ -101,14 +103,17 @@ double bytes_beside_tiles(const std::vector<planned_level>& levels)
 
 template <class Scheme>
 double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& levels, double share, double faces,
-                      std::uint64_t at_once, bool limit)
+                      std::uint64_t at_once, const tiling_kind& kind)
 {
     const double all = double(levels[0].counts.faces);
-    const auto last_rings = limit ? std::optional(rings_for_limit(scheme)) : std::nullopt;
+    const auto last_rings = rings_of_last_level(scheme, kind.limit, kind.attributes.any());
     const int rings = ring_schedule(scheme, int(levels.size()) - 1, last_rings.value_or(0))[0];
     const double shadows = std::min(all - faces, shadows_around(faces, rings)) / all;
-    const std::uint64_t tile = tile_bytes(levels, scheme, share, shadows, last_rings, bytes_of_limit);
-    return bytes_beside_tiles<Scheme>(levels) + double(at_once) * double(tile);
+    element_bytes last = written_bytes(kind.attributes);
+    last.vertex += kind.limit ? bytes_of_limit : 0;
+    const std::uint64_t tile = tile_bytes(
+        levels, scheme, share, shadows, last_rings, last, field_bytes(kind.attributes));
+    return bytes_beside_tiles<Scheme>(levels, kind.attributes) + double(at_once) * double(tile);
 }
 
 /// As tiles_at_once; on ranks, which have a part of the tiles each, it may be less.
@@ -132,7 +137,7 @@ double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& le
     }
     const size largest = *std::ranges::max_element(sizes, {}, &size::corners);
     const double share = double(largest.corners) / double(control.corner_count());
-    return bytes_of_tiles(scheme, levels, share, double(largest.faces), at_once(parts.parts, kind.threads), kind.limit);
+    return bytes_of_tiles(scheme, levels, share, double(largest.faces), at_once(parts.parts, kind.threads), kind);
 }
 
 /// Calls f with a scheme that is refined in tiles; for others the result is that of an empty call.
@@ -262,7 +267,7 @@ std::uint64_t tiles_that_fit(const any_scheme& scheme, const basic_mesh<>& contr
         const auto fits = [&](std::uint64_t tiles) {
             const double faces = std::min(double(most), std::ceil(1.1 * double(most) / double(tiles)));
             const std::uint64_t together = at_once(tiles, kind.threads);
-            return bytes_of_tiles(s, planned, faces / double(most), faces, together, kind.limit) <= double(limit);
+            return bytes_of_tiles(s, planned, faces / double(most), faces, together, kind) <= double(limit);
         };
         std::uint64_t tiles = 1;
         while (tiles < most and not fits(tiles))
@@ -297,7 +302,8 @@ void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int l
     for (const std::uint64_t threads : {std::uint64_t(tiles_at_once(SIZE_MAX)), std::uint64_t(1)}) {
         if (not is_possible or not in_tiles.empty())
             break;
-        const auto tiles = tiles_that_fit(scheme, control, levels, "metis", limit.bytes, {threads, kind.limit});
+        const auto tiles = tiles_that_fit(
+            scheme, control, levels, "metis", limit.bytes, {threads, kind.limit, kind.attributes});
         if (tiles != 0)
             in_tiles = ", or in tiles, to .vtu, .pvtu or .ply: --tiles " + std::to_string(tiles) +
                        (threads == 1 and tiles_at_once(SIZE_MAX) != 1 ? " --threads 1" : "");
@@ -313,7 +319,8 @@ void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int l
     if (need <= limit.bytes)
         return;
     const std::uint64_t together = at_once(parts.parts, kind.threads);
-    const std::uint64_t alone = tiled_job_bytes(scheme, control, levels, parts, {.limit = kind.limit});
+    const std::uint64_t alone = tiled_job_bytes(
+        scheme, control, levels, parts, {.limit = kind.limit, .attributes = kind.attributes});
     std::uint64_t threads = 0;
     if (together != 1 and alone <= limit.bytes)
         threads = 1 + std::uint64_t(double(limit.bytes - alone) / double(need - alone) * double(together - 1));

@@ -37,6 +37,7 @@ struct job_kind {
 struct tiling_kind {
     std::uint64_t threads = 1; ///< that may refine a tile each, see tiles_at_once
     bool limit = false;
+    attribute_counts attributes{};
 };
 
 /// Whether `refine` goes along the surface, for a control mesh whose faces lie in no order; it does so only where there is
@@ -48,7 +49,7 @@ bool is_reordered(const any_scheme& scheme, const basic_mesh<>& control, int lev
 /// A twentieth more, for memory comes in whole pages.
 std::uint64_t job_bytes(const std::vector<planned_level>& levels, const job_kind& kind, bool reordered = false);
 
-/// The same in tiles: the control mesh and its parts, and the largest tile (tile_bytes) as often as tiles are refined at once;
+/// The same in tiles: the control mesh with its attributes and its parts, and the largest tile (tile_bytes) as often as tiles are refined at once;
 /// 0 for schemes that are not refined in tiles. Errors: mesh_error.
 std::uint64_t tiled_job_bytes(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
                               const tiling_kind& kind = {});

@@ -33,4 +33,11 @@ int rings_for_limit(const any_scheme& scheme)
     return std::visit([](const auto& s) { return limit_rings(s); }, scheme);
 }
 
+std::optional<int> rings_of_last_level(const any_scheme& scheme, bool limit, bool has_attributes)
+{
+    if (limit)
+        return rings_for_limit(scheme);
+    return has_attributes ? std::optional(0) : std::nullopt;
+}
+
 } // namespace kith::tool

@@ -7,6 +7,7 @@
 #include <kith/part/tile.hpp>
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,5 +24,8 @@ void move_to_limit(tile<std::array<double, 3>>& part, const any_scheme& scheme);
 
 /// How many rings of faces this looks at around some faces, for the vertices of these.
 int rings_for_limit(const any_scheme& scheme);
+
+/// The rings of shadows that tiles have on the last level; nothing where it needs no edges, which limits and attributes do.
+std::optional<int> rings_of_last_level(const any_scheme& scheme, bool limit, bool has_attributes);
 
 } // namespace kith::tool

@@ -30,7 +30,8 @@ constexpr std::array verbs{
          "  kith refine cow.off -s loop -n 3 -o fine.ply --binary\n"
          "  kith refine house.obj -s loop --triangulate -n 4 -o fine.obj --limit\n"
          "  kith refine cow.off -s loop -n 9 -o fine.vtu --tiles 500     larger than the memory\n"
-         "Files are OFF, OBJ, PLY or STL by their extension, - is OFF on standard input or output. OUT may be .vtu\n"
+         "Files are OFF, OBJ, PLY, STL or VTU by their extension, - is OFF on standard input or output. OUT may be "
+         ".vtu\n"
          "or .pvtu, too, which are written in tiles; tiles make binary .vtu, .pvtu or .ply, with --binary or "
          "without.\n"},
     verb{"info",
@@ -63,8 +64,9 @@ void print_help(std::ostream& out)
     out << "kith VERB [arguments]: subdivision surfaces\n\n";
     for (const auto& verb : verbs)
         out << "  " << std::left << std::setw(9) << verb.name << verb.summary << '\n';
-    out << "\n`kith VERB --help` tells the options of a verb, with examples. Files are OFF, OBJ, PLY or STL by their\n"
-           "extension, `-` is OFF on standard input or output; `kith refine` writes VTU (.vtu, .pvtu), too.\n"
+    out << "\n`kith VERB --help` tells the options of a verb, with examples. Files are OFF, OBJ, PLY, STL or VTU by "
+           "their\n"
+           "extension, `-` is OFF on standard input or output; `kith refine` alone writes VTU (.vtu, .pvtu).\n"
            "Exit codes: 0 success, 1 bad input or a difference, 2 wrong use.\n";
 }
 

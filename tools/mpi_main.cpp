@@ -34,7 +34,7 @@ constexpr verb refine_verb{"refine",
 void print_help()
 {
     std::cout << "kith-mpi refine [IN] [options]: subdivision surfaces in tiles, on all ranks of an MPI job\n\n"
-                 "`kith-mpi refine --help` tells the options, with examples. IN is OFF, OBJ, PLY or STL by its "
+                 "`kith-mpi refine --help` tells the options, with examples. IN is OFF, OBJ, PLY, STL or VTU by its "
                  "extension, the\n"
                  "output .vtu, .pvtu or .ply. All else is done by the program kith, see `kith --help`.\n"
                  "Exit codes: 0 success, 1 bad input, 2 wrong use, others where MPI ended the job.\n";

@@ -3,7 +3,7 @@
 
 #include "errors.hpp"
 #include "job_memory.hpp"
-#include "limit_surface.hpp"
+#include "tile_attributes.hpp"
 
 #include <kith/part/reach.hpp>
 #include <kith/plan.hpp>
@@ -33,14 +33,26 @@ double bytes_of_output(double vertices, double faces, double corners, bool with_
     return vertex * vertices + face * faces + corner * corners;
 }
 
-template <class Scheme>
-planned_ranks plan_by(const Scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
-                      std::uint64_t ranks, bool limit)
+/// The bytes of the attributes of an element in a file.
+double bytes_in_file(const std::vector<io::attribute>& attributes)
 {
+    double result = 0;
+    for (const io::attribute& a : attributes)
+        result += double(a.type.bytes);
+    return result;
+}
+
+template <class Scheme>
+planned_ranks plan_by(const Scheme& scheme, const tile_request& request, const partition& parts, std::uint64_t ranks)
+{
+    const auto& control = request.control;
+    const int levels = request.levels;
     const auto last = plan(count(control.topology()), scheme, levels, control.generation(), 24, 8).back().counts;
-    const int rings = ring_schedule(scheme, levels, limit ? rings_for_limit(scheme) : 0)[0];
+    const int rings = ring_schedule(scheme, levels, last_rings(request).value_or(0))[0];
+    const tiling_kind kind{.limit = request.limit, .attributes = count_of(request.kinds, request.linear)};
     planned_ranks result{
-        rings, tiled_job_bytes(scheme, control, levels, parts, {.limit = limit}), std::vector<planned_rank>(ranks)};
+        rings, tiled_job_bytes(request.scheme, control, levels, parts, kind), std::vector<planned_rank>(ranks)};
+    const double of_vertex = bytes_in_file(request.kinds.vertices), of_face = bytes_in_file(request.kinds.faces);
     tile_cutter cutter(control, scheme, parts.part_of, parts.parts);
     for (std::size_t t = 0; t < parts.parts; ++t) {
         const auto job = cutter.cut(t, rings);
@@ -58,24 +70,25 @@ planned_ranks plan_by(const Scheme& scheme, const basic_mesh<>& control, int lev
         rank.last_faces += std::uint64_t(faces_here + 0.5);
         rank.tile_bytes = std::max(rank.tile_bytes,
                                    std::uint64_t(bytes_of_tile(vertices_here, faces_here, corners_here)));
-        rank.output_bytes += std::uint64_t(bytes_of_output(vertices_here, faces_here, corners_here, limit));
+        rank.output_bytes += std::uint64_t(bytes_of_output(vertices_here, faces_here, corners_here, request.limit) +
+                                           of_vertex * vertices_here + of_face * faces_here);
     }
     return result;
 }
 
 } // namespace
 
-planned_ranks plan_ranks(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
-                         std::uint64_t ranks, bool limit)
+planned_ranks plan_ranks(const tile_request& request, const partition& parts, std::uint64_t ranks)
 {
     return std::visit(
-        [&]<class Scheme>(const Scheme& s) -> planned_ranks {
+        [&]<class Scheme>(const Scheme& scheme) -> planned_ranks {
             if constexpr (reaching_scheme<Scheme>)
-                return plan_by(s, control, levels, parts, ranks, limit);
+                return with_attributes(
+                    scheme, request, [&](const auto& s) { return plan_by(s, request, parts, ranks); });
             else
                 throw usage_error("--ranks: " + not_in_tiles(scheme_name<Scheme>()) + "; plan without ranks");
         },
-        scheme);
+        request.scheme);
 }
 
 } // namespace kith::tool

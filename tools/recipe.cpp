@@ -3,6 +3,7 @@
 
 #include "errors.hpp"
 #include "json.hpp"
+#include "scheme_words.hpp"
 
 #include <kith/part/checksum.hpp>
 #include <kith/tile/pack.hpp>
@@ -10,6 +11,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -17,7 +19,7 @@ namespace kith::tool {
 
 namespace {
 
-constexpr std::uint64_t kind_of_recipe = 0x6b697468'72637032; // "kithrcp2", turned round on other machines
+constexpr std::uint64_t kind_of_recipe = 0x6b697468'72637033; // "kithrcp3", turned round on other machines
 
 template <class Number>
 std::string text_of(const std::optional<Number>& value)
@@ -53,19 +55,28 @@ void for_each_array(Topology& t, const F& f)
     f(t.vertex_corner), f(t.face_corner), f(t.corner_face);
 }
 
-std::vector<std::byte> pack_control(const basic_mesh<>& mesh, const any_scheme& scheme)
+template <class Kinds, class F>
+void for_each_element(Kinds& kinds, const F& f)
 {
+    f(kinds.vertices), f(kinds.faces), f(kinds.corners);
+}
+
+std::vector<std::byte> pack_control(const tile_request& request)
+{
+    const auto& [mesh, scheme] = std::tie(request.control, request.scheme);
     const auto& t = mesh.topology();
     packer out;
     out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(mesh.generation());
     out.add_array(mesh.points());
     for_each_array(t, [&](const auto& array) { out.add_array(array); });
     std::visit([&](const auto& s) { kith::detail::pack_state(out, s); }, scheme);
+    out.add_array(pack_kinds(request.kinds));
+    request.attributes.pack(out);
     return out.take();
 }
 
-/// The inverse; the scheme gets its creases.
-basic_mesh<> unpack_control(const std::vector<std::byte>& bytes, any_scheme& scheme)
+/// The inverse.
+void unpack_control(const std::vector<std::byte>& bytes, tile_request& request)
 {
     unpacker in(bytes);
     connectivity<std::uint32_t> t;
@@ -75,8 +86,10 @@ basic_mesh<> unpack_control(const std::vector<std::byte>& bytes, any_scheme& sch
     const int generation = in.get<int>();
     auto points = in.get_array<storage<std::array<double, 3>>>();
     for_each_array(t, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
-    std::visit([&](auto& s) { kith::detail::unpack_state(in, s); }, scheme);
-    return {std::move(points), std::move(t), generation};
+    std::visit([&](auto& s) { kith::detail::unpack_state(in, s); }, request.scheme);
+    request.control = {std::move(points), std::move(t), generation};
+    request.kinds = unpack_kinds(in.get_array<std::vector<std::byte>>());
+    request.attributes.unpack(in);
 }
 
 void add_settings(packer& out, const recipe& recipe)
@@ -97,6 +110,36 @@ std::string next_text(unpacker& in)
 
 } // namespace
 
+std::vector<std::byte> pack_kinds(const io::mesh_attributes& kinds)
+{
+    packer out;
+    for_each_element(kinds, [&](const std::vector<io::attribute>& of_elements) {
+        out.add(of_elements.size());
+        for (const io::attribute& a : of_elements) {
+            out.add_array(a.name).add(a.type).add(a.labels.size());
+            for (const std::string& label : a.labels)
+                out.add_array(label);
+        }
+    });
+    return out.take();
+}
+
+io::mesh_attributes unpack_kinds(const std::vector<std::byte>& bytes)
+{
+    unpacker in(bytes);
+    io::mesh_attributes result;
+    for_each_element(result, [&](std::vector<io::attribute>& of_elements) {
+        for (auto left = in.get<std::size_t>(); left > 0; --left) {
+            auto& a = of_elements.emplace_back();
+            a.name = next_text(in);
+            a.type = in.get<ply_number>();
+            for (auto labels = in.get<std::size_t>(); labels > 0; --labels)
+                a.labels.push_back(next_text(in));
+        }
+    });
+    return result;
+}
+
 recipe recipe_of(const tile_request& request, partition parts)
 {
     recipe result;
@@ -105,10 +148,11 @@ recipe recipe_of(const tile_request& request, partition parts)
                        {"levels", std::to_string(request.levels)},
                        {"format", std::filesystem::path(request.output).extension().string()},
                        {"cell-origin", request.with_origin ? "yes" : "no"},
-                       {"limit", request.limit ? "yes" : "no"}};
+                       {"limit", request.limit ? "yes" : "no"},
+                       {"uv", word_of(request.linear)}};
     for (const auto& [name, word] : words_with_names(request.words))
         result.settings.emplace_back(name, word);
-    result.control = pack_control(request.control, request.scheme);
+    result.control = pack_control(request);
     result.parts = std::move(parts);
     result.output = request.output;
     return result;
@@ -133,13 +177,14 @@ tile_request request_from(const recipe& recipe)
     result.output = recipe.output;
     result.with_origin = word("cell-origin") == "yes";
     result.limit = word("limit") == "yes";
+    result.linear = choice_from<face_varying_linear>("uv", word("uv"));
     return result;
 }
 
 tile_request request_with_control(const recipe& recipe)
 {
     tile_request result = request_from(recipe);
-    result.control = unpack_control(recipe.control, result.scheme);
+    unpack_control(recipe.control, result);
     return result;
 }
 
@@ -186,7 +231,7 @@ std::string difference(const recipe& kept, const recipe& asked)
     for (const auto& [name, value] : asked.settings)
         if (setting(kept, name) != value)
             return "its " + name + " is '" + setting(kept, name) + "', not '" + value + "'";
-    return kept.control == asked.control ? "" : "its control mesh or its creases are others";
+    return kept.control == asked.control ? "" : "its control mesh, its creases or its attributes are others";
 }
 
 } // namespace kith::tool

@@ -17,8 +17,8 @@ namespace kith::tool {
 /// any number of ranks, or jobs without MPI, can go on from.
 struct recipe {
     std::vector<std::pair<std::string, std::string>> settings{}; ///< by name: version, scheme, its words, levels, ...
-    std::vector<std::byte> control{};                            ///< the mesh as it was read, and its creases
-    partition parts{};                                           ///< the journal depends on it, the surface does not
+    std::vector<std::byte> control{}; ///< the mesh as it was read, its creases and attributes
+    partition parts{};                ///< the journal depends on it, the surface does not
     std::string output{};
 };
 
@@ -29,6 +29,10 @@ recipe recipe_of(const tile_request& request, partition parts);
 tile_request request_from(const recipe& recipe);
 /// The inverse of recipe_of, but for the partition. Errors: as request_from, and pack_error for bytes that end too early.
 tile_request request_with_control(const recipe& recipe);
+
+/// Names, types and labels of attributes, as a message and from one. Errors: pack_error.
+std::vector<std::byte> pack_kinds(const io::mesh_attributes& kinds);
+io::mesh_attributes unpack_kinds(const std::vector<std::byte>& bytes);
 
 /// As bytes, with their checksum. Cost: that of the control mesh.
 std::vector<std::byte> pack_recipe(const recipe& recipe);

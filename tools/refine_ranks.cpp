@@ -11,6 +11,7 @@
 #include "rank_memory.hpp"
 #include "rank_stats.hpp"
 #include "run_stats.hpp"
+#include "tile_attributes.hpp"
 #include "tile_output.hpp"
 
 #include <kith/part/checksum.hpp>
@@ -41,7 +42,9 @@ namespace {
 
 tiling_kind tiling_of(const rank_request& request)
 {
-    return {.threads = tiles_at_once(SIZE_MAX, request.threads), .limit = request.what.limit};
+    return {.threads = tiles_at_once(SIZE_MAX, request.threads),
+            .limit = request.what.limit,
+            .attributes = count_of(request.what.kinds, request.what.linear)};
 }
 
 /// As many tiles as are asked for, or as it takes to stay within the memory of a rank.
@@ -77,12 +80,12 @@ std::optional<recipe> read_request(mpi::communicator& comm, rank_request& reques
         request.what = request_with_control(*kept);
         settings = pack_recipe({.settings = kept->settings, .output = kept->output});
     });
-    if (not request.input.empty())
-        return kept;
     settings = comm.broadcast(std::move(settings));
+    const auto kinds = comm.broadcast(pack_kinds(request.what.kinds));
     mpi::in_agreement(comm, [&] {
-        if (not comm.is_root())
+        if (not comm.is_root() and request.input.empty())
             request.what = request_from(unpack_recipe(settings));
+        request.what.kinds = unpack_kinds(kinds);
     });
     return kept;
 }
@@ -162,12 +165,6 @@ mesh_checksum checksum_on_one_rank(const tile_request& what, const Scheme& schem
             .mesh);
 }
 
-/// The rings of shadows that the last level needs, nothing where it needs no edges.
-std::optional<int> last_rings(const tile_request& what)
-{
-    return what.limit ? std::optional(rings_for_limit(what.scheme)) : std::nullopt;
-}
-
 /// Refines, and writes the surface. `kept` is on rank 0, and `seconds` is what was spent so far.
 template <class Scheme>
 void write_surface(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, const found_recipe& kept,
@@ -187,6 +184,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
     mpi::in_agreement(comm, [&] {
         made.emplace(output_request{.path = what.output,
                                     .journal = request.journal,
+                                    .arrays = tile_attributes(what.kinds).arrays(),
                                     .levels = what.levels,
                                     .with_origin = what.with_origin,
                                     .with_normals = what.limit,
@@ -217,19 +215,20 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
     mesh_checksum sum;
     const auto write = [&](std::uint64_t number, auto part, const Scheme& scheme_there) {
         if (what.limit)
-            move_to_limit(part, scheme_there);
+            move_to_limit(part, plain(scheme_there));
+        const auto values = tile_attributes(what.kinds).values_beside(scheme_there);
         finished_tile tile;
         std::optional<std::string> damage;
         const bool is_finished = std::ranges::binary_search(job.finished, number);
         if (is_finished)
-            damage = output.damage(part, number);
+            damage = output.damage(part, values, number);
         if (damage)
             std::cerr << "kith-mpi: note: tile " + std::to_string(number) + " is damaged, " + *damage +
                              " is another one; it is written again\n";
         if (is_finished and not damage)
             tile = {owned_count(part.face_marks), checksum(part)};
         else
-            tile = output.write(part, {std::uint32_t(number), std::uint32_t(comm.rank())});
+            tile = output.write(part, values, {std::uint32_t(number), std::uint32_t(comm.rank())});
         const std::lock_guard lock(adding);
         sum += tile.checksum;
     };
@@ -244,7 +243,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
         if (sums[0] + job.faces != counts.faces)
             throw std::logic_error("the tiles have " + std::to_string(sums[0] + job.faces) + " faces, not " +
                                    std::to_string(counts.faces) + "; this is an error in kith");
-        if (request.verify and checksum_on_one_rank(what, scheme) != all)
+        if (request.verify and checksum_on_one_rank(what, plain(scheme)) != all)
             throw std::logic_error("the surface differs from that of one rank; this is an error in kith");
         timed(seconds[phase::write], [&] { output.commit(); });
     });
@@ -306,7 +305,9 @@ void refine_ranks(mpi::communicator& comm, rank_request& request)
         [&]<class Scheme>(const Scheme& scheme) {
             if constexpr (reaching_scheme<Scheme>)
                 request.slices ? refine_slices(comm, request, scheme, seconds)
-                               : refine_by(comm, request, scheme, std::move(kept), seconds);
+                               : with_attributes(scheme, request.what, [&](const auto& with_those) {
+                                     refine_by(comm, request, with_those, std::move(kept), seconds);
+                                 });
             else
                 throw usage_error(not_in_tiles(kith::scheme_name<Scheme>()) + "; use kith refine"); // on all ranks
         },

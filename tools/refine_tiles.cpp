@@ -4,6 +4,7 @@
 #include "available_memory.hpp"
 #include "errors.hpp"
 #include "limit_surface.hpp"
+#include "tile_attributes.hpp"
 #include "tile_output.hpp"
 
 #include <kith/refine_in_tiles.hpp>
@@ -46,25 +47,27 @@ struct sums {
 
 /// A tile that is missing, or one that is looked after.
 template <class Refinement>
-finished_tile finish(Refinement& refinement, bool limit, tile_output& file, std::size_t number, bool is_finished,
-                     phase_seconds& spent)
+finished_tile finish(Refinement& refinement, const tile_request& request, tile_output& file, std::size_t number,
+                     bool is_finished, phase_seconds& spent)
 {
     if (not is_finished)
         if (const auto meanwhile = file.finished(number)) // by another job
             return *meanwhile;
-    auto job = refinement.refine_job(number, limit ? connect::everything : connect::faces, spent);
+    auto job = refinement.refine_job(number, last_rings(request) ? connect::everything : connect::faces, spent);
     auto& part = job.part;
-    if (limit)
-        timed(spent[phase::refine], [&] { move_to_limit(part, job.scheme); });
+    if (request.limit)
+        timed(spent[phase::refine], [&] { move_to_limit(part, plain(job.scheme)); });
+    const auto values = timed(spent[phase::refine],
+                              [&] { return tile_attributes(request.kinds).values_beside(job.scheme); });
     const phase_timer timer(spent[phase::write]);
     if (is_finished) {
-        const auto damage = file.damage(part, number);
+        const auto damage = file.damage(part, values, number);
         if (not damage)
             return *file.finished(number);
         std::cerr << "kith: note: tile " + std::to_string(number) + " is damaged, " + *damage +
                          " is another one; it is written again\n";
     }
-    return file.write(part, {std::uint32_t(number), 0});
+    return file.write(part, values, {std::uint32_t(number), 0});
 }
 
 template <class Scheme>
@@ -75,13 +78,14 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     auto made = [&] {
         const phase_timer timer(done.seconds[phase::cut]);
         return std::make_unique<tiled_refinement<std::array<double, 3>, std::uint32_t, Scheme>>(
-            request.control, scheme, request.levels, kept.value.parts, request.limit ? rings_for_limit(scheme) : 0);
+            request.control, scheme, request.levels, kept.value.parts, last_rings(request).value_or(0));
     }();
     auto& refinement = *made;
     const bool with_checksum = how.with_checksum or how.verify;
     tiled_result result{refinement.whole().counts(request.levels), refinement.tiles(), 0, std::nullopt, {}};
     tile_output file({.path = request.output,
                       .journal = how.journal,
+                      .arrays = tile_attributes(request.kinds).arrays(),
                       .levels = request.levels,
                       .with_origin = request.with_origin,
                       .with_normals = request.limit,
@@ -110,7 +114,7 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     for_each_at_once(numbers.size(), at_once, [&](std::size_t i) {
         phase_seconds spent;
         const bool is_finished = not finished.empty() and finished[numbers[i]];
-        const auto tile = finish(refinement, request.limit, file, numbers[i], is_finished, spent);
+        const auto tile = finish(refinement, request, file, numbers[i], is_finished, spent);
         done.add(tile, spent, at_once);
     });
     done.seconds[phase::wait] += std::max(0., since.seconds() - (done.seconds.sum() - before));
@@ -176,12 +180,15 @@ tiled_result refine_tiles(const tile_request& request, const tiling& how)
                    parts,
                    how.partitioner,
                    how.memory,
-                   {.threads = tiles_at_once(wanted), .limit = request.limit},
+                   {.threads = tiles_at_once(wanted),
+                    .limit = request.limit,
+                    .attributes = count_of(request.kinds, request.linear)},
                    "--tiles");
     auto result = std::visit(
         [&]<class Scheme>(const Scheme& scheme) -> tiled_result {
             if constexpr (reaching_scheme<Scheme>)
-                return refine_by(scheme, request, how, kept, range);
+                return with_attributes(
+                    scheme, request, [&](const auto& s) { return refine_by(s, request, how, kept, range); });
             else
                 return {};
         },

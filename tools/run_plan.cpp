@@ -95,12 +95,12 @@ void print_json(const planned_ranks& plan)
               << '\n';
 }
 
-void print_ranks(const po::variables_map& values, const any_scheme& scheme, const basic_mesh<>& control, int levels)
+void print_ranks(const po::variables_map& values, const tile_request& request)
 {
     const std::uint64_t ranks = count_from(values, "ranks", most_ranks);
     const std::uint64_t tiles = ranks * count_from(values, "tiles-per-rank", most_tiles_per_rank);
-    const partition parts = make_partition(partitioner_from(values), control, tiles);
-    const planned_ranks plan = plan_ranks(scheme, control, levels, parts, ranks, values.count("limit") != 0);
+    const partition parts = make_partition(partitioner_from(values), request.control, tiles);
+    const planned_ranks plan = plan_ranks(request, parts, ranks);
     if (values.count("json") != 0)
         print_json(plan);
     else
@@ -131,22 +131,21 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
             throw usage_error("--" + std::string(option) + ": say with --ranks how many there are");
     control_mesh input = read_mesh(required(*values, "IN"));
     give_creases(scheme, input, words);
-    if (values->count("ranks") != 0)
-        require_no_holes(input);
+    const bool limit = values->count("limit") != 0;
+    if (values->count("ranks") != 0) {
+        tile_request request{.scheme = scheme, .levels = levels, .output = "out.vtu", .limit = limit};
+        take_control(request, input);
+        print_ranks(*values, request);
+        return 0;
+    }
     const bool has_holes = not holes_of(input.tags, input.mesh).empty();
     const basic_mesh<> control = prepared(scheme, std::move(input.mesh));
     require_scheme_takes(scheme, control);
-    if (values->count("ranks") != 0) {
-        print_ranks(*values, scheme, control, levels);
-        return 0;
-    }
-
     const auto fits = [&](const auto& s) {
         return plan_what_fits(count(control.topology()), s, levels, control.generation());
     };
     const partial_plan planned = std::visit(fits, scheme);
-    const job_kind kind{
-        mesh_kind_from(*values), values->count("limit") != 0, has_holes, false, count_of(input.attributes)};
+    const job_kind kind{mesh_kind_from(*values), limit, has_holes, false, count_of(input.attributes)};
     const planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels))};
     if (values->count("json") != 0)
         print_json(job);

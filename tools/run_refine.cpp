@@ -10,10 +10,9 @@
 #include "run_refine_tiles.hpp"
 #include "run_stats.hpp"
 #include "scheme_options.hpp"
-#include "scheme_words.hpp"
+#include "settle_attributes.hpp"
 #include "tile_options.hpp"
 
-#include <kith/format/held_attributes.hpp>
 #include <kith/text/counted.hpp>
 
 #include <algorithm>
@@ -45,14 +44,10 @@ po::options_description options_of_refine()
 {
     po::options_description options("Options");
     add_scheme_options(options);
+    add_uv_option(options);
     add_option<std::string>(options, "output,o", "OUT", "the file to write; - is standard output");
     add_flag(options, "binary", "write PLY or STL as binary instead of text");
     add_flag(options, "limit", "write the vertices at their limits; in OFF, OBJ and PLY with the normals there");
-    add_option<std::string>(options,
-                            "uv",
-                            "WORD",
-                            "catmull-clark, loop: what of texture coordinates is linear, as OpenSubdiv names it: " +
-                                all_words<face_varying_linear>() + "; else all");
     add_flag(options, "drop-isolated", "leave out vertices that no face has, which else are kept behind the others");
     add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + mesh_kind_names());
     add_option<std::int64_t>(
@@ -89,19 +84,6 @@ void settle_isolated(control_mesh& control, mesh_format format, bool drop)
     }
 }
 
-/// Leaves to the fields what a file of this format holds, and tells the rest. Normals are kept where the mesh is, and else
-/// not made from those of the file.
-void settle_attributes(control_mesh& control, mesh_format format, const refine_request& request)
-{
-    const bool is_kept = request.levels == 0 and not request.limit and not is_prepared(request.scheme);
-    if (not is_kept and take_normals(control.attributes) and not request.limit)
-        control.not_kept.emplace_back("normals");
-    for (const std::string& topic : not_held(format, control.attributes))
-        if (std::ranges::find(control.not_kept, topic) == control.not_kept.end())
-            control.not_kept.push_back(topic);
-    keep_held(format, control.attributes);
-}
-
 /// What the points without a face have comes behind what the vertices have.
 void append_isolated(io::mesh_attributes& attributes, const control_mesh& control)
 {
@@ -110,18 +92,6 @@ void append_isolated(io::mesh_attributes& attributes, const control_mesh& contro
         attributes.vertices[i].values.insert(
             attributes.vertices[i].values.end(), values.end() - std::ptrdiff_t(control.isolated.size()), values.end());
     }
-}
-
-/// Errors: usage_error for a word that is none, and for seams that the scheme has no rules for.
-face_varying_linear linear_from(const po::variables_map& values, const any_scheme& scheme)
-{
-    if (values.count("uv") == 0)
-        return face_varying_linear::all;
-    const auto result = choice_from<face_varying_linear>("--uv", values["uv"].as<std::string>());
-    if (result != face_varying_linear::all and not refines_along_seams(scheme))
-        throw usage_error("--uv: only " + schemes_with_creases() +
-                          " have rules for seams of texture coordinates; leave it out, or say all");
-    return result;
 }
 
 void set_threads([[maybe_unused]] const po::variables_map& values)
@@ -169,7 +139,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     refined_mesh result = timed(seconds[phase::refine], [&] {
         give_creases(request.scheme, control, words);
         request.holes = holes_of(control.tags, control.mesh);
-        settle_attributes(control, format, request);
+        settle_attributes(control, format, {request.scheme, request.levels, request.limit});
         request.attributes = attribute_fields(control.attributes, control.mesh, linear);
         request.counted = count_of(control.attributes, linear);
         auto start = prepared(request.scheme, std::move(control.mesh), request.attributes);

@@ -77,8 +77,6 @@ int run_refine_tiles(const po::variables_map& values)
                  ? "leave one of them out"
                  : required(values, "output") +
                        " is written in tiles, so leave out the option or write .off, .obj, .ply or .stl"));
-    if (values.count("uv") != 0)
-        throw usage_error("--uv: tiles carry no texture coordinates; leave it out");
     tiling how{.journal = journal_from(values), .only = {}, .make_parts = {}};
     if (values.count("only") != 0)
         how.only = tile_range_from(required(values, "only"));

@@ -2,6 +2,7 @@
 #include "scheme_options.hpp"
 
 #include "command_line.hpp"
+#include "errors.hpp"
 #include "scheme_words.hpp"
 
 namespace kith::tool {
@@ -56,6 +57,26 @@ scheme_words scheme_words_of(const boost::program_options::variables_map& values
             .degree = values.count("degree") == 0 ? std::nullopt : std::optional(values["degree"].as<int>()),
             .ignore_tags = values.count("ignore-tags") != 0,
             .triangulate = values.count("triangulate") != 0};
+}
+
+void add_uv_option(boost::program_options::options_description& options)
+{
+    add_option<std::string>(options,
+                            "uv",
+                            "WORD",
+                            "catmull-clark, loop: what of texture coordinates is linear, as OpenSubdiv names it: " +
+                                all_words<face_varying_linear>() + "; else all");
+}
+
+face_varying_linear linear_from(const boost::program_options::variables_map& values, const any_scheme& scheme)
+{
+    if (values.count("uv") == 0)
+        return face_varying_linear::all;
+    const auto result = choice_from<face_varying_linear>("--uv", values["uv"].as<std::string>());
+    if (result != face_varying_linear::all and not refines_along_seams(scheme))
+        throw usage_error("--uv: only " + schemes_with_creases() +
+                          " have rules for seams of texture coordinates; leave it out, or say all");
+    return result;
 }
 
 } // namespace kith::tool

@@ -11,6 +11,7 @@
 #include <kith/loop.hpp>
 #include <kith/presets.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -78,6 +79,14 @@ std::string all_words()
     for (const auto& [word, choice] : words_for(Choice{}))
         append_to_list(result, word);
     return result;
+}
+
+/// The inverse of choice_from.
+template <class Choice>
+std::string word_of(Choice given)
+{
+    const auto words = words_for(Choice{});
+    return std::string(std::ranges::find(words, given, &std::pair<std::string_view, Choice>::second)->first);
 }
 
 /// Errors: usage_error for a word that names no choice.

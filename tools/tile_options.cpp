@@ -42,6 +42,7 @@ tile_request tile_request_from(const po::variables_map& values)
     request.words = scheme_words_of(values);
     request.scheme = make_scheme(request.scheme_name, request.words);
     request.levels = levels_of(values);
+    request.linear = linear_from(values, request.scheme);
     request.with_origin = values.count("cell-origin") != 0;
     request.limit = values.count("limit") != 0;
     return request;

@@ -33,6 +33,11 @@ bool is_special(const std::string& target)
     return fs::exists(status) and not fs::is_regular_file(status) and not fs::is_directory(status);
 }
 
+std::vector<value_bytes> as_bytes(const tile_output::tile_values& values)
+{
+    return {values.begin(), values.end()};
+}
+
 /// Tiles are written at their places, which a pipe does not have. Errors: file_error.
 void require_places(const output_request& request, const std::string& target, bool in_pieces)
 {
@@ -72,11 +77,13 @@ tile_output::tile_output(const output_request& request, const output_surface& su
                                                surface.tiles,
                                                request.levels,
                                                request.with_origin,
-                                               request.with_normals);
+                                               request.with_normals,
+                                               request.arrays);
     } else if (extension_of(request.path) == ".ply") {
-        layout_ = std::make_unique<ply_file>(surface.counts, request.with_normals);
+        layout_ = std::make_unique<ply_file>(surface.counts, request.with_normals, request.arrays);
     } else {
-        layout_ = std::make_unique<vtu_file>(surface.counts, request.levels, request.with_origin, request.with_normals);
+        layout_ = std::make_unique<vtu_file>(
+            surface.counts, request.levels, request.with_origin, request.with_normals, request.arrays);
     }
     if (not request.journal.empty())
         journal_.emplace(layout_->size(), surface.tiles, surface.recipe);
@@ -139,10 +146,10 @@ std::optional<finished_tile> tile_output::finished(std::uint64_t tile)
     return journal_ and layout_->is_there(tile) ? journal_->read(*file_, tile) : std::nullopt;
 }
 
-finished_tile tile_output::write(const tile_type& part, cell_origin origin)
+finished_tile tile_output::write(const tile_type& part, const tile_values& values, cell_origin origin)
 {
     try {
-        layout_->write_tile(*file_, part, origin);
+        layout_->write_tile(*file_, part, origin, as_bytes(values));
     } catch (const mesh_error& error) {
         throw file_error(request_.path + ": " + error.what());
     }
@@ -152,14 +159,14 @@ finished_tile tile_output::write(const tile_type& part, cell_origin origin)
     if (journal_)
         journal_->add(*file_, origin.tile, finished);
     if (request_.verify)
-        if (const auto differs = damage(part, origin.tile))
+        if (const auto differs = damage(part, values, origin.tile))
             throw file_error(*differs + " is not what was written there; look after the disk");
     return finished;
 }
 
-std::optional<std::string> tile_output::damage(const tile_type& part, std::uint64_t tile)
+std::optional<std::string> tile_output::damage(const tile_type& part, const tile_values& values, std::uint64_t tile)
 {
-    return layout_->difference(*file_, part, std::uint32_t(tile));
+    return layout_->difference(*file_, part, std::uint32_t(tile), as_bytes(values));
 }
 
 void tile_output::close()

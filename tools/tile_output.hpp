@@ -3,11 +3,13 @@
 
 #include "journal.hpp"
 
-#include <kith/output/stitch.hpp>
+#include <kith/output/ply_file.hpp>
 #include <kith/output/tile_journal.hpp>
 #include <kith/output_file.hpp>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,7 +25,8 @@ void require_tile_format(const std::string& path);
 /// What is written, and how.
 struct output_request {
     std::string path;
-    std::string journal; ///< the directory, or nothing
+    std::string journal;              ///< the directory, or nothing
+    std::vector<file_array> arrays{}; ///< of attributes
     int levels = 0;
     bool with_origin = false;
     bool with_normals = false;
@@ -44,6 +47,7 @@ struct output_surface {
 class tile_output {
 public:
     using tile_type = tile<std::array<double, 3>, std::uint32_t>;
+    using tile_values = std::vector<std::vector<std::byte>>; ///< for each of the arrays
 
     /// Errors: mesh_error for what the format cannot hold, file_error.
     tile_output(const output_request& request, const output_surface& surface);
@@ -59,10 +63,11 @@ public:
     [[nodiscard]] std::optional<finished_tile> finished(std::uint64_t tile);
     /// Gives what the journal then says of the tile; the checksum where it is asked for or there is a journal.
     /// Errors: write_error, file_error.
-    finished_tile write(const tile_type& part, cell_origin origin);
+    finished_tile write(const tile_type& part, const tile_values& values, cell_origin origin);
     /// Whether a tile that is finished stands in the file as it should; else tells the byte that differs.
     /// Errors: write_error.
-    [[nodiscard]] std::optional<std::string> damage(const tile_type& part, std::uint64_t tile);
+    [[nodiscard]] std::optional<std::string> damage(const tile_type& part, const tile_values& values,
+                                                    std::uint64_t tile);
     void close();
     /// Gives the file its name, unless another job has done so; nothing of the journal is left then.
     /// Errors: file_error, write_error.

@@ -3,6 +3,7 @@
 
 #include "holes.hpp"
 #include "mesh_input.hpp"
+#include "settle_attributes.hpp"
 
 #include <kith/text/counted.hpp>
 
@@ -18,11 +19,17 @@ void read_control(tile_request& request, const std::string& path)
     add_lost_sharpness(control.not_kept, left.edges, left.vertices);
     if (not control.isolated.empty())
         control.not_kept.push_back(io::counted(control.isolated.size(), "vertex") + " without a face");
-    for (const std::string& topic : topics_of(control.attributes))
-        control.not_kept.push_back(topic);
+    take_control(request, control);
     note_losses(path, control.not_kept);
+}
+
+void take_control(tile_request& request, control_mesh& control)
+{
+    settle_tile_attributes(control, request.output, {request.scheme, request.levels, request.limit});
     require_no_holes(control);
-    request.control = prepared(request.scheme, std::move(control.mesh));
+    request.kinds = kinds_of(control.attributes);
+    request.attributes = attribute_fields(control.attributes, control.mesh, request.linear);
+    request.control = prepared(request.scheme, std::move(control.mesh), request.attributes);
     require_scheme_takes(request.scheme, request.control);
 }
 

@@ -4,7 +4,7 @@
 // Surfaces in tiles, on one machine, and their files.
 #include "refine_in_tiles.hpp"
 
-#include <kith/output/stitch.hpp>
+#include <kith/output/ply_file.hpp>
 #include <kith/output/tile_journal.hpp>
 #include <kith/output/vtu_pieces.hpp>
 #include <kith/part/checksum.hpp>

@@ -24,5 +24,7 @@ polygon_soup read_off(std::string_view bytes);
 polygon_soup read_obj(std::string_view bytes);
 polygon_soup read_ply(std::string_view bytes);
 polygon_soup read_stl(std::string_view bytes);
+/// VTK's unstructured grid of triangles, quads and polygons, as text, in base64 or raw, without compression.
+polygon_soup read_vtu(std::string_view bytes);
 
 } // namespace kith::io

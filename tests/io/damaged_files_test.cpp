@@ -157,4 +157,25 @@ TEST(damaged_files, stl)
     damage(mesh_format::stl, {files::stl, files::binary_stl(), files::binary_stl("solid name")}, 4);
 }
 
+TEST(damaged_files, vtu)
+{
+    const std::string head = "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt32\"><UnstructuredGrid><Piece "
+                             "NumberOfPoints=\"3\" NumberOfCells=\"1\"><PointData Normals=\"n\"><DataArray "
+                             "type=\"UInt8\" Name=\"red\">1 2 3</DataArray></PointData><Points>";
+    const std::string tail = "</Points><Cells><DataArray type=\"Int64\" Name=\"connectivity\">0 1 2</DataArray>"
+                             "<DataArray type=\"Int8\" Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" "
+                             "Name=\"types\">5</DataArray></Cells></Piece></UnstructuredGrid>";
+    const std::string array = "<DataArray type=\"Float32\" NumberOfComponents=\"3\" ";
+    std::string raw;
+    files::append(raw, std::uint32_t(36));
+    for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0})
+        files::append(raw, x);
+    damage(
+        mesh_format::vtu,
+        {head + array + ">0 0 0 1 0 0 0 1e0 0</DataArray>" + tail + "</VTKFile>",
+         head + array + "format=\"binary\">JAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA==</DataArray>" + tail,
+         head + array + "format=\"appended\" offset=\"0\"/>" + tail + "<AppendedData encoding=\"raw\">_" + raw},
+        5);
+}
+
 } // namespace

@@ -7,7 +7,9 @@
 #include <kith/doo_sabin.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/linear.hpp>
+#include <kith/refine_in_tiles.hpp>
 #include <kith/refine_with_fields.hpp>
+#include <kith/tile/pack.hpp>
 #include <kith/tri_quad.hpp>
 
 #include <gtest/gtest.h>
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <random>
@@ -167,6 +170,82 @@ TEST(attribute_fields, go_into_the_mesh_that_4_8_starts_from)
                     }
         }
     }
+}
+
+/// In tiles, as messages take them: the values of the whole level, by numbers there.
+template <class Scheme>
+void expect_in_tiles(const basic_mesh<>& mesh, const Scheme& scheme)
+{
+    constexpr int depth = 2;
+    constexpr std::size_t parts = 3;
+    const auto control = attributes_for(mesh);
+    const auto kinds = tool::kinds_of(control);
+    EXPECT_TRUE(kinds.vertices[0].values.empty() and kinds.faces[1].labels == control.faces[1].labels);
+    tool::attribute_fields fields(control, mesh);
+    const auto carrying = with_fields(scheme, fields);
+    (void)refine_with_fields(mesh, scheme, depth, std::tie(fields));
+    const auto whole = fields.at_level(control);
+
+    std::vector<std::uint32_t> part_of;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        part_of.push_back(std::uint32_t(f % parts));
+    tiled_refinement refinement(mesh, carrying, depth, {part_of, parts});
+    std::size_t owned = 0;
+    for (std::size_t number = 0; number < parts; ++number)
+        refinement.refine_levels(number, [&](auto&& kept) {
+            packer out;
+            kept.scheme.field().pack(out);
+            const auto message = out.take();
+            tool::attribute_fields sent(attributes_for(native(shapes::grid())), native(shapes::grid()));
+            unpacker in(message);
+            sent.unpack(in);
+            EXPECT_TRUE(in.is_at_end());
+            const auto here = kept.scheme.field().at_level(kinds), there = sent.at_level(kinds);
+            const auto& part = kept.part;
+            const auto expect = [&](const auto& of_tile, const auto& received, const auto& of_whole, auto id_of) {
+                ASSERT_EQ(of_tile.size(), of_whole.size());
+                for (std::size_t a = 0; a < of_tile.size(); ++a)
+                    for (std::size_t x = 0; x < of_tile[a].values.size(); ++x) {
+                        ASSERT_TRUE(are_same(of_tile[a].values[x], received[a].values[x])) << of_tile[a].name;
+                        if (kept.level == depth) {
+                            ASSERT_TRUE(are_same(of_tile[a].values[x], of_whole[a].values[id_of(x)]))
+                                << of_tile[a].name << " " << x;
+                        }
+                    }
+            };
+            std::vector<std::size_t> corners;
+            for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+                for (std::size_t k = 0; k < part.mesh.face(f).size(); ++k)
+                    corners.push_back(part.corner_id(f, k));
+            EXPECT_EQ(here.vertices[0].values.size(), part.mesh.vertex_count());
+            expect(here.vertices, there.vertices, whole.vertices, [&](std::size_t v) { return part.vertex_ids[v]; });
+            expect(here.faces, there.faces, whole.faces, [&](std::size_t f) { return part.face_ids[f]; });
+            expect(here.corners, there.corners, whole.corners, [&](std::size_t c) { return corners[c]; });
+            owned += kept.level == depth ? owned_count(part.face_marks) : 0;
+        });
+    EXPECT_EQ(owned, whole.faces[0].values.size());
+}
+
+TEST(attribute_fields, are_those_of_the_whole_in_tiles_and_messages)
+{
+    expect_in_tiles(native(shapes::shaken(shapes::open_house())), catmull_clark());
+    expect_in_tiles(native(shapes::shaken(shapes::house())), doo_sabin());
+    expect_in_tiles(native(shapes::shaken(shapes::grid())), catmull_clark());
+}
+
+TEST(attribute_fields, a_message_has_the_values_of_the_control_faces_that_it_needs)
+{
+    const auto mesh = native(shapes::grid());
+    const tool::attribute_fields fields(attributes_for(mesh), mesh);
+    std::vector<std::uint32_t> numbers{0};
+    const auto size_of_part = [&] {
+        packer out;
+        fields.of_part(part_numbers<std::uint32_t>{{}, {}, numbers, 4}).pack(out);
+        return out.take().size();
+    };
+    const std::size_t one = size_of_part();
+    numbers = {0, 2};
+    EXPECT_EQ(size_of_part() - one, 4 + 2 * 8 + 4 * 4 * 8); // the face, its numbers, and what its corners have
 }
 
 TEST(attribute_fields, normals_are_taken_out)

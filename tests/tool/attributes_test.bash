@@ -2,28 +2,8 @@
 # What files say of their meshes besides places: through all formats, and refined.
 meshes=$(cd "$(dirname "$0")/../../.." && pwd)/shared/meshes # which are not ours; without them their part is left out
 source "$(dirname "$0")/check.bash"
+source "$(dirname "$0")/attribute_meshes.bash"
 
-# A grid of shaken quads, each of which has a texture of its own: u and v are affine in x and y, differently in each group.
-grid() { # grid ROWS: an OBJ file
-    awk -v n="$1" 'BEGIN {
-        srand(7)
-        print "mtllib paint.mtl\no sheet"
-        for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) {
-            x[i, j] = j + rand() / 4; y[i, j] = i + rand() / 4
-            printf "v %.17g %.17g %.17g %.17g 0.5 0\n", x[i, j], y[i, j], rand(), (x[i, j] + y[i, j]) / (3 * n)
-        }
-        for (f = i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
-            face = sprintf("%sg cell_%d\nusemtl %s\ns %d\nf", face, f, f % 3 ? "red" : "blue", i + 1)
-            for (k = 0; k < 4; ++k) {
-                a = i + (k > 1); b = j + (k == 1 || k == 2)
-                face = sprintf("%s %d/%d", face, a * (n + 1) + b + 1, ++t)
-                lines = sprintf("%svt %.17g %.17g\n", lines, x[a, b] + 10 * f, 2 * y[a, b] - x[a, b] + f)
-            }
-            face = face "\n"; ++f
-        }
-        printf "%s%s", lines, face
-    }'
-}
 # textured FILE N FACES: each corner of the file has the texture of its group at its place, with N groups in FACES faces.
 textured() {
     check "$1 should have the texture of each face" awk -v groups="$2" -v faces="$3" '
@@ -98,15 +78,7 @@ if [ -f "$meshes/fish_control_mesh.obj" ]; then
 fi
 
 # PLY: all numbers of vertices and faces, in their types. Those that say where a vertex is stay there, by the masks.
-cube | awk 'NR == 2 {
-        print "ply\nformat ascii 1.0\nelement vertex 9\nproperty double px\nproperty uchar red\nproperty float y\nproperty float x"
-        print "property float z\nproperty double pz\nproperty uchar green\nproperty uchar blue\nproperty int id\nelement face 6"
-        print "property ushort patch\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord"
-        print "property list uchar int others\nproperty double area\nend_header"
-    }
-    NR > 2 && NR < 11 { print $1, $1 < 0 ? 0 : 255, $2, $1, $3, $3, 7, 9, 1000 }
-    NR == 11 { print 5, 1, 5, 5, 5, 5, 2, 3, -4 }
-    NR >= 11 { print NR, $0, 8, 0, 0, 1, 0, 1, 1, 0, 1, 0, NR / 4 }' >rich.ply
+rich_cube >rich.ply
 for mesh in native cgal openmesh; do
     run refine rich.ply -s catmull-clark -n 2 -o $mesh.ply --mesh $mesh
     exits 0
@@ -202,7 +174,4 @@ exits 0
 run refine charts.obj -s loop -n 1 -o out.obj --uv round
 exits 2
 says "^kith: --uv: 'round' is not one of none, corners, corners.1, corners.2, boundaries, all$"
-run refine charts.obj -s catmull-clark -n 1 -o out.ply --uv none --tiles 2
-exits 2
-says '^kith: --uv: tiles carry no texture coordinates; leave it out$'
 finish

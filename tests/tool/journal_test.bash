@@ -167,10 +167,10 @@ refused "its scheme is 'catmull-clark', not 'doo-sabin'" refine cube.off -s doo-
 refused "its format is '.vtu', not '.ply'" refine cube.off -s catmull-clark -n 4 -o out.ply --journal kept
 refused "its boundary-corners is '', not 'smoothed'" \
     refine cube.off -s catmull-clark -n 4 -o out.vtu --journal kept --boundary-corners smoothed
-refused 'its control mesh or its creases are others' \
+refused 'its control mesh, its creases or its attributes are others' \
     refine cube.off -s catmull-clark -n 4 -o out.vtu --journal kept --crease-angle 40
 sed '3s/.*/-1 -1 -1.5/' cube.off >moved.off
-refused 'its control mesh or its creases are others' refine moved.off -s catmull-clark -n 4 -o out.vtu --journal kept
+refused 'its control mesh, its creases or its attributes are others' refine moved.off -s catmull-clark -n 4 -o out.vtu --journal kept
 rm moved.off
 run refine --journal kept
 exits 0

@@ -6,7 +6,7 @@ run --help
 exits 0
 says_nothing
 for verb in refine info compare plan schemes; do prints "^  $verb "; done
-prints 'OFF, OBJ, PLY or STL'
+prints 'OFF, OBJ, PLY, STL or VTU'
 prints '\.vtu, \.pvtu'
 run -h
 exits 0

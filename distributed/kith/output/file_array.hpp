@@ -21,13 +21,14 @@
 
 namespace kith {
 
-/// An array of values at the vertices or faces of a file.
+/// An array of values at the elements of a file: vertices, faces or, where the format has room for it, corners.
 struct file_array {
     std::string name;
-    element_kind on;
-    std::string type;    ///< of its numbers, in VTK's word
-    std::size_t numbers; ///< of each value
-    std::size_t bytes;   ///< of each value
+    field_on on;
+    std::string type;                 ///< of its numbers, in VTK's word
+    std::size_t numbers;              ///< of each value
+    std::size_t bytes;                ///< of each value
+    std::vector<std::string> words{}; ///< for which the values stand, if they are numbers of words
 };
 
 /// The values that a tile has for such an array: of all its elements, in their order.
@@ -81,11 +82,8 @@ file_array array_of(const named_field<Find>& named)
         "a VTU file has room for values at points and at cells; fields on edges and corners have no place there");
     static_assert(numbers_of<value> != 0 and sizeof(value) <= 8 * numbers_of<value>,
                   "a VTU file holds numbers of up to eight bytes and std::array of them; make such a field of others");
-    return {named.name,
-            field_type::where == field_on::vertices ? element_kind::vertex : element_kind::face,
-            vtk_word<typename number_type<value>::type>(),
-            numbers_of<value>,
-            sizeof(value)};
+    return {
+        named.name, field_type::where, vtk_word<typename number_type<value>::type>(), numbers_of<value>, sizeof(value)};
 }
 
 } // namespace detail
@@ -103,7 +101,43 @@ std::vector<value_bytes> values_of(const Scheme& scheme, const named_field<Find>
     return {std::as_bytes(fields.find(scheme).values())...};
 }
 
-/// Errors: mesh_error unless there is a value for each vertex or face of the tile.
+namespace detail {
+
+/// How many elements a tile has that a field may have values on, and what they are called.
+template <tile_like Tile>
+std::pair<std::size_t, const char*> elements_of(const Tile& part, field_on where)
+{
+    if (where == field_on::vertices)
+        return {part.mesh.vertex_count(), "vertices"};
+    return where == field_on::faces ? std::pair(part.mesh.face_count(), "faces")
+                                    : std::pair(part.mesh.corner_count(), "corners");
+}
+
+/// Calls f(number in the whole mesh, first byte of the value) for each element that the tile owns.
+template <tile_like Tile, class F>
+void for_each_owned_value(const Tile& part, const file_array& array, value_bytes values, const F& f)
+{
+    const auto at = [&](std::size_t element) { return values.data() + array.bytes * element; };
+    if (array.on == field_on::vertices) {
+        for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+            if (part.owns_vertex(v))
+                f(part.vertex_ids[v], at(v));
+        return;
+    }
+    for (std::size_t face = 0, corner = 0; face < part.mesh.face_count(); ++face) {
+        const std::size_t degree = part.mesh.face(face).size();
+        if (part.owns_face(face) and array.on == field_on::faces)
+            f(part.face_ids[face], at(face));
+        else if (part.owns_face(face))
+            for (std::size_t k = 0; k < degree; ++k)
+                f(part.corner_id(face, k), at(corner + k));
+        corner += degree;
+    }
+}
+
+} // namespace detail
+
+/// Errors: mesh_error unless there is a value for each vertex, face or corner of the tile.
 template <tile_like Tile>
 void require_values(const Tile& part, const std::vector<file_array>& arrays, std::span<const value_bytes> values)
 {
@@ -111,12 +145,11 @@ void require_values(const Tile& part, const std::vector<file_array>& arrays, std
         throw mesh_error("a file has " + std::to_string(arrays.size()) + " arrays of values, a tile has " +
                          std::to_string(values.size()) + "; give those of all arrays, in their order");
     for (std::size_t i = 0; i < arrays.size(); ++i) {
-        const bool at_vertices = arrays[i].on == element_kind::vertex;
-        const std::size_t elements = ids_of(part, arrays[i].on).size();
+        const auto [elements, name] = detail::elements_of(part, arrays[i].on);
         if (values[i].size() != arrays[i].bytes * elements)
             throw mesh_error("the field \"" + arrays[i].name + "\" has " +
                              std::to_string(values[i].size() / arrays[i].bytes) + " values in a tile of " +
-                             std::to_string(elements) + (at_vertices ? " vertices" : " faces") +
+                             std::to_string(elements) + " " + name +
                              "; give it values on the control mesh, and refine the last level with its edges");
     }
 }
@@ -128,21 +161,17 @@ mesh_checksum checksum_of_values(const Tile& part, const std::vector<file_array>
 {
     mesh_checksum sum;
     for (std::size_t i = 0; i < arrays.size(); ++i) {
-        const auto ids = ids_of(part, arrays[i].on);
-        const auto marks = marks_of(part, arrays[i].on);
         const std::size_t size = arrays[i].bytes;
-        for (std::size_t x = 0; x < ids.size(); ++x) {
-            if ((marks[x] & owned_mark) == 0)
-                continue;
-            detail::word_hash hash(ids[x]);
+        detail::for_each_owned_value(part, arrays[i], values[i], [&](global_id id, const std::byte* value) {
+            detail::word_hash hash(id);
             hash.add(i);
             for (std::size_t at = 0; at < size; at += 8) {
                 std::uint64_t word = 0;
-                std::memcpy(&word, values[i].data() + x * size + at, std::min<std::size_t>(8, size - at));
+                std::memcpy(&word, value + at, std::min<std::size_t>(8, size - at));
                 hash.add(word);
             }
             sum += {hash.bits()};
-        }
+        });
     }
     return sum;
 }

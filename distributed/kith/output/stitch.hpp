@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -98,11 +97,11 @@ public:
         offsets_ = layout_.add(counts.faces * 8, "type=\"Int64\" Name=\"offsets\"");
         types_ = layout_.add(counts.faces, "type=\"UInt8\" Name=\"types\"");
         layout_.close("Cells");
-        if (with_normals or arrays_.any_on(element_kind::vertex)) {
+        if (with_normals or arrays_.any_on(field_on::vertices)) {
             layout_.open(with_normals ? "PointData Normals=\"Normals\"" : "PointData");
             if (with_normals)
                 normals_ = layout_.add(counts.vertices * 24, detail::vtu_normals);
-            arrays_.add_to(layout_, element_kind::vertex, counts.vertices, values_);
+            arrays_.add_to(layout_, field_on::vertices, counts.vertices, values_);
             layout_.close("PointData");
         }
         layout_.open("CellData");
@@ -112,7 +111,7 @@ public:
             tiles_ = layout_.add(counts.faces * 4, "type=\"UInt32\" Name=\"tile\"");
             ranks_ = layout_.add(counts.faces * 4, "type=\"UInt32\" Name=\"rank\"");
         }
-        arrays_.add_to(layout_, element_kind::face, counts.faces, values_);
+        arrays_.add_to(layout_, field_on::faces, counts.faces, values_);
         layout_.close("CellData").finish(counts.vertices, counts.faces);
         size_ = layout_.size();
     }
@@ -180,12 +179,10 @@ private:
     {
         joined_writes out(file);
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const auto& [name, on, type, numbers, bytes] = arrays_.list()[i];
-            const auto ids = ids_of(part, on);
-            const auto marks = marks_of(part, on);
-            for (std::size_t x = 0; x < ids.size(); ++x)
-                if ((marks[x] & owned_mark) != 0)
-                    out.put(layout_.offset(values_[i]) + bytes * ids[x], values[i].data() + bytes * x, bytes);
+            const auto& array = arrays_.list()[i];
+            detail::for_each_owned_value(part, array, values[i], [&](global_id id, const std::byte* value) {
+                out.put(layout_.offset(values_[i]) + array.bytes * id, value, array.bytes);
+            });
             out.flush();
         }
     }
@@ -197,78 +194,6 @@ private:
     vtu_layout layout_;
     std::size_t points_, connectivity_, offsets_, types_, parents_, levels_; // arrays there
     std::size_t normals_ = 0, tiles_ = 0, ranks_ = 0;
-};
-
-/// Binary PLY, without values of fields. Faces of up to 255 corners, and as many vertices as 32 bits can number.
-class ply_file : public stitched_file {
-public:
-    /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number.
-    explicit ply_file(const whole_counts& counts, bool with_normals = false)
-        : counts_(counts), bytes_of_vertex_(with_normals ? 48 : 24)
-    {
-        if (counts.vertices > std::numeric_limits<std::int32_t>::max())
-            throw mesh_error("PLY numbers " + std::to_string(std::numeric_limits<std::int32_t>::max()) +
-                             " vertices at most, there are " + std::to_string(counts.vertices) + "; write .vtu");
-        head_ = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(counts.vertices) +
-                "\nproperty double x\nproperty double y\nproperty double z\n" +
-                (with_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") + "element face " +
-                std::to_string(counts.faces) + "\nproperty list uchar int vertex_indices\nend_header\n";
-        size_ = head_.size() + bytes_of_vertex_ * counts.vertices + counts.faces + 4 * counts.corners;
-    }
-
-    void write_frame(offset_file& file) const override { file.write(0, head_.data(), head_.size()); }
-    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin,
-                    std::span<const value_bytes> values = {}) const override
-    {
-        detail::require_finite(part);
-        require_values(part, {}, values);
-        put_tile(file, part);
-    }
-    [[nodiscard]] std::optional<std::string> difference(offset_file& file, const tile<std::array<double, 3>>& part,
-                                                        std::uint32_t,
-                                                        std::span<const value_bytes> values = {}) const override
-    {
-        require_values(part, {}, values);
-        compared_bytes compared(file);
-        put_tile(compared, part);
-        return detail::named_difference(file, compared);
-    }
-
-private:
-    void put_tile(placed_bytes& file, const tile<std::array<double, 3>>& part) const
-    {
-        joined_writes points(file);
-        for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
-            if (part.owns_vertex(v)) {
-                const std::uint64_t at = head_.size() + bytes_of_vertex_ * part.vertex_ids[v];
-                points.put(at, part.mesh.point(v));
-                if (bytes_of_vertex_ == 48)
-                    points.put(at + 24, part.normals[v]);
-            }
-        points.flush();
-        joined_writes faces(file);
-        const std::uint64_t begin = head_.size() + bytes_of_vertex_ * counts_.vertices;
-        for (std::size_t f = 0; f < part.mesh.face_count(); ++f) {
-            if (not part.owns_face(f))
-                continue;
-            const auto face = part.mesh.face(f);
-            if (face.size() > std::numeric_limits<std::uint8_t>::max())
-                throw mesh_error("face " + std::to_string(part.face_ids[f]) + " has " + std::to_string(face.size()) +
-                                 " corners, PLY holds 255 at most; write .vtu");
-            std::uint64_t at = begin + part.face_ids[f] + 4 * part.corner_id(f, 0);
-            faces.put(at, std::uint8_t(face.size()));
-            ++at;
-            for (const auto v : face) {
-                faces.put(at, std::int32_t(part.vertex_ids[v]));
-                at += 4;
-            }
-        }
-        faces.flush();
-    }
-
-    whole_counts counts_;
-    std::uint64_t bytes_of_vertex_;
-    std::string head_;
 };
 
 } // namespace kith

@@ -32,35 +32,47 @@ inline std::string xml_text(const std::string& text)
 /// The arrays of fields in a file of VTK's format, beside those that the file has of its own.
 class vtu_arrays {
 public:
-    /// Errors: mesh_error for a name that is empty, or taken.
+    /// Whether a field may have this name, which no array of the file has that is none of a field.
+    static bool is_free(std::string_view name)
+    {
+        constexpr std::array<std::string_view, 10> taken{"connectivity",
+                                                         "offsets",
+                                                         "types",
+                                                         "Normals",
+                                                         "GlobalPointIds",
+                                                         "GlobalCellIds",
+                                                         "parent",
+                                                         "level",
+                                                         "tile",
+                                                         "rank"};
+        return not name.empty() and std::ranges::find(taken, name) == taken.end();
+    }
+
+    /// Errors: mesh_error for a name that is empty, or taken: at points and at cells there may be one each.
     explicit vtu_arrays(std::vector<file_array> arrays) : arrays_(std::move(arrays))
     {
-        std::vector<std::string> taken{"connectivity",
-                                       "offsets",
-                                       "types",
-                                       "Normals",
-                                       "GlobalPointIds",
-                                       "GlobalCellIds",
-                                       "parent",
-                                       "level",
-                                       "tile",
-                                       "rank"};
-        for (const auto& array : arrays_) {
-            if (array.name.empty() or std::ranges::find(taken, array.name) != taken.end())
+        for (const auto& array : arrays_)
+            if (array.on != field_on::vertices and array.on != field_on::faces)
+                throw mesh_error("the field \"" + array.name +
+                                 "\" is on edges or corners, where a file of VTK has no values; leave it out");
+        for (auto array = arrays_.begin(); array != arrays_.end(); ++array) {
+            const auto is_its_name = [&](const file_array& other) {
+                return other.on == array->on and other.name == array->name;
+            };
+            if (not is_free(array->name) or std::any_of(arrays_.begin(), array, is_its_name))
                 throw mesh_error(
-                    "a field was to be called \"" + array.name +
+                    "a field was to be called \"" + array->name +
                     "\", a name that is empty, or that another array of the file has; give it another one");
-            taken.push_back(array.name);
         }
     }
 
     [[nodiscard]] const std::vector<file_array>& list() const { return arrays_; }
-    [[nodiscard]] bool any_on(element_kind kind) const
+    [[nodiscard]] bool any_on(field_on kind) const
     {
         return std::ranges::any_of(arrays_, [&](const auto& array) { return array.on == kind; });
     }
     /// What the file says of those on one kind of element.
-    [[nodiscard]] std::string declarations(element_kind kind) const
+    [[nodiscard]] std::string declarations(field_on kind) const
     {
         std::string result;
         for (const auto& array : arrays_)
@@ -69,12 +81,15 @@ public:
         return result;
     }
     /// Makes room for so many values of each of them; gives the numbers of their arrays.
-    void add_to(vtu_layout& layout, element_kind kind, std::uint64_t elements, std::vector<std::size_t>& places) const
+    void add_to(vtu_layout& layout, field_on kind, std::uint64_t elements, std::vector<std::size_t>& places) const
     {
         places.resize(arrays_.size());
         for (std::size_t i = 0; i < arrays_.size(); ++i)
-            if (arrays_[i].on == kind)
+            if (arrays_[i].on == kind) {
                 places[i] = layout.add(elements * arrays_[i].bytes, attributes(arrays_[i]));
+                if (not arrays_[i].words.empty())
+                    layout.add_words(xml_text(arrays_[i].name), arrays_[i].words);
+            }
     }
 
 private:

@@ -35,12 +35,25 @@ public:
         end_ += sizeof(std::uint64_t) + bytes;
         return places_.size() - 1;
     }
+    /// The words for which the numbers of an array of this name stand, as data of the whole file.
+    void add_words(const std::string& name, const std::vector<std::string>& words)
+    {
+        words_ += "<DataArray type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"" + std::to_string(words.size()) +
+                  "\" format=\"ascii\">\n";
+        for (const std::string& word : words) {
+            for (const char letter : word)
+                words_ += std::to_string(static_cast<unsigned char>(letter)) + " ";
+            words_ += "0\n";
+        }
+        words_ += "</DataArray>\n";
+    }
     void finish(std::uint64_t points, std::uint64_t cells)
     {
         static_assert(std::endian::native == std::endian::little, "the file says it is little-endian");
         head_ =
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-            "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+            "header_type=\"UInt64\">\n<UnstructuredGrid>\n" +
+            (words_.empty() ? "" : "<FieldData>\n" + words_ + "</FieldData>\n") + "<Piece NumberOfPoints=\"" +
             std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) + "\">\n" + arrays_ +
             "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
     }
@@ -67,7 +80,7 @@ private:
     };
     static constexpr std::string_view tail = "\n</AppendedData>\n</VTKFile>\n";
 
-    std::string head_, arrays_;
+    std::string head_, arrays_, words_;
     std::vector<place> places_;
     std::uint64_t end_ = 0;
 };

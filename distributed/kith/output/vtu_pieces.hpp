@@ -40,11 +40,11 @@ public:
             "<PPointData GlobalIds=\"GlobalPointIds\"" +
             std::string(with_normals ? " Normals=\"Normals\"" : "") + ">\n" + array("Int64", "GlobalPointIds") +
             (with_normals ? "<PDataArray " + std::string(detail::vtu_normals) + "/>\n" : "") +
-            arrays_.declarations(element_kind::vertex) + "</PPointData>\n<PCellData GlobalIds=\"GlobalCellIds\">\n" +
+            arrays_.declarations(field_on::vertices) + "</PPointData>\n<PCellData GlobalIds=\"GlobalCellIds\">\n" +
             array("Int64", "GlobalCellIds") + array("Int64", "parent") + array("UInt8", "level");
         if (with_origin)
             index_ += array("UInt32", "tile") + array("UInt32", "rank");
-        index_ += arrays_.declarations(element_kind::face) + "</PCellData>\n";
+        index_ += arrays_.declarations(field_on::faces) + "</PCellData>\n";
         for (std::uint64_t tile = 0; tile < tiles; ++tile)
             index_ += "<Piece Source=\"" + source + "/" + name(tile) + "\"/>\n";
         index_ += "</PUnstructuredGrid>\n</VTKFile>\n";
@@ -121,7 +121,7 @@ private:
             point_ids = layout.add(vertices.size() * 8, "type=\"Int64\" Name=\"GlobalPointIds\"");
             if (with_normals)
                 normals = layout.add(vertices.size() * 24, detail::vtu_normals);
-            arrays.add_to(layout, element_kind::vertex, vertices.size(), values);
+            arrays.add_to(layout, field_on::vertices, vertices.size(), values);
             layout.close("PointData").open("CellData GlobalIds=\"GlobalCellIds\"");
             cell_ids = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"GlobalCellIds\"");
             parents = layout.add(faces.size() * 8, "type=\"Int64\" Name=\"parent\"");
@@ -130,7 +130,7 @@ private:
                 tiles = layout.add(faces.size() * 4, "type=\"UInt32\" Name=\"tile\"");
                 ranks = layout.add(faces.size() * 4, "type=\"UInt32\" Name=\"rank\"");
             }
-            arrays.add_to(layout, element_kind::face, faces.size(), values);
+            arrays.add_to(layout, field_on::faces, faces.size(), values);
             layout.close("CellData").finish(vertices.size(), faces.size());
         }
     };
@@ -178,7 +178,7 @@ private:
         for (std::size_t i = 0; i < values.size(); ++i) {
             const std::size_t bytes = arrays_.list()[i].bytes;
             std::uint64_t at = p.layout.offset(p.values[i]);
-            for (const std::size_t x : arrays_.list()[i].on == element_kind::vertex ? p.vertices : p.faces) {
+            for (const std::size_t x : arrays_.list()[i].on == field_on::vertices ? p.vertices : p.faces) {
                 out.put(at, values[i].data() + bytes * x, bytes);
                 at += bytes;
             }

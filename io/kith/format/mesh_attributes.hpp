@@ -3,7 +3,9 @@
 
 #include <kith/slices/ply_header.hpp>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -55,5 +57,19 @@ std::vector<std::string> topics_of(const mesh_attributes& attributes);
 
 /// The value that a file with this type holds: rounded, and within its range. NaN, which says that there is none, stays.
 double as_stored(const ply_number& type, double value);
+
+/// Calls f with a value in its type, among whole numbers with 0 for none. Precondition: as_stored.
+template <class F>
+void with_type(const ply_number& type, double value, const F& f)
+{
+    if (not type.floating and std::isnan(value))
+        value = 0;
+    if (type.floating)
+        type.bytes == 4 ? f(float(value)) : f(value);
+    else if (type.is_signed)
+        type.bytes == 1 ? f(std::int8_t(value)) : type.bytes == 2 ? f(std::int16_t(value)) : f(std::int32_t(value));
+    else
+        type.bytes == 1 ? f(std::uint8_t(value)) : type.bytes == 2 ? f(std::uint16_t(value)) : f(std::uint32_t(value));
+}
 
 } // namespace kith::io

@@ -5,7 +5,8 @@
 
 namespace kith::io {
 
-enum class mesh_format : unsigned char { off, obj, ply, stl };
+/// VTU is read here; it is written in tiles.
+enum class mesh_format : unsigned char { off, obj, ply, stl, vtu };
 
 /// "-" is standard input or output, which carries OFF.
 inline const std::string standard_stream = "-";

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "stitch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+namespace detail {
+
+/// Of a type of numbers in VTK's word. Errors: mesh_error for one that PLY has not.
+inline std::string ply_word(const file_array& array)
+{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 8> words{{{"Int8", "char"},
+                                                                                  {"UInt8", "uchar"},
+                                                                                  {"Int16", "short"},
+                                                                                  {"UInt16", "ushort"},
+                                                                                  {"Int32", "int"},
+                                                                                  {"UInt32", "uint"},
+                                                                                  {"Float32", "float"},
+                                                                                  {"Float64", "double"}}};
+    const auto found = std::ranges::find(words, array.type, &std::pair<std::string_view, std::string_view>::first);
+    if (found == words.end())
+        throw mesh_error("the field \"" + array.name + "\" has numbers of type " + array.type +
+                         ", which PLY has not; write .vtu");
+    return std::string(found->second);
+}
+
+/// Whether one of the numbers of a value is NaN.
+inline bool has_nan(const file_array& array, const std::byte* value)
+{
+    const auto any = [&]<class Number>(Number number) {
+        for (std::size_t i = 0; i < array.numbers; ++i) {
+            std::memcpy(&number, value + i * sizeof(Number), sizeof(Number));
+            if (std::isnan(number))
+                return true;
+        }
+        return false;
+    };
+    return array.type == "Float32" ? any(0.F) : array.type == "Float64" and any(0.);
+}
+
+} // namespace detail
+
+/// Binary PLY, as programs write it that have the mesh as a whole. Faces of up to 255 corners, and as many vertices as 32 bits
+/// can number. Fields on vertices and faces are properties, one on corners is a list of each face, after its vertices.
+class ply_file : public stitched_file {
+public:
+    /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number, for numbers of a type
+    /// that it has not, for several of them in a value of a vertex or face, and for two fields on corners.
+    explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {})
+        : counts_(counts), with_normals_(with_normals), arrays_(std::move(arrays))
+    {
+        if (counts.vertices > std::numeric_limits<std::int32_t>::max())
+            throw mesh_error("PLY numbers " + std::to_string(std::numeric_limits<std::int32_t>::max()) +
+                             " vertices at most, there are " + std::to_string(counts.vertices) + "; write .vtu");
+        std::string of_vertices, of_faces, of_corners;
+        place_of_ = std::vector<std::uint64_t>(arrays_.size());
+        bytes_of_vertex_ = with_normals ? 48 : 24;
+        for (std::size_t i = 0; i < arrays_.size(); ++i) {
+            const file_array& array = arrays_[i];
+            const std::string word = detail::ply_word(array);
+            const bool at_corners = array.on == field_on::corners;
+            if (at_corners ? corners_.has_value() : array.numbers != 1)
+                throw mesh_error("the field \"" + array.name +
+                                 "\" has no place in PLY, which has numbers at vertices and faces and one list for " +
+                                 "corners; write .vtu");
+            const std::string property = "property " + word + " " + array.name + "\n";
+            if (at_corners) {
+                corners_ = i;
+                of_corners = "property list uchar " + word + " " + array.name + "\n";
+            } else {
+                const bool at_vertices = array.on == field_on::vertices;
+                (at_vertices ? of_vertices : of_faces) += property;
+                place_of_[i] = std::exchange(at_vertices ? bytes_of_vertex_ : bytes_of_values_,
+                                             (at_vertices ? bytes_of_vertex_ : bytes_of_values_) + array.bytes);
+            }
+        }
+        bytes_of_corner_ = 4 + (corners_ ? arrays_[*corners_].bytes : 0);
+        bytes_of_face_ = 1 + (corners_ ? 1 : 0) + bytes_of_values_;
+        head_ = "ply\nformat binary_little_endian 1.0\ncomment written by kith\nelement vertex " +
+                std::to_string(counts.vertices) + "\nproperty double x\nproperty double y\nproperty double z\n" +
+                (with_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") + of_vertices +
+                "element face " + std::to_string(counts.faces) + "\nproperty list uchar int vertex_indices\n" +
+                of_corners + of_faces + "end_header\n";
+        size_ = face_at(counts.faces, counts.corners);
+    }
+
+    void write_frame(offset_file& file) const override { file.write(0, head_.data(), head_.size()); }
+    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin,
+                    std::span<const value_bytes> values = {}) const override
+    {
+        detail::require_finite(part);
+        require_values(part, arrays_, values);
+        put_tile(file, part, values);
+    }
+    [[nodiscard]] std::optional<std::string> difference(offset_file& file, const tile<std::array<double, 3>>& part,
+                                                        std::uint32_t,
+                                                        std::span<const value_bytes> values = {}) const override
+    {
+        require_values(part, arrays_, values);
+        compared_bytes compared(file);
+        put_tile(compared, part, values);
+        return detail::named_difference(file, compared);
+    }
+
+private:
+    [[nodiscard]] std::uint64_t face_at(std::uint64_t face, std::uint64_t corner) const
+    {
+        return head_.size() + bytes_of_vertex_ * counts_.vertices + bytes_of_face_ * face + bytes_of_corner_ * corner;
+    }
+    /// The values of an element, which stand behind one another from `at` on.
+    void put_values(joined_writes& out, std::uint64_t at, field_on where, std::size_t element,
+                    std::span<const value_bytes> values) const
+    {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (arrays_[i].on == where)
+                out.put(at + place_of_[i], values[i].data() + arrays_[i].bytes * element, arrays_[i].bytes);
+    }
+    void put_tile(placed_bytes& file, const tile<std::array<double, 3>>& part,
+                  std::span<const value_bytes> values) const
+    {
+        joined_writes points(file);
+        for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+            if (part.owns_vertex(v)) {
+                const std::uint64_t at = head_.size() + bytes_of_vertex_ * part.vertex_ids[v];
+                points.put(at, part.mesh.point(v));
+                if (with_normals_)
+                    points.put(at + 24, part.normals[v]);
+                put_values(points, at, field_on::vertices, v, values);
+            }
+        points.flush();
+        joined_writes faces(file);
+        std::size_t corner = 0;
+        for (std::size_t f = 0; f < part.mesh.face_count(); ++f) {
+            const auto face = part.mesh.face(f);
+            if (part.owns_face(f)) {
+                require_room(part, f);
+                std::uint64_t at = face_at(part.face_ids[f], part.corner_id(f, 0));
+                faces.put(at, std::uint8_t(face.size()));
+                ++at;
+                for (const auto v : face) {
+                    faces.put(at, std::int32_t(part.vertex_ids[v]));
+                    at += 4;
+                }
+                if (corners_)
+                    at = put_corners(faces, at, part, f, corner, values[*corners_]);
+                put_values(faces, at, field_on::faces, f, values);
+            }
+            corner += face.size();
+        }
+        faces.flush();
+    }
+    /// Gives the place behind them.
+    std::uint64_t put_corners(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,
+                              std::size_t face, std::size_t first, value_bytes values) const
+    {
+        const file_array& array = arrays_[*corners_];
+        const std::size_t degree = part.mesh.face(face).size();
+        out.put(at, std::uint8_t(array.numbers * degree));
+        for (std::size_t c = first; c < first + degree; ++c)
+            if (detail::has_nan(array, values.data() + array.bytes * c))
+                throw mesh_error("face " + std::to_string(part.face_ids[face]) + " would have no " + array.name +
+                                 "; the numbers of the input are too large");
+        out.put(at + 1, values.data() + array.bytes * first, array.bytes * degree);
+        return at + 1 + array.bytes * degree;
+    }
+    /// Errors: mesh_error for a face that is too large for the lengths of its lists.
+    void require_room(const tile<std::array<double, 3>>& part, std::size_t face) const
+    {
+        const std::size_t most = std::numeric_limits<std::uint8_t>::max() /
+                                 (corners_ ? arrays_[*corners_].numbers : std::size_t(1));
+        if (const std::size_t degree = part.mesh.face(face).size(); degree > most)
+            throw mesh_error("face " + std::to_string(part.face_ids[face]) + " has " + std::to_string(degree) +
+                             " corners, PLY holds " + std::to_string(most) + " at most" +
+                             (corners_ ? " with their values" : "") + "; write .vtu");
+    }
+
+    whole_counts counts_;
+    bool with_normals_;
+    std::vector<file_array> arrays_;
+    std::vector<std::uint64_t> place_of_; // among the values of an element
+    std::optional<std::size_t> corners_;  // which array is on corners
+    std::uint64_t bytes_of_vertex_ = 0, bytes_of_values_ = 0, bytes_of_corner_ = 0, bytes_of_face_ = 0;
+    std::string head_;
+};
+
+} // namespace kith

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtu_numbers.hpp"
+
+#include <kith/text/text_cursor.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+namespace kith::io {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+/// Without the five escapes of XML.
+std::string plain_text(std::string_view text)
+{
+    constexpr std::array<std::pair<std::string_view, char>, 5> escapes{
+        {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}}};
+    std::string result;
+    while (not text.empty()) {
+        const auto found = std::ranges::find_if(escapes, [&](const auto& e) { return text.starts_with(e.first); });
+        result += found == escapes.end() ? text.front() : found->second;
+        text.remove_prefix(found == escapes.end() ? 1 : found->first.size());
+    }
+    return result;
+}
+
+std::size_t whole_number(const std::string& text, std::size_t otherwise, const std::string& what)
+{
+    std::size_t value = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty())
+        return otherwise;
+    if (error != std::errc() or rest != text.data() + text.size())
+        throw file_error(what + " should be a whole number, it is '" + shown(text) + "'");
+    return value;
+}
+
+std::string called(const vtu_array& array)
+{
+    return "the array '" + shown(array.name) + "'";
+}
+
+/// Its value, or -1.
+int base64_digit(char c)
+{
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const auto found = digits.find(c);
+    return found == digits.npos ? -1 : int(found);
+}
+
+/// The first so many bytes, as many of them as there are. The length may be encoded by itself, so that = is not the end.
+std::string from_base64(std::string_view text, std::size_t size)
+{
+    std::string result;
+    std::uint32_t group = 0;
+    int digits = 0, fill = 0;
+    for (const char c : text) {
+        if (result.size() >= size)
+            break;
+        if (blanks.find(c) != blanks.npos)
+            continue;
+        const int digit = c == '=' ? 0 : base64_digit(c);
+        if (digit < 0)
+            break;
+        fill += c == '=';
+        group = group << 6 | std::uint32_t(digit);
+        if (++digits == 4) {
+            for (int i = 0; i < 3 - std::min(fill, 3); ++i)
+                result += char(group >> (16 - 8 * i) & 0xff);
+            group = 0, digits = 0, fill = 0;
+        }
+    }
+    result.resize(std::min(result.size(), size));
+    return result;
+}
+
+/// Calls f with a zero of the type of the array.
+template <class F>
+void with_zero(const ply_number& type, const F& f)
+{
+    if (type.bytes < 8)
+        with_type(type, 0, f);
+    else if (type.floating)
+        f(0.);
+    else
+        type.is_signed ? f(std::int64_t(0)) : f(std::uint64_t(0));
+}
+
+} // namespace
+
+std::string xml_tag::attribute(std::string_view wanted) const
+{
+    for (std::size_t at = 0; at < attributes.size();) {
+        const std::size_t equals = attributes.find('=', at);
+        if (equals == attributes.npos)
+            break;
+        const std::size_t open = attributes.find_first_of("\"'", equals);
+        const std::size_t close = open == attributes.npos ? open : attributes.find(attributes[open], open + 1);
+        if (close == attributes.npos)
+            throw file_error("an attribute of the element '" + shown(name) + "' has no end");
+        std::string_view key = attributes.substr(at, equals - at);
+        key.remove_prefix(std::min(key.find_first_not_of(blanks), key.size()));
+        key = key.substr(0, key.find_last_not_of(blanks) + 1);
+        if (key == wanted)
+            return plain_text(attributes.substr(open + 1, close - open - 1));
+        at = close + 1;
+    }
+    return {};
+}
+
+bool xml_tags::next(xml_tag& tag)
+{
+    for (std::size_t begin = text_.find('<', at_); begin != text_.npos; begin = text_.find('<', at_)) {
+        const std::string_view end_mark = text_.substr(begin).starts_with("<!--") ? "-->" : ">";
+        const std::size_t end = text_.find(end_mark, begin);
+        if (end == text_.npos)
+            throw file_error("the file ends inside of an element, which begins with '" +
+                             shown(text_.substr(begin, 20)) + "'");
+        at_ = end + end_mark.size();
+        if (text_[begin + 1] == '!' or text_[begin + 1] == '?')
+            continue;
+        const std::string_view inside = text_.substr(begin + 1, end - begin - 1);
+        tag.name = inside.substr(0, inside.find_first_of(" \t\r\n"));
+        tag.attributes = inside.substr(tag.name.size());
+        const std::size_t next = std::min(text_.find('<', at_), text_.size());
+        tag.text = text_.substr(at_, next - at_);
+        return true;
+    }
+    at_ = text_.size();
+    return false;
+}
+
+vtu_array vtu_array_of(const xml_tag& tag)
+{
+    vtu_array result{tag, tag.attribute("Name"), {}, 1};
+    const std::string type = tag.attribute("type");
+    constexpr std::array<std::pair<std::string_view, ply_number>, 10> types{{{"Float32", {4, true, true}},
+                                                                             {"Float64", {8, true, true}},
+                                                                             {"Int8", {1, false, true}},
+                                                                             {"UInt8", {1, false, false}},
+                                                                             {"Int16", {2, false, true}},
+                                                                             {"UInt16", {2, false, false}},
+                                                                             {"Int32", {4, false, true}},
+                                                                             {"UInt32", {4, false, false}},
+                                                                             {"Int64", {8, false, true}},
+                                                                             {"UInt64", {8, false, false}}}};
+    const auto found = std::ranges::find(types, type, &std::pair<std::string_view, ply_number>::first);
+    if (found == types.end())
+        throw file_error(called(result) + " is of the type '" + shown(type) + "', which is not read");
+    result.type = found->second;
+    result.components = whole_number(
+        tag.attribute("NumberOfComponents"), 1, "the number of components of " + called(result));
+    if (result.components == 0)
+        throw file_error(called(result) + " has no components");
+    return result;
+}
+
+vtu_numbers::vtu_numbers(const xml_tag& file)
+{
+    static_assert(std::endian::native == std::endian::little, "numbers are read as they lie");
+    if (const auto order = file.attribute("byte_order"); order == "BigEndian")
+        throw file_error("its numbers are big-endian, which is not read; write it on another machine, or as text");
+    if (not file.attribute("compressor").empty())
+        throw file_error("is compressed, which is not read; write it without a compressor, or as text");
+    bytes_of_length_ = file.attribute("header_type") == "UInt64" ? 8 : 4;
+}
+
+void vtu_numbers::set_appended(const xml_tag& tag, std::string_view rest)
+{
+    const std::size_t mark = rest.find('_');
+    if (mark == rest.npos)
+        throw file_error("the appended data do not begin with '_'");
+    appended_ = rest.substr(mark + 1);
+    raw_ = tag.attribute("encoding") == "raw";
+}
+
+std::string vtu_numbers::decoded(std::string_view text, bool raw, std::size_t size) const
+{
+    return raw ? std::string(text.substr(0, size)) : from_base64(text, size);
+}
+
+std::string vtu_numbers::bytes_of(const vtu_array& array, std::size_t size) const
+{
+    const bool is_appended = array.tag.attribute("format") == "appended";
+    std::string_view text = array.tag.text;
+    if (is_appended) {
+        const std::size_t offset = whole_number(array.tag.attribute("offset"), 0, "the offset of " + called(array));
+        text = appended_.substr(std::min(offset, appended_.size()));
+    }
+    const bool raw = is_appended and raw_;
+    std::uint64_t length = 0;
+    const std::string head = decoded(text, raw, bytes_of_length_);
+    std::memcpy(&length, head.data(), head.size());
+    if (head.size() < bytes_of_length_ or length != size)
+        throw file_error(called(array) + " should have " + std::to_string(size) + " bytes, it has " +
+                         std::to_string(length));
+    std::string bytes = decoded(text, raw, bytes_of_length_ + size);
+    if (bytes.size() < bytes_of_length_ + size)
+        throw file_error("the file ends in " + called(array));
+    bytes.erase(0, bytes_of_length_);
+    return bytes;
+}
+
+std::vector<double> vtu_numbers::text_values(const vtu_array& array, std::size_t numbers) const
+{
+    if (numbers > array.tag.text.size())
+        throw file_error(called(array) + " should have " + std::to_string(numbers) + " numbers, it has fewer");
+    text_cursor<text_kind::plain> text(array.tag.text);
+    std::vector<double> result;
+    for (std::size_t i = 0; i < numbers; ++i) {
+        if (not text.to_content())
+            throw file_error(called(array) + " should have " + std::to_string(numbers) + " numbers, it has " +
+                             std::to_string(i));
+        const double value = text.any_number([&] { return "number " + std::to_string(i) + " of " + called(array); });
+        const bool is_whole = value == std::trunc(value) and std::abs(value) < 0x1p63;
+        if (not array.type.floating and not is_whole)
+            throw file_error("number " + std::to_string(i) + " of " + called(array) + " should be whole");
+        result.push_back(value);
+    }
+    if (text.to_content())
+        throw file_error(called(array) + " should have " + std::to_string(numbers) + " numbers, it has more");
+    return result;
+}
+
+std::vector<double> vtu_numbers::values(const vtu_array& array, std::size_t count) const
+{
+    constexpr std::size_t most = std::size_t(1) << 56; // far beyond what any file has
+    if (count > most / array.components)
+        throw file_error(called(array) + " should have more numbers than a file can have");
+    const std::size_t numbers = count * array.components;
+    const std::string format = array.tag.attribute("format");
+    if (format != "appended" and format != "binary")
+        return text_values(array, numbers);
+    const std::string bytes = bytes_of(array, numbers * array.type.bytes);
+    std::vector<double> result(numbers);
+    with_zero(array.type, [&]<class Number>(Number number) {
+        for (std::size_t i = 0; i < numbers; ++i) {
+            std::memcpy(&number, bytes.data() + i * sizeof number, sizeof number);
+            result[i] = double(number);
+        }
+    });
+    return result;
+}
+
+} // namespace kith::io

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/format/mesh_attributes.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The arrays of numbers in a file of VTK's XML format.
+namespace kith::io {
+
+/// A start or an end of an element, and the text behind it.
+struct xml_tag {
+    std::string_view name; ///< "/Points" at its end
+    std::string_view attributes;
+    std::string_view text; ///< to the next tag
+
+    /// Errors: file_error for one without its second quote.
+    [[nodiscard]] std::string attribute(std::string_view wanted) const;
+};
+
+/// Goes from tag to tag, without looking at how they lie in one another; comments are left out.
+class xml_tags {
+public:
+    explicit xml_tags(std::string_view text) : text_(text) {}
+
+    /// False at the end. Errors: file_error for a tag without its end.
+    bool next(xml_tag& tag);
+    /// All that is behind the last tag.
+    [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
+
+private:
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+/// An array as the file declares it. Types have up to eight bytes.
+struct vtu_array {
+    xml_tag tag;
+    std::string name;
+    ply_number type;
+    std::size_t components = 1;
+};
+
+/// Where the numbers of all arrays are, and how they are written.
+class vtu_numbers {
+public:
+    /// Errors: file_error for an order of bytes or a compression that is not read.
+    explicit vtu_numbers(const xml_tag& file);
+    /// What comes behind the arrays: the element AppendedData, and all that follows.
+    void set_appended(const xml_tag& tag, std::string_view rest);
+
+    /// So many values of an array, one component after the other; of whole numbers of eight bytes those that a double holds.
+    /// Errors: file_error where they are not there, or do not fit their type.
+    [[nodiscard]] std::vector<double> values(const vtu_array& array, std::size_t count) const;
+
+private:
+    [[nodiscard]] std::vector<double> text_values(const vtu_array& array, std::size_t numbers) const;
+    [[nodiscard]] std::string bytes_of(const vtu_array& array, std::size_t size) const;
+    [[nodiscard]] std::string decoded(std::string_view text, bool raw, std::size_t size) const;
+
+    std::size_t bytes_of_length_ = 4;
+    std::string_view appended_;
+    bool raw_ = false;
+};
+
+/// Errors: file_error for a type or a number of components that is none.
+vtu_array vtu_array_of(const xml_tag& tag);
+
+} // namespace kith::io

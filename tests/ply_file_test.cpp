@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/output/ply_file.hpp>
+
+#include "all_shapes.hpp"
+#include "error_text.hpp"
+#include "native_shape.hpp"
+#include "tiles.hpp"
+#include "vtu_files.hpp"
+
+#include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/field/with_fields.hpp>
+#include <kith/hierarchy.hpp>
+#include <kith/refine_in_tiles.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace vtu_files;
+using uv_type = std::array<float, 2>;
+
+const std::vector<kith::file_array> arrays{{"material", kith::field_on::faces, "Int16", 1, 2},
+                                           {"heat", kith::field_on::vertices, "Float64", 1, 8},
+                                           {"texcoord", kith::field_on::corners, "Float32", 2, 8},
+                                           {"marks", kith::field_on::vertices, "UInt8", 1, 1}};
+
+template <class Scheme>
+auto with_values(const Scheme& scheme, const mesh3d& mesh)
+{
+    std::vector<std::int16_t> material;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        material.push_back(std::int16_t(f % 5) - 2);
+    std::vector<double> heat;
+    kith::storage<bool> marks(mesh.vertex_count());
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        heat.push_back(1 / double(v + 3));
+        marks[v] = v % 2 == 0;
+    }
+    std::vector<std::array<float, 2>> uv;
+    for (std::size_t c = 0; c < mesh.corner_count(); ++c)
+        uv.push_back({float(c), 1 / float(c + 1)});
+    return kith::with_fields(scheme,
+                             kith::on_faces(material, kith::from_parent<std::identity, std::int16_t>{{}, 77}),
+                             kith::on_vertices(heat, kith::by_mask{}),
+                             kith::on_corners(uv),
+                             kith::on_vertices(marks, kith::from_vertex{}));
+}
+
+template <class Scheme>
+std::vector<kith::value_bytes> values(const Scheme& scheme)
+{
+    return {std::as_bytes(scheme.template field<0>().values()),
+            std::as_bytes(scheme.template field<1>().values()),
+            std::as_bytes(scheme.template field<2>().values()),
+            std::as_bytes(scheme.template field<3>().values())};
+}
+
+template <class Scheme>
+auto last_tiles(const mesh3d& mesh, const Scheme& scheme, int levels, std::size_t parts)
+{
+    std::vector<kith::kept_tile<kith::tile<shapes::point>, Scheme>> result;
+    kith::tiled_refinement refinement(
+        mesh, scheme, levels, kith::partition{partitions::blocks(mesh.face_count(), parts), parts});
+    for (std::size_t part = 0; part < parts; ++part)
+        refinement.refine_levels(part, [&](auto&& kept) {
+            if (kept.level == levels)
+                result.push_back(std::move(kept));
+        });
+    return result;
+}
+
+kith::whole_counts counts_of(const mesh3d& mesh)
+{
+    return {mesh.vertex_count(), mesh.edge_count(), mesh.face_count(), mesh.corner_count()};
+}
+
+template <class Tiles>
+void write(const kith::ply_file& layout, const fs::path& path, const Tiles& tiles)
+{
+    auto file = kith::offset_file::create(path.string(), layout.size());
+    layout.write_frame(file);
+    for (std::size_t t = tiles.size(); t-- > 0;)
+        layout.write_tile(file, tiles[t].part, {std::uint32_t(t), 0}, values(tiles[t].scheme));
+    file.close();
+}
+
+/// Reads numbers one after the other.
+class reader {
+public:
+    explicit reader(std::string bytes) : bytes_(std::move(bytes)) { at_ = bytes_.find("end_header\n") + 11; }
+
+    template <class T>
+    T next()
+    {
+        T result;
+        std::memcpy(&result, bytes_.data() + at_, sizeof result);
+        at_ += sizeof result;
+        return result;
+    }
+    [[nodiscard]] bool is_at_end() const { return at_ == bytes_.size(); }
+
+private:
+    std::string bytes_;
+    std::size_t at_;
+};
+
+template <class Scheme>
+void expect_fields(const Scheme& plain, int levels)
+{
+    const auto house = native(shapes::shaken(shapes::open_house())); // faces of several degrees
+    const auto scheme = with_values(plain, house);
+    kith::hierarchy whole(house, scheme);
+    whole.refine(levels);
+    const auto& mesh = whole.finest();
+    const auto& last = whole.scheme(levels);
+    const directory here;
+    std::string first;
+    for (const std::size_t parts : {1, 3, 5}) {
+        const kith::ply_file layout(counts_of(mesh), false, arrays);
+        write(layout, here.path / "file", last_tiles(house, scheme, levels, parts));
+        const std::string bytes = bytes_of(here.path / "file");
+        ASSERT_EQ(bytes.size(), layout.size());
+        if (parts != 1) {
+            EXPECT_TRUE(bytes == first);
+            continue;
+        }
+        first = bytes;
+        EXPECT_NE(bytes.find("property double z\nproperty double heat\nproperty uchar marks\nelement face"),
+                  std::string::npos);
+        EXPECT_NE(bytes.find("property list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+                             "property short material\nend_header\n"),
+                  std::string::npos);
+        reader in(bytes);
+        for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+            EXPECT_EQ(in.next<shapes::point>(), mesh.point(v));
+            EXPECT_EQ(in.next<double>(), last.template field<1>()[v]);
+            EXPECT_EQ(in.next<std::uint8_t>(), last.template field<3>()[v] ? 1 : 0);
+        }
+        for (std::size_t f = 0, c = 0; f < mesh.face_count(); ++f) {
+            const std::size_t degree = mesh.face(f).size();
+            EXPECT_EQ(in.next<std::uint8_t>(), degree);
+            for (const auto v : mesh.face(f))
+                EXPECT_EQ(in.next<std::int32_t>(), std::int32_t(v));
+            EXPECT_EQ(in.next<std::uint8_t>(), 2 * degree);
+            for (std::size_t k = 0; k < degree; ++k)
+                EXPECT_EQ(in.next<uv_type>(), last.template field<2>()[c++]);
+            EXPECT_EQ(in.next<std::int16_t>(), last.template field<0>()[f]);
+        }
+        EXPECT_TRUE(in.is_at_end());
+    }
+}
+
+} // namespace
+
+TEST(ply_file, holds_fields_where_any_reader_finds_them_the_same_bytes_for_all_tiles)
+{
+    expect_fields(kith::catmull_clark(), 0);
+    expect_fields(kith::catmull_clark(), 2);
+    expect_fields(kith::doo_sabin(), 2);
+}
+
+TEST(ply_file, finds_every_value_that_is_another_one)
+{
+    const auto torus = native(shapes::shaken(shapes::torus(3, 4)));
+    const auto scheme = with_values(kith::catmull_clark(), torus);
+    const auto tiles = last_tiles(torus, scheme, 1, 3);
+    const directory here;
+    const kith::ply_file layout(counts_of(kith::refine(torus, kith::catmull_clark(), 1)), false, arrays);
+    const fs::path path = here.path / "file";
+    write(layout, path, tiles);
+    auto file = kith::offset_file::open(path.string());
+    const std::size_t of_face = 1 + 4 * 4 + 1 + 4 * 8 + 2;
+    for_each_changed_byte(path, layout.size() - 12 * of_face, layout.size(), [&](std::size_t at, bool is_changed) {
+        std::size_t found = 0;
+        for (std::size_t t = 0; t < tiles.size(); ++t)
+            found += layout.difference(file, tiles[t].part, std::uint32_t(t), values(tiles[t].scheme)) ==
+                     "byte " + std::to_string(at) + " of " + path.string();
+        EXPECT_EQ(found, is_changed ? 1U : 0U) << at;
+    });
+}
+
+TEST(ply_file, refuses_what_the_format_has_no_room_for)
+{
+    using enum kith::field_on;
+    const auto text = [](std::vector<kith::file_array> fields) {
+        return error_text<kith::mesh_error>([&] { kith::ply_file({4, 6, 4, 12}, false, std::move(fields)); });
+    };
+    EXPECT_EQ(text(arrays), "no error");
+    EXPECT_EQ(text({{"owner", vertices, "UInt64", 1, 8}}),
+              "the field \"owner\" has numbers of type UInt64, which PLY has not; write .vtu");
+    for (const kith::file_array& flow :
+         {kith::file_array{"flow", vertices, "Float32", 3, 12}, kith::file_array{"flow", faces, "Float32", 3, 12}})
+        EXPECT_NE(text({flow}).find("the field \"flow\" has no place in PLY"), std::string::npos);
+    EXPECT_NE(text({arrays[2], {"more", corners, "Float32", 1, 4}}).find("the field \"more\" has no place in PLY"),
+              std::string::npos);
+
+    const auto cube = native(shapes::cube());
+    auto tiles = last_tiles(cube, with_values(kith::catmull_clark(), cube), 0, 1);
+    tiles[0].scheme.template field<2>()[5][1] = std::numeric_limits<float>::quiet_NaN();
+    const directory here;
+    EXPECT_EQ(error_text<kith::mesh_error>(
+                  [&] { write(kith::ply_file(counts_of(cube), false, arrays), here.path / "file", tiles); }),
+              "face 1 would have no texcoord; the numbers of the input are too large");
+
+    std::vector<shapes::point> points;
+    std::vector<int> face;
+    for (int i = 0; i < 128; ++i) {
+        points.push_back({double(i), double(i * i), 0});
+        face.push_back(i);
+    }
+    const auto disk = kith::make_mesh(points, std::vector<std::vector<int>>{face});
+    EXPECT_EQ(error_text<kith::mesh_error>([&] {
+                  write(kith::ply_file(counts_of(disk), false, arrays),
+                        here.path / "file",
+                        last_tiles(disk, with_values(kith::catmull_clark(), disk), 0, 1));
+              }),
+              "face 0 has 128 corners, PLY holds 127 at most with their values; write .vtu");
+}
