@@ -60,7 +60,8 @@ public:
     void set_face(Index id, const Lines& of_face)
     {
         if constexpr (std::convertible_to<const Lines&, lines>) {
-            set_faces(id, of_face.size(), of_face);
+            const lines all = of_face;
+            set_faces(id, all.size(), all);
         } else {
             std::array<face_line<Index>, 8> few;
             std::size_t count = 0;
