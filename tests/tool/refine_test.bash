@@ -233,18 +233,24 @@ says 'not kept: the sharpness left to 5 edges and 1 vertex'
 run refine creased.obj -s catmull-clark -n 3 -o out.off --ignore-tags
 says_nothing
 
-# What an output has no room for is named in a line; OBJ holds what OBJ has.
+# What an output has no room for is named in a line; OBJ holds what OBJ has, and VTU all but texture coordinates.
 printf 'o a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\ng b\nusemtl c\nf 1/1 2/1 3/1 4/1\n' >rich.obj
-for output in out.off out.vtu; do
-    run refine rich.obj -s catmull-clark -n 1 -o $output
+not_kept_in() { # FILE WORDS
+    run refine rich.obj -s catmull-clark -n 1 -o "$1"
     exits 0
-    says '^kith: note: rich.obj: not kept: texture coordinates, objects, groups, materials$'
+    says "^kith: note: rich.obj: not kept: $2\$"
     check "in one line" test "$(wc -l <"$results/err")" -eq 1
-done
+}
+not_kept_in out.off 'texture coordinates, objects, groups, materials'
+not_kept_in out.vtu 'texture coordinates'
+run refine out.vtu -s catmull-clark -n 0 -o back.obj
+exits 0
+check "words come back" test "$(grep -E '^(o|g|usemtl) ' back.obj | tr '\n' ' ')" = 'o a g b usemtl c '
+check "for all faces" test "$(sed -n '/^usemtl c$/,$p' back.obj | grep -c '^f ')" -eq 4
 run refine rich.obj -s catmull-clark -n 1 -o out.obj
 exits 0
 says_nothing
-rm out.*
+rm out.* back.obj
 
 # Vertices without a face are kept as they are, behind the others.
 (cube | sed '2s/8/9/; 5s/^/7 8 9\n/' | awk 'NR > 11 { for (i = 2; i <= NF; ++i) if ($i > 1) ++$i } { print }') >point.off
