@@ -467,7 +467,6 @@ TEST(hierarchy, answers_for_vertices_of_the_dictionary)
                   [&] { static_cast<void>(levels.assoc(0, handles::vertex{0}, handles::vertex{6}, V)); }),
               "level 0: the scheme made nothing under this tuple");
     EXPECT_THROW(static_cast<void>(levels.assoc(0, handles::face{0}, V)), kith::association_error);
-    EXPECT_THROW(static_cast<void>(levels.ancestor(1, handles::vertex{8}, 0)), kith::association_error);
     const auto moved = std::move(levels);
     expect_middles(moved);
 }
@@ -493,5 +492,30 @@ TEST(hierarchy, carries_values_to_vertices_of_the_dictionary)
         const auto c = f.first_corner();
         const auto a = c.v().index(), b = c.next().next().v().index();
         EXPECT_EQ(values[8 + f.index()], (double(a + 1) + double(b + 1)) / 2);
+    }
+}
+
+TEST(hierarchy, carries_values_to_corners_at_vertices_of_the_dictionary)
+{
+    hierarchy levels(native(shapes::house()), fans_about_diagonals()); // of quads and others, with a seam at each edge
+    levels.refine(1);
+    const auto& coarse = levels.elements(0);
+    kith::storage<double> at_corners(coarse.corner_count());
+    for (std::size_t c = 0; c < at_corners.size(); ++c)
+        at_corners[c] = double(c * c);
+    const auto values = levels.carry(0, 1, kith::on_corners(at_corners));
+    for (const auto f : coarse.faces()) {
+        double sum = 0;
+        for (const auto c : f.corners())
+            if (f.degree() != 4 or c == f.first_corner() or c == f.first_corner().next().next())
+                sum += at_corners[c.index()];
+        const double middle = sum / (f.degree() == 4 ? 2. : double(f.degree()));
+        for (const auto c : f.corners()) {
+            const auto new_face = levels.elements(1).faces()[c.index()];
+            const auto first = new_face.first_corner();
+            EXPECT_EQ(values[first.index()], at_corners[c.index()]);
+            EXPECT_EQ(values[first.next().index()], at_corners[c.next().index()]);
+            EXPECT_NEAR(values[first.prev().index()], middle, 1e-12 * middle);
+        }
     }
 }

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <random>
 #include <span>
 #include <string>
@@ -40,6 +42,35 @@ struct matched_linear {
         for_each(coarse.corners(), [&](auto c) {
             assoc(c, F) = polygon(assoc(c.v(), V), assoc(c.next_edge(), V), assoc(c.f(), V), assoc(c.prev_edge(), V));
         });
+    }
+};
+
+/// Triangles around a vertex in the middle of each face, which is in no column, and edges that are matched. The middle is known by the face,
+/// or, where two of its vertices do not touch, by these, so that it is under a pair of vertices.
+struct matched_fans {
+    static constexpr auto traits() { return kith::scheme_traits{.name = "matched-fans"}; }
+    static constexpr auto columns()
+    {
+        return kith::columns(kith::new_vertices(kith::per_vertex), kith::new_faces(triangles(kith::per_corner)));
+    }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = v; });
+        for (auto f : coarse.faces()) {
+            const auto c = f.first_corner();
+            if (f.degree() > 3)
+                assoc(c.v(), c.next().next().v(), V) = average(f.vertices());
+            else
+                assoc(f, V) = average(f.vertices());
+            for (const auto at : f.corners()) {
+                const auto a = at.v(), b = at.next().v();
+                assoc(at, F) = f.degree() > 3 ? polygon(assoc(a, V), assoc(b, V), assoc(c.v(), c.next().next().v(), V))
+                                              : polygon(assoc(a, V), assoc(b, V), assoc(f, V));
+            }
+        }
     }
 };
 
@@ -103,14 +134,19 @@ TEST(lineage, up_from_level_5_and_down_again_comes_back)
         levels.refine(5);
         std::mt19937 random(5);
         const auto some = [&](const auto& all) { return all[random() % all.size()]; };
-        for (int i = 0; i < 20; ++i) {
-            const auto f = some(levels.elements(5).faces()).handle();
+        const auto expect_back = [&](const auto& x, const auto& of_kind) {
             const int coarser = int(random() % 5);
-            const auto up = levels.ancestor(5, f, coarser);
-            const auto down = up.v   ? levels.descendants(coarser, *up.v, 5).faces()
-                              : up.e ? levels.descendants(coarser, *up.e, 5).faces()
-                                     : levels.descendants(coarser, *up.f, 5).faces();
-            EXPECT_EQ(std::ranges::count(down, f), 1);
+            const auto up = levels.ancestor(5, x, coarser);
+            const auto down = up.v   ? levels.descendants(coarser, *up.v, 5)
+                              : up.e ? levels.descendants(coarser, *up.e, 5)
+                                     : levels.descendants(coarser, *up.f, 5);
+            EXPECT_EQ(std::ranges::count(of_kind(down), x), 1);
+        };
+        for (int i = 0; i < 20; ++i) {
+            const auto& last = levels.elements(5);
+            expect_back(some(last.vertices()).handle(), [](const auto& down) { return down.vertices(); });
+            expect_back(some(last.edges()).handle(), [](const auto& down) { return down.edges(); });
+            expect_back(some(last.faces()).handle(), [](const auto& down) { return down.faces(); });
         }
     });
 }
@@ -179,6 +215,67 @@ TEST(lineage, of_edges_that_were_matched_is_what_the_split_would_say)
         }
         expect_family_trees(matched, 0, 2);
     }
+}
+
+TEST(lineage, of_vertices_of_the_dictionary_leads_up_and_down_over_all_levels)
+{
+    const auto house = native(shapes::shaken(shapes::open_house())); // of triangles, quads and pentagons
+    hierarchy levels(house, matched_fans());
+    levels.refine(3);
+    for (const int finer : {1, 2, 3})
+        for (int coarser = 0; coarser <= finer; ++coarser)
+            expect_family_trees(levels, coarser, finer);
+    for (std::size_t f = 0; f < house.face_count(); ++f) {
+        const auto middle = handles::vertex{std::uint32_t(house.vertex_count() + f)};
+        EXPECT_EQ(levels.ancestor(1, middle, 0).f, handles::face{std::uint32_t(f)});
+        // On later levels all faces are triangles, so the middle has no vertex more, but an edge to each of the new ones.
+        const auto down = levels.descendants(0, handles::face{std::uint32_t(f)}, 3);
+        const std::size_t n = house.face(f).size();
+        EXPECT_EQ(down.vertices().size(), 1 + n + 3 * n);
+        EXPECT_EQ(down.faces().size(), 9 * n);
+    }
+    levels.keep_last(1);
+    levels.refine(1);
+    levels.restore(1);
+    levels.restore(2);
+    levels.restore(3);
+    expect_family_trees(levels, 0, 4);
+}
+
+TEST(lineage, of_tuples_that_do_not_touch_is_what_lies_between_or_the_first)
+{
+    const auto cube = native(shapes::cube());
+    hierarchy levels(cube, kith::linear());
+    const auto& level = levels.elements(0);
+    using enum element_kind;
+    const auto expect = [&](const kith::tuple_elements& tuple, element_kind kind, std::size_t number) {
+        EXPECT_EQ(kith::parent_of_listed(level, tuple), (kith::numbered_element{kind, number}));
+    };
+    for (std::size_t f = 0; f < 6; ++f) {
+        const auto corners = cube.face(f);
+        expect({{'v', corners[0]}, {'v', corners[2]}}, face, f);
+        expect({{'f', f}, {'v', corners[1]}}, face, f);
+        expect({{'f', f}}, face, f);
+        for (std::size_t g = f + 1; g < 6; ++g) { // faces across from each other have no vertex in common
+            std::size_t shared = 8;
+            for (const auto v : cube.face(f))
+                if (std::ranges::count(cube.face(g), v) == 1)
+                    shared = std::min<std::size_t>(shared, v);
+            expect({{'f', f}, {'f', g}}, shared == 8 ? face : vertex, shared == 8 ? f : shared);
+        }
+    }
+    for (std::size_t v = 0; v < 8; ++v)
+        for (std::size_t w = v + 1; w < 8; ++w) {
+            int differ = 0;
+            for (int x = 0; x < 3; ++x)
+                differ += cube.point(v)[x] != cube.point(w)[x] ? 1 : 0;
+            if (differ == 3)
+                expect({{'v', v}, {'v', w}}, vertex, v);
+        }
+    expect({{'e', 4}, {'v', 7}}, edge, 4);
+    expect({{'e', 4}, {'f', 5}, {'v', 7}}, face, 5);
+    expect({{'e', 4}}, edge, 4);
+    expect({{'v', 6}}, vertex, 6);
 }
 
 TEST(lineage, refuses_what_has_no_ancestor_there)

@@ -163,10 +163,10 @@ public:
     }
 
     /// The element of a coarser level from which an element of `level` descends. Each new element has one parent: (v) is the
-    /// parent of what is made under it, the edge of (e) and (v,e), the face of all others. An edge that was found by matching
-    /// has the element between the parents of its ends. An element of `level` itself is its own ancestor there.
-    /// Errors: mesh_error unless coarser <= level, and for handles of no element of this level; association_error for an
-    /// element that comes from no tuple of touching elements. Cost: that of `origin` per level.
+    /// parent of what is made under it, the edge of (e) and (v,e), the face of all others; of tuples whose elements do not touch
+    /// see parent_of_listed. An edge that was found by matching has the element between the parents of its ends or, where these do not
+    /// touch, the parent of the face on its left. An element of `level` itself is its own ancestor there.
+    /// Errors: mesh_error unless coarser <= level, and for handles of no element of this level. Cost: that of `origin` per level.
     template <handle_of<M> X>
     [[nodiscard]] ancestor_element<M> ancestor(int level, const X& x, int coarser) const
     {
@@ -175,7 +175,7 @@ public:
 
     /// The elements of a finer level that have this element of `level` as their ancestor; those of different elements have none
     /// in common. Errors: mesh_error unless level <= finer, and for handles of no element of this level. Cost: O(their
-    /// ranges), few per level; where edges are found by matching O(edges) per level.
+    /// ranges), few per level; where edges are found by matching O(vertices of the dictionary + edges) per level.
     template <handle_of<M> X>
     [[nodiscard]] descendant_elements<level_type> descendants(int level, const X& x, int finer) const
     {

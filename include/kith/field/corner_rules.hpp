@@ -63,6 +63,19 @@ public:
         const auto c = level().corners()[i / 2];
         return masks::of_three(here(c), masks::middle(here(c), here(i % 2 == 0 ? c.next() : c.prev())), mean(c));
     }
+    /// The same where the tuple of the vertex is in no column.
+    [[nodiscard]] T at(std::pair<tuple_kind, std::size_t> face, const tuple_elements& vertex) const
+    {
+        const auto of = [&](const std::pair<char, std::size_t>& x) {
+            return x.first == 'v'   ? at_vertex(face, level().vertices()[x.second])
+                   : x.first == 'e' ? at(face, std::pair(tuple_kind::e, x.second))
+                                    : means_[x.second];
+        };
+        blend<T> sum(of(vertex.front()));
+        for (std::size_t i = 1; i < vertex.size(); ++i)
+            sum.add(of(vertex[i]));
+        return sum.over(vertex.size());
+    }
 
 private:
     [[nodiscard]] const auto& level() const { return step_.coarse; }
@@ -139,7 +152,7 @@ private:
 /// each face, which OpenSubdiv calls "linear all". Where the values of two faces differ along their edge, there is a seam, and
 /// stays. A new vertex has, as a corner of a new face, the mean of the elements of its tuple in the old face from which the new
 /// one comes, or in its own where its tuple has one; where neither has one the mean over the old faces at its edge or vertex.
-/// Corners at vertices of the dictionary have T(). Cost: O(corners).
+/// Cost: O(corners).
 struct linear_in_faces {
     template <affine_value T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
@@ -148,8 +161,9 @@ struct linear_in_faces {
         const auto fine = step.fine();
         storage<T> result(fine.corner_count());
         detail::for_new_corners(fine, step.ids, [&](const auto& c, const auto& face) {
-            const std::size_t v = c.v().index();
-            result[c.index()] = v < step.ids.vertices.total() ? linear.at(face, step.ids.vertices.origin(v)) : T();
+            const std::size_t v = c.v().index(), listed = step.ids.vertices.total();
+            result[c.index()] = v < listed ? linear.at(face, step.ids.vertices.origin(v))
+                                           : linear.at(face, step.ids.dictionary.tuple_of(v - listed));
         });
         return result;
     }

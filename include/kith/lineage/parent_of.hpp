@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -92,30 +93,63 @@ numbered_element numbered(const X& x)
     return {kind, x.index()};
 }
 
-/// The element of the coarse level that is the parent of one of the next. Of an edge that was found by matching it is the
-/// element between the parents of its ends, which is what its split would have said. Nothing for vertices of the
-/// dictionary, and for edges whose ends have no parents that touch. Cost: that of `origin`; for edges that were found by
-/// matching O(valence + degree) more.
-template <level Level, level_numbering Numbering, level Fine>
-std::optional<numbered_element> parent_of(const Level& coarse, const Numbering& ids, const Fine& fine,
-                                          const numbered_element& x)
+/// The parent of a tuple that is in no column: its face, its edge where it has no face, else its vertex, as of those that are. Two
+/// vertices that do not touch have the face in which both lie as their parent, and two faces the vertex that both have, of several the one
+/// with the smallest number; where there is none, the first of the two. Cost: O(valence * degree).
+template <level Level>
+numbered_element parent_of_listed(const Level& level, const tuple_elements& tuple)
 {
-    const auto by_column = [&](const auto& of_kind, std::size_t id) -> std::optional<numbered_element> {
-        if (id >= of_kind.total())
-            return {};
+    using enum element_kind;
+    const auto find = [&](char letter) { return std::ranges::find(tuple, letter, &tuple_elements::value_type::first); };
+    const auto touch = [](const auto& v, const auto& f) {
+        const auto corner = index_tuple(v, f);
+        return corner.value != corner.not_incident;
+    };
+    const bool is_pair = tuple.size() == 2 and tuple[0].first == tuple[1].first; // of vertices or of faces
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::size_t common = none;
+    if (const auto f = find('f'); f != tuple.end()) {
+        if (is_pair)
+            for (const auto v : level.faces()[tuple[0].second].vertices())
+                if (touch(v, level.faces()[tuple[1].second]))
+                    common = std::min<std::size_t>(common, v.index());
+        return common == none ? numbered_element{face, f->second} : numbered_element{vertex, common};
+    }
+    if (const auto e = find('e'); e != tuple.end())
+        return {edge, e->second};
+    if (is_pair)
+        for (const auto f : level.vertices()[tuple[0].second].faces())
+            if (touch(level.vertices()[tuple[1].second], f))
+                common = std::min<std::size_t>(common, f.index());
+    return common == none ? numbered_element{vertex, tuple.front().second} : numbered_element{face, common};
+}
+
+/// The element of the coarse level that is the parent of one of the next. Of an edge that was found by matching it is the
+/// element between the parents of its ends, which is what its split would have said, and, where these do not touch, the parent of
+/// the face on its left. Cost: that of `origin`; that of parent_of_listed for vertices of the dictionary; for edges that were
+/// found by matching O(valence + degree) more.
+template <level Level, level_numbering Numbering, level Fine>
+numbered_element parent_of(const Level& coarse, const Numbering& ids, const Fine& fine, const numbered_element& x)
+{
+    const auto by_column = [&](const auto& of_kind, std::size_t id) -> numbered_element {
         const auto [kind, tuple] = of_kind.origin(id);
-        return numbered_element{parent_kind(kind), parent(coarse, kind, tuple)};
+        return {parent_kind(kind), parent(coarse, kind, tuple)};
+    };
+    const auto of_vertex = [&](std::size_t id) {
+        const std::size_t listed = ids.vertices.total();
+        return id < listed ? by_column(ids.vertices, id)
+                           : parent_of_listed(coarse, ids.dictionary.tuple_of(id - listed));
     };
     if (x.kind == element_kind::vertex)
-        return by_column(ids.vertices, x.number);
+        return of_vertex(x.number);
     if (x.kind == element_kind::face)
         return by_column(ids.faces, x.number);
     if constexpr (Numbering::has_edges) {
         return by_column(ids.edges, x.number);
     } else {
         const auto e = fine.edges()[x.number];
-        const auto a = by_column(ids.vertices, e.org().index()), b = by_column(ids.vertices, e.dst().index());
-        return a and b ? detail::element_between(coarse, *a, *b) : std::nullopt;
+        const auto between = detail::element_between(coarse, of_vertex(e.org().index()), of_vertex(e.dst().index()));
+        return between ? *between : by_column(ids.faces, e.lface().index());
     }
 }
 
@@ -127,26 +161,30 @@ inline element_ranges only(const numbered_element& x)
     return result;
 }
 
-/// The children of elements of a level, with edges that were found by matching. Cost: O(ranges); O(edges of the next level)
-/// where edges were found by matching.
+/// The children of elements of a level, with vertices of the dictionary and edges that were found by matching. Cost: O(ranges);
+/// more by O(vertices of the dictionary), and by O(edges of the next level) where edges were found by matching.
 template <level Level, level_numbering Numbering, level Fine>
 element_ranges children(const Level& coarse, const Numbering& ids, const Fine& fine, const element_ranges& parents)
 {
     auto result = children(coarse, ids, parents);
-    if constexpr (not Numbering::has_edges) {
-        const auto is_among = [&](const numbered_element& x) {
-            const auto& ranges = parents.*of_kind(x.kind);
-            const auto after = std::ranges::upper_bound(ranges, x.number, {}, &number_range::begin);
-            return after != ranges.begin() and x.number < std::prev(after)->end;
-        };
-        for (std::size_t id = 0; id < fine.edge_count(); ++id)
-            if (const auto found = parent_of(coarse, ids, fine, {element_kind::edge, id}); found and is_among(*found)) {
-                if (not result.edges.empty() and result.edges.back().end == id)
-                    ++result.edges.back().end;
-                else
-                    result.edges.push_back({id, id + 1});
-            }
-    }
+    if constexpr (Numbering::has_edges)
+        return result; // then there is no dictionary either
+    const auto add_where_parent_is_among = [&](element_kind kind, std::size_t first, std::size_t end) {
+        auto& ranges = result.*of_kind(kind);
+        for (std::size_t id = first; id < end; ++id) {
+            const numbered_element from = parent_of(coarse, ids, fine, {kind, id});
+            const auto& all = parents.*of_kind(from.kind);
+            const auto after = std::ranges::upper_bound(all, from.number, {}, &number_range::begin);
+            if (after == all.begin() or from.number >= std::prev(after)->end)
+                continue;
+            if (not ranges.empty() and ranges.back().end == id)
+                ++ranges.back().end;
+            else
+                ranges.push_back({id, id + 1});
+        }
+    };
+    add_where_parent_is_among(element_kind::vertex, ids.vertices.total(), fine.vertex_count());
+    add_where_parent_is_among(element_kind::edge, 0, fine.edge_count());
     return result;
 }
 

@@ -49,9 +49,9 @@ struct ancestor_element : some_elements<M> {
 };
 
 /// What gave birth to an element of the next level. Of an edge that was found by matching it is the element between the
-/// parents of its ends, as (e) or (f). Nothing for edges at vertices of the dictionary. Cost: that of parent_of.
+/// parents of its ends, or what parent_of says, as (v), (e) or (f). Cost: that of parent_of.
 template <mesh M, level Level, level_numbering Numbering, level Fine, element X>
-std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, const X& x)
+birth<M> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, const X& x)
 {
     const auto from_elements = [&](std::optional<tuple_kind> kind, const tuple_elements& tuple) {
         birth<M> result{{}, kind};
@@ -63,7 +63,7 @@ std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, cons
             else
                 (result.f ? result.other_f : result.f) = coarse.face_at(number);
         }
-        return std::optional(result);
+        return result;
     };
     const auto from_tuple = [&](const auto& of_kind) {
         const auto [kind, index] = of_kind.origin(x.index());
@@ -78,11 +78,8 @@ std::optional<birth<M>> birth_of(const Level& coarse, const Numbering& ids, cons
     } else if constexpr (Numbering::has_edges) {
         return from_tuple(ids.edges);
     } else {
-        const auto found = parent_of(coarse, ids, fine, numbered(x));
-        if (not found)
-            return {};
-        const ancestor_element<M> from(coarse, *found);
-        return birth<M>{from, from.e ? tuple_kind::e : tuple_kind::f};
+        const ancestor_element<M> from(coarse, parent_of(coarse, ids, fine, numbered(x)));
+        return birth<M>{from, from.v ? tuple_kind::v : from.e ? tuple_kind::e : tuple_kind::f};
     }
 }
 

@@ -33,15 +33,6 @@ void require_finer(const level_store<M, Scheme>& levels, int finer, int coarser)
     detail::require_finer(finer, coarser);
 }
 
-namespace detail {
-
-[[noreturn]] inline void no_tuple(int level)
-{
-    throw association_error("level " + std::to_string(level) + ": this element belongs to no tuple of elements");
-}
-
-} // namespace detail
-
 template <mesh M, scheme Scheme, target Target, element... X>
 auto child_of(const level_store<M, Scheme>& levels, int level, Target to, const X&... x)
 {
@@ -58,22 +49,15 @@ template <mesh M, scheme Scheme, element Element>
 birth<M> birth_in(const level_store<M, Scheme>& levels, int level, const Element& x)
 {
     detail::require_origins(level);
-    const auto found = birth_of<M>(levels.elements(level - 1), levels.at(level - 1).ids, levels.elements(level), x);
-    if (not found)
-        detail::no_tuple(level);
-    return *found;
+    return birth_of<M>(levels.elements(level - 1), levels.at(level - 1).ids, levels.elements(level), x);
 }
 
 template <mesh M, scheme Scheme>
 ancestor_element<M> ancestor_in(const level_store<M, Scheme>& levels, int level, numbered_element x, int coarser)
 {
     require_finer(levels, level, coarser);
-    for (; level > coarser; --level) {
-        const auto found = parent_of(levels.elements(level - 1), levels.at(level - 1).ids, levels.elements(level), x);
-        if (not found)
-            detail::no_tuple(level);
-        x = *found;
-    }
+    for (; level > coarser; --level)
+        x = parent_of(levels.elements(level - 1), levels.at(level - 1).ids, levels.elements(level), x);
     return {levels.elements(coarser), x};
 }
 

@@ -149,7 +149,7 @@ element_ranges children_by(const Ids& ids, const element_ranges& parents, const 
 } // namespace detail
 
 /// The children of elements of a level, as ranges of numbers of the next level. The children of all elements are all
-/// elements, and those of two elements have none in common; so over several levels descendants are children of children.
+/// elements that have a column, and those of two elements have none in common; so over several levels descendants are children of children.
 /// Preconditions: `ids` is the numbering of the step from `level`; ranges increase and do not overlap.
 /// Cost: O(ranges).
 template <level Level, level_numbering Numbering>
