@@ -115,7 +115,7 @@ private:
         const vtu_array array = vtu_array_of(arrays_["Points"].front());
         if (array.components != 3)
             throw file_error("its points have " + counted(array.components, "coordinate") + ", not 3");
-        const auto values = numbers_->values(array, points_);
+        const auto values = numbers_->values(array, points_).numbers;
         for (std::size_t v = 0; v < points_; ++v) {
             const std::array<double, 3> point{values[3 * v], values[3 * v + 1], values[3 * v + 2]};
             if (not std::ranges::all_of(point, [](double x) { return std::isfinite(x); }))
@@ -130,7 +130,7 @@ private:
             if (const vtu_array array = vtu_array_of(tag); array.name == name) {
                 if (array.type.floating or array.components != 1)
                     throw file_error("the array '" + name + "' of the cells should have whole numbers");
-                return numbers_->values(array, count);
+                return numbers_->values(array, count).numbers;
             }
         throw file_error("the cells have no array '" + name + "'");
     }
@@ -221,7 +221,9 @@ private:
             if (array.components > most_components)
                 throw file_error("the array '" + shown(array.name) + "' has " + counted(array.components, "component") +
                                  ", " + std::to_string(most_components) + " are read at most");
-            const auto values = numbers_->values(array, section == "PointData" ? points_ : cells_);
+            const auto [values, rounded] = numbers_->values(array, section == "PointData" ? points_ : cells_);
+            if (rounded)
+                soup_.not_kept.push_back("digits beyond 2^53 of the array '" + shown(array.name) + "'");
             const auto names = names_of(array, section);
             const bool fits = array.type.bytes < 8 or array.type.floating;
             for (std::size_t i = 0; i < array.components; ++i) {

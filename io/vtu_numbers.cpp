@@ -8,7 +8,10 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <concepts>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -92,6 +95,28 @@ void with_zero(const ply_number& type, const F& f)
         f(0.);
     else
         type.is_signed ? f(std::int64_t(0)) : f(std::uint64_t(0));
+}
+
+/// Appends a number that a file has; of whole ones it is seen whether a double holds it.
+template <class Number>
+void append(vtu_values& values, Number number)
+{
+    const double nearest = double(number);
+    if constexpr (std::integral<Number> and sizeof number == 8)
+        values.rounded |= nearest == std::ldexp(1., std::numeric_limits<Number>::digits) or Number(nearest) != number;
+    values.numbers.push_back(nearest);
+}
+
+/// Appends what a word says if it is a whole number that the type holds and digits and a sign say it.
+template <class Number>
+bool append_whole(vtu_values& values, std::string_view word)
+{
+    Number number = 0;
+    const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc() or rest != word.data() + word.size())
+        return false;
+    append(values, number);
+    return true;
 }
 
 } // namespace
@@ -209,28 +234,35 @@ std::string vtu_numbers::bytes_of(const vtu_array& array, std::size_t size) cons
     return bytes;
 }
 
-std::vector<double> vtu_numbers::text_values(const vtu_array& array, std::size_t numbers) const
+vtu_values vtu_numbers::text_values(const vtu_array& array, std::size_t numbers) const
 {
     if (numbers > array.tag.text.size())
         throw file_error(called(array) + " should have " + std::to_string(numbers) + " numbers, it has fewer");
     text_cursor<text_kind::plain> text(array.tag.text);
-    std::vector<double> result;
+    vtu_values result;
     for (std::size_t i = 0; i < numbers; ++i) {
         if (not text.to_content())
             throw file_error(called(array) + " should have " + std::to_string(numbers) + " numbers, it has " +
                              std::to_string(i));
+        auto ahead = text;
+        const auto word = ahead.word();
+        if (not array.type.floating and
+            (append_whole<std::int64_t>(result, word) or append_whole<std::uint64_t>(result, word))) {
+            text = ahead;
+            continue;
+        }
         const double value = text.any_number([&] { return "number " + std::to_string(i) + " of " + called(array); });
         const bool is_whole = value == std::trunc(value) and std::abs(value) < 0x1p63;
         if (not array.type.floating and not is_whole)
             throw file_error("number " + std::to_string(i) + " of " + called(array) + " should be whole");
-        result.push_back(value);
+        result.numbers.push_back(value);
     }
     if (text.to_content())
         throw file_error(called(array) + " should have " + std::to_string(numbers) + " numbers, it has more");
     return result;
 }
 
-std::vector<double> vtu_numbers::values(const vtu_array& array, std::size_t count) const
+vtu_values vtu_numbers::values(const vtu_array& array, std::size_t count) const
 {
     constexpr std::size_t most = std::size_t(1) << 56; // far beyond what any file has
     if (count > most / array.components)
@@ -240,11 +272,12 @@ std::vector<double> vtu_numbers::values(const vtu_array& array, std::size_t coun
     if (format != "appended" and format != "binary")
         return text_values(array, numbers);
     const std::string bytes = bytes_of(array, numbers * array.type.bytes);
-    std::vector<double> result(numbers);
+    vtu_values result;
+    result.numbers.reserve(numbers);
     with_zero(array.type, [&]<class Number>(Number number) {
         for (std::size_t i = 0; i < numbers; ++i) {
             std::memcpy(&number, bytes.data() + i * sizeof number, sizeof number);
-            result[i] = double(number);
+            append(result, number);
         }
     });
     return result;

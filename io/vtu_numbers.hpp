@@ -45,6 +45,12 @@ struct vtu_array {
     std::size_t components = 1;
 };
 
+/// The values of an array, one component after the other.
+struct vtu_values {
+    std::vector<double> numbers;
+    bool rounded = false; ///< whole numbers of eight bytes among them had more digits than a double
+};
+
 /// Where the numbers of all arrays are, and how they are written.
 class vtu_numbers {
 public:
@@ -53,12 +59,11 @@ public:
     /// What comes behind the arrays: the element AppendedData, and all that follows.
     void set_appended(const xml_tag& tag, std::string_view rest);
 
-    /// So many values of an array, one component after the other; of whole numbers of eight bytes those that a double holds.
-    /// Errors: file_error where they are not there, or do not fit their type.
-    [[nodiscard]] std::vector<double> values(const vtu_array& array, std::size_t count) const;
+    /// So many values for each component. Errors: file_error where they are not there, or do not fit their type.
+    [[nodiscard]] vtu_values values(const vtu_array& array, std::size_t count) const;
 
 private:
-    [[nodiscard]] std::vector<double> text_values(const vtu_array& array, std::size_t numbers) const;
+    [[nodiscard]] vtu_values text_values(const vtu_array& array, std::size_t numbers) const;
     [[nodiscard]] std::string bytes_of(const vtu_array& array, std::size_t size) const;
     [[nodiscard]] std::string decoded(std::string_view text, bool raw, std::size_t size) const;
 

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -156,6 +157,38 @@ TEST(read_vtu, numbers_in_all_ways_of_writing_them)
     for (const way how : {way::text, way::base64, way::base64_length_apart, way::appended_base64, way::appended_raw})
         for (const bool long_lengths : {false, true})
             expect_tetrahedron(file(how, long_lengths));
+}
+
+TEST(read_vtu, names_whole_numbers_that_a_double_does_not_hold)
+{
+    const auto with_ids = [](const std::string& type, const std::string& ids) {
+        return read(replaced(
+            replaced(cells("3 6", "5 5"), "Int8\" Name=\"x\"", type + "\" Name=\"id\""), ">1 2<", ">" + ids + "<"));
+    };
+    const std::vector<std::string> lost{"digits beyond 2^53 of the array 'id'"};
+    const auto text = with_ids("Int64", "1 9007199254740993");
+    EXPECT_EQ(text.not_kept, lost);
+    EXPECT_EQ(text.attributes.faces[0].values, (std::vector<double>{1, 9007199254740992}));
+    EXPECT_EQ(with_ids("Int64", "-9007199254740993 1").not_kept, lost);
+    EXPECT_EQ(with_ids("Int64", "9223372036854775807 1").not_kept, lost);
+    EXPECT_EQ(with_ids("UInt64", "18446744073709551615 1").not_kept, lost);
+    for (const auto& [type, ids, values] : std::vector<std::tuple<std::string, std::string, std::vector<double>>>{
+             {"Int64", "9007199254740992 -9007199254740992", {0x1p53, -0x1p53}},
+             {"Int64", "-9223372036854775808 9223372036854774784", {-0x1p63, 0x1p63 - 1024}},
+             {"UInt64", "9223372036854775808 1e3", {0x1p63, 1000}},
+             {"Float64", "9007199254740993 1", {0x1p53, 1}}}) {
+        const auto held = with_ids(type, ids);
+        EXPECT_TRUE(held.not_kept.empty()) << ids;
+        EXPECT_EQ(held.attributes.faces[0].values, values) << ids;
+    }
+
+    // In binary, too: the last bytes of the last array are those of 2^53 + 1.
+    std::string id, more;
+    files::append(id, std::int64_t(5000000000));
+    files::append(more, std::int64_t(9007199254740993));
+    const auto soup = read(replaced(file(way::appended_raw), id, more));
+    EXPECT_EQ(soup.not_kept.front(), "digits beyond 2^53 of the array 'my <id>'");
+    EXPECT_EQ(soup.attributes.faces[0].values, (std::vector<double>{-1, 0x1p53, 2, 3}));
 }
 
 TEST(read_vtu, faces_of_all_kinds_and_what_lies_beside_them)
