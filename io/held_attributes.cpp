@@ -19,6 +19,11 @@ attribute_list take(const std::vector<attribute>& from, std::span<const std::str
     return result;
 }
 
+bool holds_material_files(mesh_format format)
+{
+    return format == mesh_format::obj or format == mesh_format::ply;
+}
+
 bool has_words(const attribute& a)
 {
     return not a.labels.empty();
@@ -63,7 +68,7 @@ private:
 held_attributes held_by(mesh_format format, const mesh_attributes& all)
 {
     held_attributes result;
-    const auto is_number = [](const attribute& a) { return not has_words(a); };
+    const auto is_any = [](const attribute&) { return true; };
     switch (format) {
     case mesh_format::obj:
         result.colors = take(all.vertices, color_names, 3, 4);
@@ -76,8 +81,8 @@ held_attributes held_by(mesh_format format, const mesh_attributes& all)
         result.labels = take_if(all.faces, has_words);
         break;
     case mesh_format::ply:
-        result.vertices = take_if(all.vertices, is_number);
-        result.faces = take_if(all.faces, is_number);
+        result.vertices = take_if(all.vertices, is_any);
+        result.faces = take_if(all.faces, is_any);
         result.corner_textures = take(all.corners, texture_names, 2, 2);
         break;
     case mesh_format::off:
@@ -103,7 +108,7 @@ std::vector<std::string> not_held(mesh_format format, const mesh_attributes& att
     add_rest(attributes.vertices, rest.vertices);
     add_rest(attributes.corners, rest.corners);
     add_rest(attributes.faces, rest.faces);
-    if (format != mesh_format::obj)
+    if (not holds_material_files(format))
         rest.material_files = attributes.material_files;
     return topics_of(rest);
 }
@@ -120,7 +125,7 @@ void keep_held(mesh_format format, mesh_attributes& attributes)
     take(attributes.vertices, kept.vertices);
     take(attributes.corners, kept.corners);
     take(attributes.faces, kept.faces);
-    if (format == mesh_format::obj)
+    if (holds_material_files(format))
         kept.material_files = std::move(attributes.material_files);
     attributes = std::move(kept);
 }

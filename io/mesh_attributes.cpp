@@ -13,13 +13,14 @@ namespace kith::io {
 std::string_view shared_name(std::string_view name)
 {
     using names = std::pair<std::string_view, std::string_view>;
-    constexpr std::array<names, 7> others{{{"diffuse_red", "red"},
+    constexpr std::array<names, 8> others{{{"diffuse_red", "red"},
                                            {"diffuse_green", "green"},
                                            {"diffuse_blue", "blue"},
                                            {"s", "u"},
                                            {"t", "v"},
                                            {"texture_u", "u"},
-                                           {"texture_v", "v"}}};
+                                           {"texture_v", "v"},
+                                           {"smoothing_group", "smoothing group"}}};
     const auto found = std::ranges::find(others, name, &names::first);
     return found == others.end() ? name : found->second;
 }
@@ -53,7 +54,7 @@ std::string topic_of(std::string_view name, std::string_view elements)
         return "colours";
     if (is_one_of(texture_names) or shared == "texcoord" or shared == "texnumber")
         return "texture coordinates";
-    if (shared == "object" or shared == "group" or shared == "material" or shared == "smoothing group")
+    if (is_one_of(label_names))
         return std::string(shared) + "s";
     return "the property '" + shown(name) + "' of " + std::string(elements);
 }

@@ -68,10 +68,6 @@ using cursor = text_cursor<text_kind::with_continuations>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Statements that name what follows: all faces up to the next one of the kind.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> label_statements{
-    {{"o", "object"}, {"g", "group"}, {"usemtl", "material"}, {"s", "smoothing group"}}};
-
 /// Lines of one to three numbers to which corners refer, before or behind them: `vt` or `vn`. What is not finite, as some
 /// programs write the normals of a face without area, is none.
 class referred_lines {

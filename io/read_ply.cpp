@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/text/counted.hpp>
 #include <kith/format/ply_not_kept.hpp>
+#include <kith/output/ply_words.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/text/text_cursor.hpp>
 
@@ -180,6 +181,22 @@ std::vector<std::string> left_aside(const ply_header& header)
     return result;
 }
 
+/// Words for numbers of faces, where the comments of the header have them for all.
+void take_words(const ply_header& header, mesh_attributes& attributes)
+{
+    attributes.material_files = material_files_in_ply(header.comments);
+    for (const std::string_view name : label_names) {
+        const auto found = std::ranges::find(attributes.faces, ply_name(std::string(name)), &attribute::name);
+        if (found == attributes.faces.end() or found->type.floating)
+            continue;
+        auto words = words_in_ply(header.comments, found->name);
+        if (not std::ranges::all_of(found->values, [&](double x) { return x >= 0 and x < double(words.size()); }))
+            continue;
+        found->name = name;
+        found->labels = std::move(words);
+    }
+}
+
 template <class Numbers>
 class ply_body {
 public:
@@ -334,6 +351,7 @@ private:
 std::vector<std::string> not_kept(const ply_header& header)
 {
     mesh_attributes attributes; // by name
+    attributes.material_files = material_files_in_ply(header.comments);
     for (const auto& element : header.elements) {
         if (not element.is_vertex() and not element.is_face())
             continue;
@@ -363,6 +381,7 @@ polygon_soup read_ply(std::string_view bytes)
                             ? ply_body<binary_numbers<std::endian::little>>(bytes, header).read()
                             : ply_body<binary_numbers<std::endian::big>>(bytes, header).read();
     soup.not_kept = left_aside(header);
+    take_words(header, soup.attributes);
     return soup;
 }
 

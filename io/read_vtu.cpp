@@ -242,8 +242,7 @@ private:
     void take_labels(attribute& a)
     {
         const auto found = words_.find(a.name);
-        constexpr std::array<std::string_view, 4> shared{"object", "group", "material", "smoothing group"};
-        const bool is_shared = std::ranges::find(shared, a.name) != shared.end();
+        const bool is_shared = std::ranges::find(label_names, a.name) != std::end(label_names);
         if (not is_shared or found == words_.end() or found->second.empty() or not found->second.front().empty())
             return;
         const auto is_number = [&](double x) { return x >= 0 and x < double(found->second.size()); };

@@ -14,10 +14,6 @@ namespace kith::io {
 
 namespace {
 
-/// The statements of the words of faces, in the order in which they are written.
-constexpr std::array<std::array<std::string_view, 2>, 4> label_statements{
-    {{"object", "o"}, {"group", "g"}, {"material", "usemtl"}, {"smoothing group", "s"}}};
-
 /// Lines of numbers to which corners refer. Corners of a vertex with the same numbers share a line, so that programs which go by
 /// the numbers of lines find the seams where values differ, and nowhere else.
 class referred_lines {
@@ -77,7 +73,7 @@ private:
 /// What is said before a face that has other words than the face before it.
 void write_labels(text_block& text, const attribute_list& labels, std::size_t face)
 {
-    for (const auto& [name, statement] : label_statements)
+    for (const auto& [statement, name] : label_statements)
         for (const attribute* a : labels) {
             const double label = a->values[face];
             if (a->name != name or label == (face == 0 ? 0 : a->values[face - 1]))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "written_parts.hpp"
 
+#include <kith/output/ply_words.hpp>
+
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -25,7 +27,7 @@ std::string_view name_of(const ply_number& type)
 void write_properties(text_block& header, const attribute_list& attributes)
 {
     for (const attribute* a : attributes)
-        header << "property " << name_of(a->type) << ' ' << a->name << '\n';
+        header << "property " << name_of(a->type) << ' ' << ply_name(a->name) << '\n';
 }
 
 void write_value(text_block& text, bool binary, const attribute& a, std::size_t element)
@@ -68,9 +70,13 @@ void write_ply(std::ostream& out, const written_mesh& what)
     for (std::size_t f = 0; f < what.mesh.face_count(); ++f)
         short_lists &= 2 * what.mesh.face(f).size() <= std::numeric_limits<std::uint8_t>::max();
     text_block header;
-    header << "ply\nformat " << (what.binary ? "binary_little_endian" : "ascii")
-           << " 1.0\ncomment written by kith\nelement vertex " << vertices_of(what)
-           << "\nproperty double x\nproperty double y\nproperty double z\n"
+    header << "ply\nformat " << (what.binary ? "binary_little_endian" : "ascii") << " 1.0\ncomment written by kith\n";
+    if (what.attributes != nullptr)
+        for (const std::string& file : what.attributes->material_files)
+            header << ply_material_file_line(file);
+    for (const attribute* a : held.faces)
+        header << ply_word_lines(a->name, a->labels);
+    header << "element vertex " << vertices_of(what) << "\nproperty double x\nproperty double y\nproperty double z\n"
            << (has_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "");
     write_properties(header, held.vertices);
     header << "element face " << what.mesh.face_count() << "\nproperty list uchar int vertex_indices\n";

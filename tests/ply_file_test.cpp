@@ -3,6 +3,7 @@
 
 #include "all_shapes.hpp"
 #include "error_text.hpp"
+#include "last_tiles.hpp"
 #include "native_shape.hpp"
 #include "tiles.hpp"
 #include "vtu_files.hpp"
@@ -11,7 +12,7 @@
 #include <kith/doo_sabin.hpp>
 #include <kith/field/with_fields.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/refine_in_tiles.hpp>
+#include <kith/slices/ply_header.hpp>
 
 #include <gtest/gtest.h>
 
@@ -66,23 +67,9 @@ std::vector<kith::value_bytes> values(const Scheme& scheme)
             std::as_bytes(scheme.template field<3>().values())};
 }
 
-template <class Scheme>
-auto last_tiles(const mesh3d& mesh, const Scheme& scheme, int levels, std::size_t parts)
+kith::partition in_blocks(const mesh3d& mesh, std::size_t parts)
 {
-    std::vector<kith::kept_tile<kith::tile<shapes::point>, Scheme>> result;
-    kith::tiled_refinement refinement(
-        mesh, scheme, levels, kith::partition{partitions::blocks(mesh.face_count(), parts), parts});
-    for (std::size_t part = 0; part < parts; ++part)
-        refinement.refine_levels(part, [&](auto&& kept) {
-            if (kept.level == levels)
-                result.push_back(std::move(kept));
-        });
-    return result;
-}
-
-kith::whole_counts counts_of(const mesh3d& mesh)
-{
-    return {mesh.vertex_count(), mesh.edge_count(), mesh.face_count(), mesh.corner_count()};
+    return {partitions::blocks(mesh.face_count(), parts), parts};
 }
 
 template <class Tiles>
@@ -128,7 +115,7 @@ void expect_fields(const Scheme& plain, int levels)
     std::string first;
     for (const std::size_t parts : {1, 3, 5}) {
         const kith::ply_file layout(counts_of(mesh), false, arrays);
-        write(layout, here.path / "file", last_tiles(house, scheme, levels, parts));
+        write(layout, here.path / "file", last_tiles(house, scheme, levels, in_blocks(house, parts)));
         const std::string bytes = bytes_of(here.path / "file");
         ASSERT_EQ(bytes.size(), layout.size());
         if (parts != 1) {
@@ -174,7 +161,7 @@ TEST(ply_file, finds_every_value_that_is_another_one)
 {
     const auto torus = native(shapes::shaken(shapes::torus(3, 4)));
     const auto scheme = with_values(kith::catmull_clark(), torus);
-    const auto tiles = last_tiles(torus, scheme, 1, 3);
+    const auto tiles = last_tiles(torus, scheme, 1, in_blocks(torus, 3));
     const directory here;
     const kith::ply_file layout(counts_of(kith::refine(torus, kith::catmull_clark(), 1)), false, arrays);
     const fs::path path = here.path / "file";
@@ -188,6 +175,27 @@ TEST(ply_file, finds_every_value_that_is_another_one)
                      "byte " + std::to_string(at) + " of " + path.string();
         EXPECT_EQ(found, is_changed ? 1U : 0U) << at;
     });
+}
+
+TEST(ply_file, says_words_in_comments)
+{
+    const auto cube = native(shapes::cube());
+    kith::file_array groups{"smoothing group", kith::field_on::faces, "Int32", 1, 4, {"", "left side", "7"}};
+    const kith::ply_file layout(counts_of(cube), false, {groups}, {"my paint.mtl"});
+    const directory here;
+    auto file = kith::offset_file::create((here.path / "file").string(), layout.size());
+    layout.write_frame(file);
+    file.close();
+    const std::string begin =
+        "ply\nformat binary_little_endian 1.0\ncomment written by kith\ncomment mtllib my paint.mtl\n"
+        "comment word smoothing_group 1 left side\ncomment word smoothing_group 2 7\nelement vertex 8\n";
+    const std::string bytes = bytes_of(here.path / "file");
+    EXPECT_EQ(bytes.substr(0, begin.size()), begin);
+    EXPECT_NE(bytes.find("\nproperty int smoothing_group\nend_header\n"), std::string::npos);
+    const auto comments = kith::read_ply_header(bytes).comments;
+    EXPECT_EQ(kith::words_in_ply(comments, groups.name), groups.words);
+    EXPECT_EQ(kith::words_in_ply(comments, "group"), std::vector<std::string>());
+    EXPECT_EQ(kith::material_files_in_ply(comments), std::vector<std::string>{"my paint.mtl"});
 }
 
 TEST(ply_file, refuses_what_the_format_has_no_room_for)
@@ -206,7 +214,7 @@ TEST(ply_file, refuses_what_the_format_has_no_room_for)
               std::string::npos);
 
     const auto cube = native(shapes::cube());
-    auto tiles = last_tiles(cube, with_values(kith::catmull_clark(), cube), 0, 1);
+    auto tiles = last_tiles(cube, with_values(kith::catmull_clark(), cube), 0, in_blocks(cube, 1));
     tiles[0].scheme.template field<2>()[5][1] = std::numeric_limits<float>::quiet_NaN();
     const directory here;
     EXPECT_EQ(error_text<kith::mesh_error>(
@@ -223,7 +231,7 @@ TEST(ply_file, refuses_what_the_format_has_no_room_for)
     EXPECT_EQ(error_text<kith::mesh_error>([&] {
                   write(kith::ply_file(counts_of(disk), false, arrays),
                         here.path / "file",
-                        last_tiles(disk, with_values(kith::catmull_clark(), disk), 0, 1));
+                        last_tiles(disk, with_values(kith::catmull_clark(), disk), 0, in_blocks(disk, 1)));
               }),
               "face 0 has 128 corners, PLY holds 127 at most with their values; write .vtu");
 }

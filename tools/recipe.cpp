@@ -121,6 +121,9 @@ std::vector<std::byte> pack_kinds(const io::mesh_attributes& kinds)
                 out.add_array(label);
         }
     });
+    out.add(kinds.material_files.size());
+    for (const std::string& file : kinds.material_files)
+        out.add_array(file);
     return out.take();
 }
 
@@ -137,6 +140,8 @@ io::mesh_attributes unpack_kinds(const std::vector<std::byte>& bytes)
                 a.labels.push_back(next_text(in));
         }
     });
+    for (auto files = in.get<std::size_t>(); files > 0; --files)
+        result.material_files.push_back(next_text(in));
     return result;
 }
 

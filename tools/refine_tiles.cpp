@@ -86,6 +86,7 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     tile_output file({.path = request.output,
                       .journal = how.journal,
                       .arrays = tile_attributes(request.kinds).arrays(),
+                      .material_files = request.kinds.material_files,
                       .levels = request.levels,
                       .with_origin = request.with_origin,
                       .with_normals = request.limit,

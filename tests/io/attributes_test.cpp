@@ -226,6 +226,49 @@ TEST(ply_attributes, lists_of_textures_fit_their_faces)
               "line 12: face 0 has 3 corners and 4 texture coordinates, 6 are needed");
 }
 
+TEST(ply_attributes, words_of_faces_are_comments_that_others_skip)
+{
+    const std::string obj = "mtllib my paint.mtl\nmtllib other.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no\nf  1 2 3\n"
+                            "o left side\ng a  b\nusemtl 7\ns 2\nf  2 4 3\n";
+    const auto soup = io::read_mesh(mesh_format::obj, obj);
+    const std::string bytes = written(mesh_format::ply, soup);
+    EXPECT_EQ(bytes,
+              "ply\nformat ascii 1.0\ncomment written by kith\ncomment mtllib my paint.mtl\ncomment mtllib other.mtl\n"
+              "comment word object 1 left side\ncomment word group 1 a b\ncomment word material 1 7\n"
+              "comment word smoothing_group 1 2\nelement vertex 4\nproperty double x\nproperty double y\n"
+              "property double z\nelement face 2\nproperty list uchar int vertex_indices\nproperty int object\n"
+              "property int group\nproperty int material\nproperty int smoothing_group\nend_header\n"
+              "0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2 0 0 0 0\n3 1 3 2 1 1 1 1\n");
+    for (const bool binary : {false, true}) {
+        const auto again = io::read_mesh(mesh_format::ply, written(mesh_format::ply, soup, binary));
+        expect_same(again.attributes.faces, soup.attributes.faces);
+        EXPECT_EQ(written(mesh_format::obj, again), written(mesh_format::obj, soup));
+    }
+
+    // Other ends of lines; and what does not say all words, one by one, is a number.
+    const auto replaced = [&](const std::string& from, const std::string& to) {
+        std::string text = bytes;
+        for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+        return io::read_mesh(mesh_format::ply, text).attributes.faces;
+    };
+    expect_same(replaced("\n", "\r\n"), soup.attributes.faces);
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"word material 1 7", "word material 2 7"},
+             {"comment word material 1 7\n", ""},
+             {"word material 1", "word material"},
+             {"word material 1 7\n", "word material 1 7\ncomment word material 3 8\n"},
+             {"3 1 3 2 1 1 1 1", "3 1 3 2 1 1 -1 1"},
+             {"int material", "float material"}}) {
+        const auto faces = replaced(from, to);
+        ASSERT_EQ(faces.size(), 4);
+        EXPECT_EQ(faces[2].name, "material");
+        EXPECT_TRUE(faces[2].labels.empty()) << to;
+        EXPECT_EQ(faces[3].name, "smoothing group");
+        EXPECT_EQ(faces[3].labels, (names{"", "2"}));
+    }
+}
+
 TEST(off_attributes, normals_colours_and_textures)
 {
     const std::string text = "STCNOFF\n3 2 0\n\n0 0 0 0 0 1  255 0 0 128 0.25 1\n1 0 0 0 1 0  0 7 0 255 0 0\n"
@@ -263,14 +306,15 @@ TEST(attributes, go_from_one_format_to_another)
 {
     const auto obj = io::read_mesh(mesh_format::obj, seam);
     EXPECT_EQ(not_held(mesh_format::obj, obj.attributes), names());
-    EXPECT_EQ(not_held(mesh_format::ply, obj.attributes),
-              (names{"normals", "objects", "groups", "materials", "smoothing groups"}));
+    EXPECT_EQ(not_held(mesh_format::ply, obj.attributes), names{"normals"});
     EXPECT_EQ(not_held(mesh_format::off, obj.attributes),
               (names{"texture coordinates", "normals", "objects", "groups", "materials", "smoothing groups"}));
     const auto ply = io::read_mesh(mesh_format::ply, written(mesh_format::ply, obj));
     ASSERT_EQ(ply.attributes.corners.size(), 2);
     expect_same(ply.attributes.corners[0].values, {0, 0.1, 1, 0.25, 0.5, 7, 0.25, none, none, none}, "u");
     expect_same(ply.attributes.vertices, obj.attributes.vertices);
+    expect_same(ply.attributes.faces, obj.attributes.faces);
+    EXPECT_EQ(ply.attributes.material_files, obj.attributes.material_files);
 
     auto soup = io::read_mesh(mesh_format::off, files::off);
     soup.attributes.vertices = {{"diffuse_red", u8, {255, 0, 51, 102}, {}},

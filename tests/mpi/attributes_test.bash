@@ -25,6 +25,8 @@ compare charts.obj -s catmull-clark -n 3 --uv corners+1 --crease-angle 20
 compare charts.obj -s loop -n 2 --triangulate --uv none --threads 2
 compare charts.obj -s kobbelt -n 2
 compare charts.obj -s catmull-clark -n 2 --limit
+grid 4 >grid.obj # words, too
+compare grid.obj -s doo-sabin -n 2
 
 run refine rich.ply -s doo-sabin -n 2 -o whole.vtu
 for ranks in 2 4; do
@@ -36,7 +38,6 @@ for ranks in 2 4; do
         same whole.vtu ranks.vtu
     done
 done
-grid 4 >grid.obj # words, too
 run refine grid.obj -s catmull-clark -n 2 -o whole.vtu
 for mode in spmd manager; do
     on 3 refine grid.obj -s catmull-clark -n 2 -o ranks.vtu --mode $mode --journal kept

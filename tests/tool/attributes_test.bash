@@ -69,6 +69,20 @@ twice() { # twice FILE SCHEME
     run refine $1 -s $2 -n 2 -o at_once.obj
     check "by steps is at once" test "$(corners by_steps.obj | md5sum)" = "$(corners at_once.obj | md5sum)"
     check "with as many seams" test "$(grep -c '^vt' by_steps.obj)" -eq "$(grep -c '^vt' at_once.obj)"
+    for kind in '' --binary; do # through PLY, too
+        # shellcheck disable=SC2086 # no word where it is empty
+        run refine $1 -s $2 -n 0 -o through.ply $kind
+        exits 0
+        says_nothing
+        run refine through.ply -s $2 -n 0 -o back.obj
+        exits 0
+        says_nothing
+        same copy.obj back.obj
+        # shellcheck disable=SC2086
+        run refine $1 -s $2 -n 1 -o through.ply $kind
+        run refine through.ply -s $2 -n 1 -o back.obj
+        same by_steps.obj back.obj
+    done
 }
 twice grid.obj catmull-clark
 if [ -f "$meshes/fish_control_mesh.obj" ]; then
@@ -76,6 +90,25 @@ if [ -f "$meshes/fish_control_mesh.obj" ]; then
     twice fish.obj catmull-clark
     check "the seam of the fish is whole" test "$(grep -c '^vt' copy.obj)" -eq "$(grep -c '^vt' fish.obj)"
 fi
+
+# PLY has numbers at faces, and words for them where others skip what they do not know.
+for mesh in native cgal openmesh; do
+    run refine grid.obj -s linear -n 1 -o $mesh.ply --mesh $mesh
+    exits 0
+    says_nothing
+done
+same native.ply cgal.ply
+same native.ply openmesh.ply
+has native.ply '^comment mtllib paint.mtl$'
+has native.ply '^comment word object 1 sheet$'
+has native.ply '^comment word group 9 cell_8$'
+has native.ply '^comment word smoothing_group 3 3$'
+check "materials" test "$(grep -c '^comment word material ' native.ply)" -eq 2
+check "faces have their numbers" awk '
+    $1 == "element" && $2 == "face" { faces = $3 }
+    $1 == "property" && $2 == "int" { names = names " " $3 }
+    $1 == "4" && NF == 18 { f = int(n / 4); ++n; wrong += $15 != 1 || $16 != f + 1 || $17 != 1 + (f % 3 > 0) || $18 != int(f / 3) + 1 }
+    END { exit !(wrong == 0 && n == faces && n == 36 && names == " object group material smoothing_group") }' native.ply
 
 # PLY: all numbers of vertices and faces, in their types. Those that say where a vertex is stay there, by the masks.
 rich_cube >rich.ply

@@ -233,7 +233,7 @@ says 'not kept: the sharpness left to 5 edges and 1 vertex'
 run refine creased.obj -s catmull-clark -n 3 -o out.off --ignore-tags
 says_nothing
 
-# What an output has no room for is named in a line; OBJ holds what OBJ has, and VTU all but texture coordinates.
+# What an output has no room for is named in a line; OBJ and PLY hold what OBJ has, and VTU all but texture coordinates.
 printf 'o a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\ng b\nusemtl c\nf 1/1 2/1 3/1 4/1\n' >rich.obj
 not_kept_in() { # FILE WORDS
     run refine rich.obj -s catmull-clark -n 1 -o "$1"
@@ -247,9 +247,11 @@ run refine out.vtu -s catmull-clark -n 0 -o back.obj
 exits 0
 check "words come back" test "$(grep -E '^(o|g|usemtl) ' back.obj | tr '\n' ' ')" = 'o a g b usemtl c '
 check "for all faces" test "$(sed -n '/^usemtl c$/,$p' back.obj | grep -c '^f ')" -eq 4
-run refine rich.obj -s catmull-clark -n 1 -o out.obj
-exits 0
-says_nothing
+for format in obj ply; do
+    run refine rich.obj -s catmull-clark -n 1 -o out.$format
+    exits 0
+    says_nothing
+done
 rm out.* back.obj
 
 # Vertices without a face are kept as they are, behind the others.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ply_words.hpp"
 #include "stitch.hpp"
 
 #include <algorithm>
@@ -56,18 +57,22 @@ inline bool has_nan(const file_array& array, const std::byte* value)
 } // namespace detail
 
 /// Binary PLY, as programs write it that have the mesh as a whole. Faces of up to 255 corners, and as many vertices as 32 bits
-/// can number. Fields on vertices and faces are properties, one on corners is a list of each face, after its vertices.
+/// can number. Fields on vertices and faces are properties, one on corners is a list of each face, after its vertices; words for which
+/// numbers of faces stand are comments.
 class ply_file : public stitched_file {
 public:
     /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number, for numbers of a type
     /// that it has not, for several of them in a value of a vertex or face, and for two fields on corners.
-    explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {})
+    explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {},
+                      const std::vector<std::string>& material_files = {})
         : counts_(counts), with_normals_(with_normals), arrays_(std::move(arrays))
     {
         if (counts.vertices > std::numeric_limits<std::int32_t>::max())
             throw mesh_error("PLY numbers " + std::to_string(std::numeric_limits<std::int32_t>::max()) +
                              " vertices at most, there are " + std::to_string(counts.vertices) + "; write .vtu");
-        std::string of_vertices, of_faces, of_corners;
+        std::string of_vertices, of_faces, of_corners, comments;
+        for (const std::string& file : material_files)
+            comments += ply_material_file_line(file);
         place_of_ = std::vector<std::uint64_t>(arrays_.size());
         bytes_of_vertex_ = with_normals ? 48 : 24;
         for (std::size_t i = 0; i < arrays_.size(); ++i) {
@@ -78,7 +83,8 @@ public:
                 throw mesh_error("the field \"" + array.name +
                                  "\" has no place in PLY, which has numbers at vertices and faces and one list for " +
                                  "corners; write .vtu");
-            const std::string property = "property " + word + " " + array.name + "\n";
+            const std::string property = "property " + word + " " + ply_name(array.name) + "\n";
+            comments += ply_word_lines(array.name, array.words);
             if (at_corners) {
                 corners_ = i;
                 of_corners = "property list uchar " + word + " " + array.name + "\n";
@@ -91,7 +97,7 @@ public:
         }
         bytes_of_corner_ = 4 + (corners_ ? arrays_[*corners_].bytes : 0);
         bytes_of_face_ = 1 + (corners_ ? 1 : 0) + bytes_of_values_;
-        head_ = "ply\nformat binary_little_endian 1.0\ncomment written by kith\nelement vertex " +
+        head_ = "ply\nformat binary_little_endian 1.0\ncomment written by kith\n" + comments + "element vertex " +
                 std::to_string(counts.vertices) + "\nproperty double x\nproperty double y\nproperty double z\n" +
                 (with_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") + of_vertices +
                 "element face " + std::to_string(counts.faces) + "\nproperty list uchar int vertex_indices\n" +

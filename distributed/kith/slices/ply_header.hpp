@@ -85,6 +85,7 @@ struct ply_header {
     std::vector<ply_element> elements; ///< among them one of vertices with a place and one of faces with their corners
     std::uint64_t vertices = 0;
     std::uint64_t faces = 0;
+    std::vector<std::string> comments;
     std::size_t data_begin = 0; ///< the first byte after the header
     std::size_t data_line = 0;  ///< its line
 };
@@ -167,7 +168,10 @@ private:
             if (header_.elements.empty())
                 refuse("the property belongs to no element");
             header_.elements.back().properties.push_back(read_property());
-        } else if (statement != "comment" and statement != "obj_info") {
+        } else if (statement == "comment") {
+            rest_.remove_prefix(std::min<std::size_t>(1, rest_.size()));
+            header_.comments.emplace_back(rest_.substr(0, rest_.find_last_not_of('\r') + 1));
+        } else if (statement != "obj_info") {
             refuse(quoted(statement) + " is no line of a PLY header");
         }
     }

@@ -48,6 +48,8 @@ std::vector<const attribute*> find_all(const std::vector<attribute>& attributes,
 inline constexpr std::string_view texture_names[]{"u", "v", "w"};
 inline constexpr std::string_view normal_names[]{"nx", "ny", "nz"};
 inline constexpr std::string_view color_names[]{"red", "green", "blue", "alpha"};
+/// Of faces, which are words.
+inline constexpr std::string_view label_names[]{"object", "group", "material", "smoothing group"};
 
 /// What an attribute is about: "normals", "colours", "texture coordinates", "materials", or "the property 'quality' of vertices".
 std::string topic_of(std::string_view name, std::string_view elements);

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mesh_attributes.hpp"
 #include "mesh_tags.hpp"
 
 #include <kith/text/text_cursor.hpp>
 
+#include <array>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace kith::io {
+
+/// The statements of an OBJ file that name all faces up to the next one of the kind, and what they say, in the order in which they are
+/// written.
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> label_statements{
+    {{"o", label_names[0]}, {"g", label_names[1]}, {"usemtl", label_names[2]}, {"s", label_names[3]}}};
 
 /// Reads the rest of a line `t name i/f/s ...` of an OBJ file: i whole numbers, f numbers, s words.
 /// Errors: file_error.

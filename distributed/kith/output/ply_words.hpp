@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Words in PLY files, which have numbers only: a property of faces has the numbers of words, and comments of the header, which others
+// skip, say which: "comment word material 2 red paint".
+
+namespace kith {
+
+/// The name of a property, which is one word.
+inline std::string ply_name(std::string name)
+{
+    std::ranges::replace(name, ' ', '_');
+    return name;
+}
+
+/// The lines of a header that say for which words the numbers of a property stand; the first word is that of none, and has no line.
+inline std::string ply_word_lines(const std::string& property, const std::vector<std::string>& words)
+{
+    std::string result;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        result += "comment word " + ply_name(property) + " " + std::to_string(i) + " " + words[i] + "\n";
+    return result;
+}
+
+/// The same for a file in which the materials are.
+inline std::string ply_material_file_line(const std::string& file)
+{
+    return "comment mtllib " + file + "\n";
+}
+
+/// The words of a property, the first of which says none; nothing where the comments of a header do not say them one by one.
+inline std::vector<std::string> words_in_ply(const std::vector<std::string>& comments, const std::string& property)
+{
+    std::vector<std::string> result;
+    const std::string begin = "word " + ply_name(property) + " ";
+    for (const std::string_view comment : comments) {
+        if (not comment.starts_with(begin))
+            continue;
+        result.resize(std::max<std::size_t>(result.size(), 1));
+        const std::string number = std::to_string(result.size()) + " ";
+        if (not comment.substr(begin.size()).starts_with(number))
+            return {};
+        result.emplace_back(comment.substr(begin.size() + number.size()));
+    }
+    return result;
+}
+
+/// The files in which the materials are.
+inline std::vector<std::string> material_files_in_ply(const std::vector<std::string>& comments)
+{
+    std::vector<std::string> result;
+    constexpr std::string_view begin = "mtllib ";
+    for (const std::string_view comment : comments)
+        if (comment.starts_with(begin))
+            result.emplace_back(comment.substr(begin.size()));
+    return result;
+}
+
+} // namespace kith
