@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <utility>
 
+using kith::element_kind;
 using kith::field_named;
 using kith::field_on;
 using surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -72,10 +73,9 @@ int main(int count, char** words)
     const auto lineage = refinement.lineage();
     std::size_t others = 0; // faces of any level with another material than that of their ancestor on level 0
     for (const auto& [number, level, tile, its_scheme] : kept)
-        for (std::size_t f = 0; f < tile.mesh.face_count(); ++f) {
-            const auto root = lineage.ancestor(level, {kith::element_kind::face, tile.face_ids[f]}, 0);
-            others += material_of(root.number) != its_scheme.field<1>()[f];
-        }
+        for (std::size_t f = 0; f < tile.mesh.face_count(); ++f)
+            others += its_scheme.field<1>()[f] !=
+                      material_of(lineage.ancestor(level, {element_kind::face, tile.face_ids[f]}, 0).number);
     const char* const path = count > 1 ? words[1] : "fine.vtu";
     kith::mpi::write_level(comm, path, kept, 3, lineage.counts(3), field_named<0>("heat"), field_named<1>("material"));
     return others == 0 ? 0 : 1;

@@ -3,6 +3,7 @@
 
 #include "all_shapes.hpp"
 #include "error_text.hpp"
+#include "last_tiles.hpp"
 #include "native_shape.hpp"
 #include "tiles.hpp"
 #include "vtu_files.hpp"
@@ -69,26 +70,6 @@ template <class Scheme>
 std::vector<kith::value_bytes> values(const Scheme& scheme)
 {
     return with_names([&](const auto&... fields) { return kith::values_of(scheme, fields...); });
-}
-
-/// The last level of each part, with its scheme.
-template <class Scheme>
-std::vector<kith::kept_tile<kith::tile<shapes::point>, Scheme>> last_tiles(const mesh3d& mesh, const Scheme& scheme,
-                                                                           int levels, const kith::partition& parts)
-{
-    std::vector<kith::kept_tile<kith::tile<shapes::point>, Scheme>> result;
-    kith::tiled_refinement refinement(mesh, scheme, levels, parts);
-    for (std::size_t part = 0; part < refinement.tiles(); ++part)
-        refinement.refine_levels(part, [&](auto&& kept) {
-            if (kept.level == levels)
-                result.push_back(std::move(kept));
-        });
-    return result;
-}
-
-kith::whole_counts counts_of(const mesh3d& mesh)
-{
-    return {mesh.vertex_count(), mesh.edge_count(), mesh.face_count(), mesh.corner_count()};
 }
 
 template <class T, class Field>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../all_shapes.hpp"
 #include "../error_text.hpp"
+#include "../last_tiles.hpp"
 #include "../same_mesh.hpp"
 #include "../some_fields.hpp"
 #include "../vtu_files.hpp"
@@ -55,11 +56,6 @@ kept_tiles<Scheme> kept_and_moved(const mesh3d& mesh, const Scheme& given, int l
     const auto faces = kith::mpi::owned_faces(world(), kept, levels, parts.parts);
     EXPECT_EQ(std::reduce(faces.begin(), faces.end()), refinement.whole().counts(levels).faces);
     return kith::mpi::repartition(world(), std::move(kept), kith::mpi::balanced_ranks(faces, world().size()), without);
-}
-
-kith::whole_counts counts_of(const mesh3d& mesh)
-{
-    return {mesh.vertex_count(), mesh.edge_count(), mesh.face_count(), mesh.corner_count()};
 }
 
 /// Whether all points, faces and fields are those of the level that was refined as one.
