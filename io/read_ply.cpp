@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/text/counted.hpp>
-#include <kith/format/ply_not_kept.hpp>
+#include <kith/format/ply_attributes.hpp>
 #include <kith/output/ply_words.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/text/text_cursor.hpp>
@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -161,26 +160,6 @@ bool is_attribute(const ply_element& element, std::size_t property)
     return std::ranges::find(place, property) == place.end();
 }
 
-/// What of a file is not read: lists, and elements of other kinds.
-std::vector<std::string> left_aside(const ply_header& header)
-{
-    std::vector<std::string> result;
-    for (const auto& element : header.elements) {
-        if (not element.is_vertex() and not element.is_face()) {
-            if (element.count != 0)
-                result.push_back("the elements '" + shown(element.name) + "'");
-            continue;
-        }
-        const std::size_t size = element.properties.size();
-        const std::size_t corners = element.is_face() ? element.corner_list() : size;
-        const std::size_t texture = element.is_face() ? texture_list(element) : size;
-        for (std::size_t p = 0; p < size; ++p)
-            if (element.properties[p].is_list() and p != corners and p != texture)
-                result.push_back(topic_of(element.properties[p].name, element.is_vertex() ? "vertices" : "faces"));
-    }
-    return result;
-}
-
 /// Words for numbers of faces, where the comments of the header have them for all.
 void take_words(const ply_header& header, mesh_attributes& attributes)
 {
@@ -190,7 +169,8 @@ void take_words(const ply_header& header, mesh_attributes& attributes)
         if (found == attributes.faces.end() or found->type.floating)
             continue;
         auto words = words_in_ply(header.comments, found->name);
-        if (not std::ranges::all_of(found->values, [&](double x) { return x >= 0 and x < double(words.size()); }))
+        if (words.empty() or
+            not std::ranges::all_of(found->values, [&](double x) { return x >= 0 and x < double(words.size()); }))
             continue;
         found->name = name;
         found->labels = std::move(words);
@@ -348,22 +328,41 @@ private:
 
 } // namespace
 
+mesh_attributes kinds_in(const ply_header& header)
+{
+    mesh_attributes result;
+    for (const auto& element : header.elements)
+        for (std::size_t p = 0; p < element.properties.size(); ++p)
+            if (element.is_vertex() or element.is_face())
+                if (is_attribute(element, p))
+                    (element.is_vertex() ? result.vertices : result.faces)
+                        .push_back({element.properties[p].name, element.properties[p].value, {}, {}});
+    take_words(header, result);
+    return result;
+}
+
+std::size_t property_of(const ply_element& element, const attribute& a)
+{
+    return std::size_t(std::ranges::find(element.properties, ply_name(a.name), &ply_property::name) -
+                       element.properties.begin());
+}
+
 std::vector<std::string> not_kept(const ply_header& header)
 {
-    mesh_attributes attributes; // by name
-    attributes.material_files = material_files_in_ply(header.comments);
+    std::vector<std::string> result;
     for (const auto& element : header.elements) {
-        if (not element.is_vertex() and not element.is_face())
+        if (not element.is_vertex() and not element.is_face()) {
+            if (element.count != 0)
+                result.push_back("the elements '" + shown(element.name) + "'");
             continue;
-        for (std::size_t p = 0; p < element.properties.size(); ++p)
-            if (is_attribute(element, p))
-                (element.is_vertex() ? attributes.vertices : attributes.faces).emplace_back().name =
-                    element.properties[p].name;
-        if (element.is_face() and texture_list(element) != element.properties.size())
-            attributes.corners.emplace_back().name = texture_names[0];
+        }
+        const std::size_t size = element.properties.size();
+        const std::size_t corners = element.is_face() ? element.corner_list() : size;
+        const std::size_t texture = element.is_face() ? texture_list(element) : size;
+        for (std::size_t p = 0; p < size; ++p)
+            if (element.properties[p].is_list() and p != corners and p != texture)
+                result.push_back(topic_of(element.properties[p].name, element.is_vertex() ? "vertices" : "faces"));
     }
-    std::vector<std::string> result = topics_of(attributes);
-    std::ranges::move(left_aside(header), std::back_inserter(result));
     return result;
 }
 
@@ -380,7 +379,7 @@ polygon_soup read_ply(std::string_view bytes)
                         : header.encoding == ply_encoding::little_endian
                             ? ply_body<binary_numbers<std::endian::little>>(bytes, header).read()
                             : ply_body<binary_numbers<std::endian::big>>(bytes, header).read();
-    soup.not_kept = left_aside(header);
+    soup.not_kept = not_kept(header);
     take_words(header, soup.attributes);
     return soup;
 }

@@ -11,11 +11,11 @@
 #include "rank_memory.hpp"
 #include "rank_stats.hpp"
 #include "run_stats.hpp"
+#include "slice_attributes.hpp"
 #include "tile_attributes.hpp"
 #include "tile_output.hpp"
 
 #include <kith/part/checksum.hpp>
-#include <kith/format/ply_not_kept.hpp>
 #include <kith/refine.hpp>
 #include <kith/slices/tiles_of_slices.hpp>
 #include <kith/tile/tiles_at_once.hpp>
@@ -278,19 +278,34 @@ void refine_by(mpi::communicator& comm, const rank_request& request, const Schem
 }
 
 template <class Scheme>
-void refine_slices(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, phase_seconds& seconds)
+void refine_slices(mpi::communicator& comm, rank_request& request, const Scheme& scheme, phase_seconds& seconds)
 {
-    const int levels = request.what.levels;
+    const tile_request& what = request.what;
+    std::optional<slice_attributes> attributes;
     int rings = 1;
-    mpi::in_agreement(
-        comm, [&] { rings = std::max(rings, ring_schedule(scheme, levels, last_rings(request.what).value_or(0))[0]); });
+    mpi::in_agreement(comm, [&] {
+        attributes.emplace(request.what, request.input);
+        rings = std::max(rings, ring_schedule(scheme, what.levels, last_rings(what).value_or(0))[0]);
+    });
     auto read = timed(seconds[phase::read], [&] { return mpi::read_tiles(comm, request.input, rings); });
     mpi::in_agreement(comm, [&] {
         if (comm.is_root())
-            note_losses(request.input, io::not_kept(sliced_ply(request.input).header()));
+            note_losses(request.input, attributes->not_kept());
     });
-    mpi::rank_refinement refinement(comm, std::move(read.tiles), read.counts, scheme, levels, last_rings(request.what));
-    write_surface(comm, request, scheme, {}, refinement, seconds);
+    with_attributes(scheme, what, [&]<class Whole>(const Whole& whole) {
+        std::vector<kept_tile<tile<std::array<double, 3>>, Whole>> tiles;
+        mpi::in_agreement(comm, [&] {
+            const phase_timer timer(seconds[phase::read]);
+            for (auto& [number, part] : read.tiles) {
+                Whole here = whole;
+                if constexpr (scheme_beside_state<Whole>)
+                    here = with_fields(scheme, attributes->of_tile(part));
+                tiles.push_back({number, 0, std::move(part), std::move(here)});
+            }
+        });
+        mpi::rank_refinement refinement(comm, std::move(tiles), read.counts, whole, what.levels, last_rings(what));
+        write_surface(comm, request, whole, {}, refinement, seconds);
+    });
 }
 
 } // namespace

@@ -110,6 +110,16 @@ public:
         tiles_ = comm.sum(std::array{std::uint64_t(held_->size())})[0];
     }
 
+    /// Collective. The same from tiles of level 0 that have a scheme each, whose state (fields, creases) is numbered as the tile is; of
+    /// `scheme` the options count. Errors: as above.
+    rank_refinement(communicator& comm, std::vector<kept_type> tiles, const whole_counts& counts, const Scheme& scheme,
+                    int levels, std::optional<int> last_rings = std::nullopt)
+        : rank_refinement(comm, parts_of(tiles), counts, scheme, levels, last_rings)
+    {
+        for (auto& kept : tiles)
+            held_schemes_.push_back(std::move(kept.scheme));
+    }
+
     /// Local. The numbering of all levels.
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return *whole_; }
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
@@ -180,6 +190,14 @@ public:
     }
 
 private:
+    static std::vector<numbered_tile<tile_type>> parts_of(std::vector<kept_type>& tiles)
+    {
+        std::vector<numbered_tile<tile_type>> result;
+        for (auto& kept : tiles)
+            result.push_back({kept.number, std::move(kept.part)});
+        return result;
+    }
+
     static constexpr const char* no_memory_for_tile =
         "there is not enough memory for a tile; use more tiles or fewer levels";
 
@@ -202,7 +220,8 @@ private:
             auto& [number, part] = (*held_)[i];
             if (std::ranges::find(numbers, number) == numbers.end())
                 return;
-            auto mine = kith::detail::scheme_of_tile(scheme_, part);
+            auto mine = held_schemes_.empty() ? kith::detail::scheme_of_tile(scheme_, part)
+                                              : std::move(held_schemes_[i]);
             refine_one(number, {std::move(part), std::move(mine)}, use, done);
         });
     }
@@ -288,7 +307,8 @@ private:
     connect last_;
     std::optional<tile_cutter<Point, Index, Scheme>> cutter_; // on rank 0
     std::optional<std::vector<numbered_tile<tile_type>>> held_;
-    control_runs runs_; // of tiles that lay on their ranks
+    std::vector<Scheme> held_schemes_; // of the tiles that lay on their ranks, where they had one each
+    control_runs runs_;                // of tiles that lay on their ranks
     std::optional<whole_levels<Scheme>> whole_;
     std::uint64_t tiles_ = 0;
     std::size_t most_at_once_ = 1, at_once_ = 1;

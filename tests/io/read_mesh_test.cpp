@@ -2,7 +2,7 @@
 #include "files.hpp"
 
 #include <kith/crease/creases.hpp>
-#include <kith/format/ply_not_kept.hpp>
+#include <kith/format/ply_attributes.hpp>
 #include <kith/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
 
@@ -171,8 +171,11 @@ TEST(read_ply, everything_else_is_named)
     EXPECT_EQ(soup.not_kept, (std::vector<std::string>{"the property 'weights' of faces", "the elements 'edge'"}));
     ASSERT_EQ(soup.attributes.vertices.size(), 1);
     EXPECT_EQ(soup.attributes.vertices[0].values, (std::vector<double>{1, 2, 3, 4}));
-    EXPECT_EQ(io::not_kept(read_ply_header(files::ply)), // where attributes are not read, either
-              (std::vector<std::string>{"colours", "the property 'weights' of faces", "the elements 'edge'"}));
+    EXPECT_EQ(io::not_kept(read_ply_header(files::ply)), soup.not_kept);
+    const auto kinds = io::kinds_in(read_ply_header(files::ply));
+    ASSERT_EQ(kinds.vertices.size(), 1);
+    EXPECT_EQ(kinds.vertices[0].name, soup.attributes.vertices[0].name);
+    EXPECT_TRUE(kinds.vertices[0].values.empty() and kinds.faces.empty() and kinds.corners.empty());
 }
 
 TEST(read_ply, data_after_a_header_with_carriage_returns_may_begin_with_a_newline)

@@ -130,6 +130,57 @@ TEST(read_tiles, equals_tiles_that_are_cut_from_the_whole_mesh)
     expect_same<double>(shapes::shaken(shapes::triangulated(shapes::ring())), kith::doo_sabin{});
 }
 
+TEST(read_tiles, leaves_room_for_numbers_beside_places_and_corners)
+{
+    const auto torus = shapes::shaken(shapes::torus(6, 9));
+    const shared_file file([&](std::ostream& out) {
+        out << "ply\nformat binary_little_endian 1.0\nelement vertex 54\nproperty short id\nproperty double x\n"
+               "property float weight\nproperty double y\nproperty double z\nproperty double twice\nelement face 54\n"
+               "property char mark\nproperty uint key\nproperty list uchar int vertex_indices\nproperty ushort far\n"
+               "property double area\nend_header\n";
+        for (std::size_t v = 0; v < 54; ++v) {
+            const auto& p = torus.points[v];
+            put(out, std::int16_t(-int(v)));
+            put(out, p[0]);
+            put(out, float(v) / 4);
+            put(out, p[1]);
+            put(out, p[2]);
+            put(out, 2 * double(v));
+        }
+        for (std::size_t f = 0; f < 54; ++f) {
+            put(out, std::int8_t(-int(f)));
+            put(out, std::uint32_t(4294967295U - f));
+            put(out, std::uint8_t(4));
+            for (const std::size_t v : torus.faces[f])
+                put(out, std::int32_t(v));
+            put(out, std::uint16_t(65535 - f));
+            put(out, 1 / double(f + 1));
+        }
+    });
+    const auto mesh = native(torus);
+    const auto parts = in_blocks(mesh, std::size_t(world().size()));
+    kith::tile_cutter cutter(mesh, kith::doo_sabin{}, parts.part_of, parts.parts);
+    const auto expected = cutter.cut(std::size_t(world().rank()), 2).part;
+    const auto read = kith::mpi::read_tiles(world(), shared_file::path(), 2);
+    EXPECT_TRUE(same_bits(read.tiles[0].part.mesh, expected.mesh));
+
+    kith::sliced_ply slices(shared_file::path());
+    const std::vector<kith::global_id> some{0, 1, 2, 7, 9, 10, 53};
+    const auto expect = [&](const std::vector<double>& values, const auto& value) {
+        ASSERT_EQ(values.size(), some.size());
+        for (std::size_t i = 0; i < some.size(); ++i)
+            EXPECT_EQ(values[i], value(double(some[i]))) << some[i];
+    };
+    expect(slices.values_of_vertices(0, some), [](double v) { return -v; });
+    expect(slices.values_of_vertices(2, some), [](double v) { return v / 4; });
+    expect(slices.values_of_vertices(5, some), [](double v) { return 2 * v; });
+    expect(slices.values_of_faces(0, some), [](double f) { return -f; });
+    expect(slices.values_of_faces(1, some), [](double f) { return 4294967295. - f; });
+    expect(slices.values_of_faces(3, some), [](double f) { return 65535 - f; });
+    expect(slices.values_of_faces(4, some), [](double f) { return 1 / (f + 1); });
+    EXPECT_TRUE(slices.values_of_faces(4, {}).empty());
+}
+
 TEST(read_tiles, says_what_is_wrong_with_a_file)
 {
     auto cube = shapes::cube();

@@ -30,6 +30,40 @@ compare triangles.ply butterfly 3
 compare open.ply catmull-clark 3
 compare open.ply catmull-clark 0
 
+# Numbers of vertices and faces and words go along, as if rank 0 had read them.
+source "$(dirname "$0")/../tool/attribute_meshes.bash"
+rich_cube >rich.ply
+grid 4 >grid.obj
+for name in rich.ply grid.obj; do # through VTU, which has no lists
+    run refine $name -s catmull-clark -n 1 -o lists.vtu
+    run refine lists.vtu -s catmull-clark -n 0 -o ${name%.*}.control.ply --binary
+    exits 0
+    for output in vtu ply; do
+        on 1 refine ${name%.*}.control.ply -s catmull-clark -n 2 -o whole.$output
+        exits 0
+        for ranks in 1 2 3 5; do
+            on "$ranks" refine ${name%.*}.control.ply -s catmull-clark -n 2 -o slices.$output --slices
+            exits 0
+            same whole.$output slices.$output
+        done
+    done
+done
+has whole.ply '^comment word group 16 cell_15$'
+has whole.ply '^property int smoothing_group$'
+run refine rich.control.ply -s doo-sabin -n 1 -o whole.ply --binary
+on 3 refine rich.control.ply -s doo-sabin -n 1 -o slices.ply --slices
+exits 0
+same whole.ply slices.ply
+on 1 refine rich.control.ply -s catmull-clark -n 1 -o whole.ply --limit
+on 3 refine rich.control.ply -s catmull-clark -n 1 -o slices.ply --limit --slices
+exits 0
+same whole.ply slices.ply
+sed 's/comment word group 16 cell_15/comment word other 16 cell_15/' grid.control.ply >few.ply
+on 3 refine few.ply -s catmull-clark -n 1 -o out.vtu --slices
+exits 1
+says 'few.ply: face [0-9]*: group is a number for which the file has no word; read it on one rank'
+one_message
+
 # What a share of the file does not tell.
 on 3 refine open.ply -s doo-sabin -n 1 -o out.vtu --slices
 exits 1

@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <numeric>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,7 +33,8 @@ struct mesh_slice {
     std::vector<Point> points;
 };
 
-/// A binary little-endian PLY file of triangles only or of quads only, so that its records have places that can be told.
+/// A binary little-endian PLY file of triangles only or of quads only, so that its records have places that can be told; vertices and faces may
+/// have numbers beside places and corners.
 /// Errors of all members: mesh_error, which names the file. Local.
 class sliced_ply {
 public:
@@ -57,7 +60,7 @@ public:
         const auto records_of_faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes()),
                                             (end_face - first_face) * face_bytes());
         for (global_id f = first_face; f < end_face; ++f) {
-            const char* record = records_of_faces.data() + (f - first_face) * face_bytes();
+            const char* record = records_of_faces.data() + (f - first_face) * face_bytes() + before_corners_;
             require_degree(f, static_cast<unsigned char>(record[0]));
             for (int k = 0; k < degree_; ++k) {
                 const auto v = value<std::uint32_t>(record + 1 + 4 * k);
@@ -84,6 +87,17 @@ public:
         return result;
     }
 
+    /// The numbers that some vertices or faces have in a property of theirs that is no list. Precondition: the numbers of the elements
+    /// increase. Cost: reading their bytes.
+    [[nodiscard]] std::vector<double> values_of_vertices(std::size_t property, std::span<const global_id> vertices)
+    {
+        return values({vertices_at_, vertex_bytes_}, header_.elements[0], property, vertices);
+    }
+    [[nodiscard]] std::vector<double> values_of_faces(std::size_t property, std::span<const global_id> faces)
+    {
+        return values({faces_at_, face_bytes()}, header_.elements[1], property, faces);
+    }
+
 private:
     struct place {
         std::size_t at;
@@ -102,6 +116,37 @@ private:
         std::memcpy(&result, bytes, sizeof(T));
         return result;
     }
+    /// Records of one size, one behind the other.
+    struct records {
+        std::streamoff at;
+        std::size_t size;
+    };
+    [[nodiscard]] std::vector<double> values(const records& all, const ply_element& element, std::size_t property,
+                                             std::span<const global_id> numbers)
+    {
+        std::size_t offset = 0;
+        for (std::size_t p = 0; p < property; ++p)
+            offset += element.properties[p].is_list() ? corner_bytes() : element.properties[p].value.bytes;
+        std::vector<double> result;
+        for (std::size_t begin = 0, end = 0; begin < numbers.size(); begin = end) {
+            while (end < numbers.size() and numbers[end] - numbers[begin] == end - begin)
+                ++end;
+            const auto run = bytes(all.at + std::streamoff(numbers[begin] * all.size), (end - begin) * all.size);
+            for (std::size_t i = 0; i < end - begin; ++i)
+                result.push_back(number(element.properties[property].value, run.data() + i * all.size + offset));
+        }
+        return result;
+    }
+    static double number(const ply_number& type, const char* bytes)
+    {
+        if (type.floating)
+            return type.bytes == 8 ? value<double>(bytes) : double(value<float>(bytes));
+        if (type.bytes == 4)
+            return type.is_signed ? double(value<std::int32_t>(bytes)) : double(value<std::uint32_t>(bytes));
+        if (type.bytes == 2)
+            return type.is_signed ? double(value<std::int16_t>(bytes)) : double(value<std::uint16_t>(bytes));
+        return type.is_signed ? double(value<std::int8_t>(bytes)) : double(value<std::uint8_t>(bytes));
+    }
     [[nodiscard]] std::vector<char> bytes(std::streamoff at, std::size_t size)
     {
         std::vector<char> result(size);
@@ -111,7 +156,8 @@ private:
         bytes_read_ += size;
         return result;
     }
-    [[nodiscard]] std::size_t face_bytes() const { return 1 + 4 * std::size_t(degree_); }
+    [[nodiscard]] std::size_t corner_bytes() const { return 1 + 4 * std::size_t(degree_); }
+    [[nodiscard]] std::size_t face_bytes() const { return corner_bytes() + beside_corners_; }
 
     /// The first bytes of the file, up to the end of the header and beyond.
     [[nodiscard]] std::string first_bytes()
@@ -148,11 +194,15 @@ private:
         require(elements[0].is_vertex() and elements[1].is_face(),
                 "has element " + (elements[0].is_vertex() ? elements[1] : elements[0]).name +
                     " out of place; vertices come first, then faces, then others");
-        const auto& corners = elements[1].properties[0];
-        require(
-            not elements[0].has_lists() and elements[1].properties.size() == 1 and corners.count.bytes == 1 and
-                not corners.count.is_signed and corners.value.bytes == 4,
-            "needs vertices with x, y, z and faces with one list 'vertex_indices' of uchar and int, and nothing else");
+        const auto list = std::ptrdiff_t(elements[1].corner_list());
+        const auto& of_faces = elements[1].properties;
+        const auto& corners = of_faces[std::size_t(list)];
+        require(not elements[0].has_lists() and std::ranges::count_if(of_faces, &ply_property::is_list) == 1 and
+                    corners.count.bytes == 1 and not corners.count.is_signed and corners.value.bytes == 4,
+                "needs faces with one list 'vertex_indices' of uchar and int, and no other list; read it on one rank");
+        const auto bytes_of = [](std::size_t sum, const ply_property& p) { return sum + p.value.bytes; };
+        before_corners_ = std::accumulate(of_faces.begin(), of_faces.begin() + list, std::size_t(0), bytes_of);
+        beside_corners_ = std::accumulate(of_faces.begin() + list + 1, of_faces.end(), before_corners_, bytes_of);
         require(faces() != 0, "has no faces; nothing can be refined");
         const auto place_of = elements[0].place();
         for (std::size_t p = 0; p < elements[0].properties.size(); ++p) {
@@ -178,8 +228,8 @@ private:
         require(vertices() <= left / vertex_bytes_, too_short());
         left -= vertices() * vertex_bytes_;
         faces_at_ = vertices_at_ + std::streamoff(vertices() * vertex_bytes_);
-        require(left > 0, too_short());
-        in_.seekg(faces_at_);
+        require(left > before_corners_, too_short());
+        in_.seekg(faces_at_ + std::streamoff(before_corners_));
         degree_ = in_.get();
         require(degree_ == 3 or degree_ == 4,
                 "has faces of " + std::to_string(degree_) +
@@ -191,7 +241,7 @@ private:
             skip(header_.elements[e], left);
         if (left != 0) // as it does behind a face of more vertices than the first one
             for (global_id f = 0; f < faces(); ++f) {
-                in_.seekg(faces_at_ + std::streamoff(f * face_bytes()));
+                in_.seekg(faces_at_ + std::streamoff(f * face_bytes() + before_corners_));
                 require_degree(f, in_.get());
             }
         require(left == 0,
@@ -238,6 +288,7 @@ private:
     std::ifstream in_;
     ply_header header_;
     int degree_ = 0;
+    std::size_t before_corners_ = 0, beside_corners_ = 0; ///< bytes of a face
     std::uint64_t bytes_read_ = 0;
     std::size_t vertex_bytes_ = 0;
     std::array<place, 3> places_{};

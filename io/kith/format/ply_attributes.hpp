@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mesh_attributes.hpp"
+
+#include <kith/slices/ply_header.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace kith::io {
+
+/// The numbers that a PLY file has at vertices and faces, without their values, and its words.
+mesh_attributes kinds_in(const ply_header& header);
+
+/// Which property of the element is such an attribute. Precondition: one is.
+std::size_t property_of(const ply_element& element, const attribute& a);
+
+/// What else a PLY file holds besides places and faces: "the property 'weights' of faces", "the elements 'edge'".
+std::vector<std::string> not_kept(const ply_header& header);
+
+} // namespace kith::io
