@@ -495,6 +495,19 @@ TEST(hierarchy, carries_values_to_vertices_of_the_dictionary)
     }
 }
 
+TEST(hierarchy, gives_vertices_of_the_dictionary_the_value_that_new_ones_are_born_with)
+{
+    hierarchy levels(native(shapes::cube()), fans_about_diagonals());
+    levels.refine(1);
+    const std::vector<int> marks{1, 2, 3, 4, 5, 6, 7, 8};
+    const auto values = levels.carry(0, 1, kith::on_vertices(marks, kith::from_vertex<std::identity, int>{{}, 77}));
+    const auto without = levels.carry(0, 1, kith::on_vertices(marks, kith::from_vertex{}));
+    for (std::size_t v = 0; v < 14; ++v) {
+        EXPECT_EQ(values[v], v < 8 ? marks[v] : 77);
+        EXPECT_EQ(without[v], v < 8 ? marks[v] : 0);
+    }
+}
+
 TEST(hierarchy, carries_values_to_corners_at_vertices_of_the_dictionary)
 {
     hierarchy levels(native(shapes::house()), fans_about_diagonals()); // of quads and others, with a seam at each edge

@@ -7,9 +7,11 @@
 #include <kith/step/refinement.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <type_traits>
 
 namespace kith {
 
@@ -91,7 +93,7 @@ private:
 
 /// The rule of marks on vertices: a vertex that comes from a vertex inherits from it, by `inherit(value)`; all others have
 /// `born`: a value, or a function of (const auto& element, values), where the element is the edge, face or corner that gave
-/// birth. The functions may be called on several threads.
+/// birth. A vertex of the dictionary has `born` where that is a value, else T(). The functions may be called on several threads.
 template <class Inherit = std::identity, class Born = no_value>
 struct from_vertex {
     [[no_unique_address]] Inherit inherit{};
@@ -101,6 +103,8 @@ struct from_vertex {
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         auto result = detail::values_at_new_vertices<T>(step);
+        if constexpr (std::same_as<Born, T> or std::is_arithmetic_v<Born>)
+            std::fill(result.begin() + step.ids.vertices.total(), result.end(), T(born));
         detail::for_new_elements(step.coarse,
                                  step.ids.vertices,
                                  detail::columns_of_step(step).vertices.list,

@@ -11,6 +11,15 @@
 
 namespace kith::io {
 
+/// Whether a property of vertices or faces is a number that says something else than the mesh does.
+bool is_attribute(const ply_element& element, std::size_t property);
+
+/// The list of a face's texture coordinates, two per corner, as MeshLab has them; without one the number of properties.
+std::size_t texture_list(const ply_element& element);
+
+/// Words for numbers of faces, where the comments of the header have them for all; and where the materials are.
+void take_words(const ply_header& header, mesh_attributes& attributes);
+
 /// The numbers that a PLY file has at vertices and faces, without their values, and its words.
 mesh_attributes kinds_in(const ply_header& header);
 
