@@ -58,8 +58,8 @@ template <class Handle, class T, class M>
 auto property(const M& mesh, const char* name)
 {
     const auto found = kith::property_access<M>::template find<Handle, T>(mesh, name);
-    EXPECT_TRUE(found) << name;
-    return found.value();
+    EXPECT_TRUE(bool(found)) << name;
+    return found;
 }
 
 /// The values under a name in the order of the elements.

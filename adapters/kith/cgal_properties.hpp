@@ -10,7 +10,6 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -49,9 +48,9 @@ struct property_access<CGAL::Surface_mesh<Point>> {
     {
         const auto found = m.template property_map<Handle, T>(name);
         if constexpr (requires { found.has_value(); }) // from CGAL 6 on
-            return found;
+            return found.value_or(typename mesh::template Property_map<Handle, T>());
         else
-            return found.second ? std::optional(found.first) : std::nullopt;
+            return found.first; // is false where nothing was found
     }
     template <class Handle, class T>
     static auto add(mesh& m, const std::string& name)

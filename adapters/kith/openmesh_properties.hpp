@@ -12,7 +12,6 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -25,6 +24,43 @@ template <class Scalar, int N>
     requires(N <= 4)
 struct averaged_value<OpenMesh::VectorT<Scalar, N>>
     : averaged_coordinates<OpenMesh::VectorT<Scalar, N>, Scalar, std::size_t(N)> {};
+
+namespace detail {
+
+/// Of properties on elements with such handles.
+template <class Handle, class T>
+using openmesh_property_handle =
+    std::conditional_t<std::same_as<Handle, OpenMesh::VertexHandle>, OpenMesh::VPropHandleT<T>,
+                       std::conditional_t<std::same_as<Handle, OpenMesh::HalfedgeHandle>, OpenMesh::HPropHandleT<T>,
+                                          std::conditional_t<std::same_as<Handle, OpenMesh::EdgeHandle>,
+                                                             OpenMesh::EPropHandleT<T>, OpenMesh::FPropHandleT<T>>>>;
+
+/// The values of a property of OpenMesh, if there is one.
+template <class Property>
+struct openmesh_property {
+    Property* values;
+
+    explicit operator bool() const { return values != nullptr; }
+    decltype(auto) operator[](OpenMesh::BaseHandle x) const { return (*values)[x.idx()]; }
+};
+
+// Of the part that all meshes of OpenMesh have in common, so that they are compiled once for all.
+template <class Handle, class T>
+openmesh_property<const OpenMesh::PropertyT<T>> find_property(const OpenMesh::BaseKernel& m, const std::string& name)
+{
+    openmesh_property_handle<Handle, T> handle;
+    return {m.get_property_handle(handle, name) ? &m.property(handle) : nullptr};
+}
+template <class Handle, class T>
+openmesh_property<OpenMesh::PropertyT<T>> add_property(OpenMesh::BaseKernel& m, const std::string& name)
+{
+    openmesh_property_handle<Handle, T> handle;
+    if (not m.get_property_handle(handle, name))
+        m.add_property(handle, name);
+    return {&m.property(handle)};
+}
+
+} // namespace detail
 
 /// The properties of a mesh of OpenMesh that have a name, and its attributes in traits or by request: status, colors and texture
 /// coordinates are carried, normals are not; update_normals() makes them.
@@ -68,37 +104,16 @@ struct property_access<M> {
     static bool is_reserved(const std::string& name) { return name == "v:points"; }
     static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
 
-    /// A property of elements with such handles.
     template <class Handle, class T>
-    using property_handle = std::conditional_t<
-        std::same_as<Handle, OpenMesh::VertexHandle>, OpenMesh::VPropHandleT<T>,
-        std::conditional_t<std::same_as<Handle, OpenMesh::HalfedgeHandle>, OpenMesh::HPropHandleT<T>,
-                           std::conditional_t<std::same_as<Handle, OpenMesh::EdgeHandle>, OpenMesh::EPropHandleT<T>,
-                                              OpenMesh::FPropHandleT<T>>>>;
-    template <class Handle, class T, class Mesh>
-    struct property_of {
-        Mesh* mesh;
-        property_handle<Handle, T> handle;
-
-        decltype(auto) operator[](Handle x) const { return mesh->property(handle, x); }
-    };
-
-    template <class Handle, class T>
-    static std::optional<property_of<Handle, T, const M>> find(const M& m, const std::string& name)
+    static auto find(const M& m, const std::string& name)
     {
-        property_handle<Handle, T> handle;
-        if (not m.get_property_handle(handle, name))
-            return std::nullopt;
-        return property_of<Handle, T, const M>{&m, handle};
+        return detail::find_property<Handle, T>(m, name);
     }
     template <class Handle, class T>
-    static property_of<Handle, T, M> add(M& m, const std::string& name)
+    static auto add(M& m, const std::string& name)
     {
         request_attribute<Handle>(m, name, typeid(T));
-        property_handle<Handle, T> handle;
-        if (not m.get_property_handle(handle, name))
-            m.add_property(handle, name);
-        return {&m, handle};
+        return detail::add_property<Handle, T>(m, name);
     }
 
     /// As OpenMesh calls its attributes.
@@ -124,7 +139,7 @@ private:
         mesh_traits<M>::for_each_attribute([&](auto has, auto request, auto property) {
             using attribute = std::invoke_result_t<decltype(property), M>;
             using value = typename attribute::Value;
-            if constexpr (std::derived_from<attribute, property_handle<Handle, value>>) {
+            if constexpr (std::derived_from<attribute, detail::openmesh_property_handle<Handle, value>>) {
                 if (type != typeid(value) or (m.*has)())
                     return;
                 M empty; // knows the name

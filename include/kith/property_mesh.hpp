@@ -163,7 +163,7 @@ struct property_access<property_mesh<Point>> {
     static auto find(const mesh& m, const std::string& name)
     {
         const storage<T>* const found = m.template find<Handle, T>(name);
-        return found == nullptr ? std::nullopt : std::optional(values_of<Handle, const T>{found->data()});
+        return values_of<Handle, const T>{found == nullptr ? nullptr : found->data()};
     }
     template <class Handle, class T>
     static auto add(mesh& m, const std::string& name)
@@ -183,8 +183,9 @@ struct property_access<property_mesh<Point>> {
 private:
     template <class Handle, class T>
     struct values_of {
-        T* values;
+        T* values; ///< nothing where there are none
 
+        explicit operator bool() const { return values != nullptr; }
         T& operator[](Handle x) const { return values[x.value]; }
     };
 };

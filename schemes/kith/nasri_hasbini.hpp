@@ -41,13 +41,13 @@ struct nasri_hasbini {
         // All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them all.
         for_each(coarse.vertices(), [&](auto v) {
             if (v.is_boundary())
-                detail::make_ternary_boundary(v, assoc, large);
+                rarely([&](auto x) { detail::make_ternary_boundary(x, assoc, large); }, v);
             else if (not has_quads_only(v))
-                detail::beside_polygons(v, assoc, rows_beside, large).make_all();
+                rarely([&](auto x) { detail::beside_polygons(x, assoc, rows_beside, large).make_all(); }, v);
             else if (v.valence() <= longest_row)
                 make_inner(v, assoc, rows);
             else
-                make_large_inner(v, assoc);
+                rarely([&](auto x) { make_large_inner(x, assoc); }, v);
         });
 
         ternary_split::connect(r);

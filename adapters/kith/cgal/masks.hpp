@@ -79,12 +79,32 @@ void place_faces(const View& view, Mask& mask, const Ids& ids, const Points& poi
         mask.face_node(f, points[ids.template id<tuple_kind::f>(i++)]);
 }
 
+template <class View, class Mask, class Ids, class Points>
+void place_corners(const View& view, Mask& mask, const Ids& ids, const Points& points)
+{
+    std::size_t corner = 0;
+    for (const auto f : view.faces()) {
+        const auto first = graph_calls::halfedge_at(view.graph(), f);
+        auto h = first; // which leaves the corner
+        do {
+            mask.corner_node(graph_calls::prev_of(view.graph(), h), points[ids.template id<tuple_kind::vf>(corner++)]);
+            h = graph_calls::next_of(view.graph(), h);
+        } while (h != first);
+    }
+}
+
 template <class Graph, class Np, class Step>
 void repeat(Graph& g, const Np& np, const Step& step)
 {
     const auto points = points_of(g, np);
     for (int i = 0; i < steps_of(np); ++i)
         step(points, i);
+}
+/// For schemes whose steps are all alike.
+template <class Graph, class Np, class Scheme, class Place>
+void repeat_by_mask(Graph& g, const Np& np, const Scheme& scheme, const Place& place)
+{
+    repeat(g, np, [&](const auto& points, int) { step_by_mask(g, points, scheme, 0, place); });
 }
 
 } // namespace detail
@@ -101,13 +121,11 @@ void PQQ(Graph& pmesh, Mask mask, const Np& np)
     if constexpr (steps<Np>)
         return PQQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
     else
-        detail::repeat(pmesh, np, [&](const auto& vpm, int) {
-            detail::step_by_mask(
-                pmesh, vpm, linear(), 0, [&](const auto& view, const auto&, const auto& ids, const auto& points) {
-                    detail::place_faces(view, mask, ids.vertices, points);
-                    detail::place_edges_and_vertices(view, mask, ids.vertices, points);
-                });
-        });
+        detail::repeat_by_mask(
+            pmesh, np, linear(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                detail::place_faces(view, mask, ids.vertices, points);
+                detail::place_edges_and_vertices(view, mask, ids.vertices, points);
+            });
 }
 template <class Graph, class Mask>
 void PQQ(Graph& pmesh, Mask mask)
@@ -122,15 +140,10 @@ void PTQ(Graph& pmesh, Mask mask, const Np& np)
     if constexpr (steps<Np>)
         return PTQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
     else
-        detail::repeat(pmesh, np, [&](const auto& vpm, int) {
-            detail::step_by_mask(pmesh,
-                                 vpm,
-                                 linear_triangles(),
-                                 0,
-                                 [&](const auto& view, const auto&, const auto& ids, const auto& points) {
-                                     detail::place_edges_and_vertices(view, mask, ids.vertices, points);
-                                 });
-        });
+        detail::repeat_by_mask(
+            pmesh, np, linear_triangles(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                detail::place_edges_and_vertices(view, mask, ids.vertices, points);
+            });
 }
 template <class Graph, class Mask>
 void PTQ(Graph& pmesh, Mask mask)
@@ -145,25 +158,12 @@ void DQQ(Graph& pmesh, Mask mask, const Np& np)
     if constexpr (steps<Np>)
         return DQQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
     else
-        detail::repeat(pmesh, np, [&](const auto& vpm, int) {
-            detail::step_by_mask(pmesh,
-                                 vpm,
-                                 doo_sabin{.boundary = doo_sabin_boundary::drop},
-                                 0,
-                                 [&](const auto& view, const auto&, const auto& ids, const auto& points) {
-                                     std::size_t corner = 0;
-                                     for (const auto f : view.faces()) {
-                                         const auto first = graph_calls::halfedge_at(view.graph(), f);
-                                         auto h = first; // which leaves the corner
-                                         do {
-                                             mask.corner_node(
-                                                 graph_calls::prev_of(view.graph(), h),
-                                                 points[ids.vertices.template id<tuple_kind::vf>(corner++)]);
-                                             h = graph_calls::next_of(view.graph(), h);
-                                         } while (h != first);
-                                     }
-                                 });
-        });
+        detail::repeat_by_mask(pmesh,
+                               np,
+                               doo_sabin{.boundary = doo_sabin_boundary::drop},
+                               [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                                   detail::place_corners(view, mask, ids.vertices, points);
+                               });
 }
 template <class Graph, class Mask>
 void DQQ(Graph& pmesh, Mask mask)

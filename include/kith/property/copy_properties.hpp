@@ -115,7 +115,7 @@ private:
             if (not keeps_type) {
                 numbers_of_values<number> values{{}, numbers_of_values<number>::template rounded<T>};
                 for (const FromHandle x : from_handles_)
-                    values.values.push_back(averaged_value<T>::template load<number>((*from)[x]));
+                    values.values.push_back(averaged_value<T>::template load<number>(from[x]));
                 copy_numbers(values, one);
                 return true;
             }
@@ -123,7 +123,7 @@ private:
         if (is_free(one.name, to_name, bool(to_access::template find<ToHandle, T>(to_, to_name)))) {
             auto to = to_access::template add<ToHandle, T>(to_, to_name);
             for (std::size_t i = 0; i < from_handles_.size(); ++i)
-                to[to_handles_[i]] = (*from)[from_handles_[i]];
+                to[to_handles_[i]] = from[from_handles_[i]];
         }
         return true;
     }

@@ -14,8 +14,8 @@ namespace kith {
 ///   names<Handle>(mesh)                of all properties on elements with such handles, but those of the library itself
 ///   is_reserved(name)                  whether the library itself has, or may have, a property of that name
 ///   follows_from_points(name)          whether the library makes it, as normals
-///   find<Handle, T>(mesh, name)        std::optional of something with [handle]; of a mesh that is not const, to write
-///   add<Handle, T>(mesh, name)         the same, new where there is none
+///   find<Handle, T>(mesh, name)        something with [handle] that converts to true if there are such values
+///   add<Handle, T>(mesh, name)         something with [handle] to write to, new where there is none
 ///   standard_name<Handle>(which)       what the library calls a standard_property on such elements; empty if it does not
 ///   standard_type<which>               and the type of its values; void for any
 template <class M>

@@ -26,6 +26,50 @@ const T& value_of_nothing()
     return value;
 }
 
+/// What elements have from one element of the control mesh each, of any type.
+struct inherited_values {
+    virtual ~inherited_values() = default;
+};
+template <class T>
+struct inherited_values_of final : inherited_values {
+    std::vector<T> values;
+};
+
+template <class T, class From, class Handle>
+std::unique_ptr<const inherited_values> load_inherited(const From& from, const std::vector<Handle>& handles)
+{
+    auto* const result = new inherited_values_of<T>();
+    std::unique_ptr<const inherited_values> owned(result);
+    result->values.reserve(handles.size());
+    for (const Handle x : handles)
+        result->values.push_back(from[x]);
+    return owned;
+}
+/// heirs: one more than the number of the element that each has its value from, 0 for those that have T().
+template <class T, class To, class Handle>
+void store_inherited(To to, const std::vector<Handle>& handles, const inherited_values& all,
+                     std::span<const std::uint32_t> heirs)
+{
+    const std::vector<T>& values = static_cast<const inherited_values_of<T>&>(all).values;
+    for (std::size_t i = 0; i < handles.size(); ++i)
+        to[handles[i]] = heirs[i] == 0 ? value_of_nothing<T>() : T(values[heirs[i] - 1]);
+}
+
+template <class Number, class T, class From, class Handle>
+storage<four_numbers<Number>> load_averaged(const From& from, const std::vector<Handle>& handles)
+{
+    storage<four_numbers<Number>> result(handles.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = averaged_value<T>::template load<Number>(from[handles[i]]);
+    return result;
+}
+template <class Number, class T, class To, class Handle>
+void store_averaged(To to, const std::vector<Handle>& handles, std::span<const four_numbers<Number>> values)
+{
+    for (std::size_t i = 0; i < handles.size(); ++i)
+        to[handles[i]] = averaged_value<T>::template store<Number>(values[i]);
+}
+
 template <class Handle, mesh M>
 std::vector<Handle> handles_of(const M& mesh)
 {
@@ -35,8 +79,9 @@ std::vector<Handle> handles_of(const M& mesh)
 }
 
 /// The properties of a mesh on elements with such handles, apart from the mesh and from the types of their values, so that
-/// whatever takes them to finer levels is compiled once for all types. At vertices and corners, which half-edges stand for,
-/// what can be averaged is coordinates; the rest goes from an element to its heirs.
+/// whatever takes them to finer levels is compiled once for all types, and little for each type of mesh and of values. At
+/// vertices and corners, which half-edges stand for, what can be averaged is coordinates; the rest goes from an element to its
+/// heirs.
 template <class Handle, mesh_with_properties M>
 class property_values {
     using traits = mesh_traits<M>;
@@ -53,12 +98,11 @@ public:
         storage<coordinates> values;
         void (*write)(M&, const std::string& name, const std::vector<Handle>&, std::span<const coordinates>);
     };
-    /// What elements have from one element of the control mesh each.
-    class inherited {
-    public:
-        virtual ~inherited() = default;
-        /// heirs: one more than the number of the element that each has its value from, 0 for those that have T().
-        virtual void write(M&, const std::vector<Handle>&, std::span<const std::uint32_t> heirs) const = 0;
+    struct inherited {
+        std::string name;
+        std::unique_ptr<const inherited_values> values;
+        void (*write)(M&, const std::string& name, const std::vector<Handle>&, const inherited_values&,
+                      std::span<const std::uint32_t> heirs);
     };
 
     /// Cost: O(elements) per property.
@@ -102,7 +146,7 @@ public:
             return;
         const auto handles = handles_of<Handle>(fine);
         for (const auto& each : heirs_)
-            each->write(fine, handles, heirs);
+            each.write(fine, each.name, handles, *each.values, heirs);
     }
     static void write_mean(M& fine, const averaged& mean, std::span<const coordinates> values)
     {
@@ -121,47 +165,28 @@ private:
         const auto from = access::template find<Handle, T>(mesh, name);
         if (not from)
             return false;
-        if constexpr (has_means and can_be_averaged<T>) {
-            storage<coordinates> values(handles_.size());
-            for (std::size_t i = 0; i < values.size(); ++i)
-                values[i] = averaged_value<T>::template load<number>((*from)[handles_[i]]);
-            means_.push_back({name, std::move(values), &write_as<T>});
-        } else {
-            auto values = std::make_unique<inherited_values<T>>(name, handles_.size());
-            for (const Handle x : handles_)
-                values->add((*from)[x]);
-            heirs_.push_back(std::move(values));
-        }
+        if constexpr (has_means and can_be_averaged<T>)
+            means_.push_back({name, load_averaged<number, T>(from, handles_), &write_averaged<T>});
+        else
+            heirs_.push_back({name, load_inherited<T>(from, handles_), &write_inherited<T>});
         return true;
     }
     template <class T>
-    static void write_as(M& fine, const std::string& name, const std::vector<Handle>& handles,
-                         std::span<const coordinates> values)
+    static void write_averaged(M& fine, const std::string& name, const std::vector<Handle>& handles,
+                               std::span<const coordinates> values)
     {
-        auto to = access::template add<Handle, T>(fine, name);
-        for (std::size_t i = 0; i < handles.size(); ++i)
-            to[handles[i]] = averaged_value<T>::template store<number>(values[i]);
+        store_averaged<number, T>(access::template add<Handle, T>(fine, name), handles, values);
     }
     template <class T>
-    class inherited_values final : public inherited {
-    public:
-        inherited_values(std::string name, std::size_t count) : name_(std::move(name)) { values_.reserve(count); }
-        void add(const T& value) { values_.push_back(value); }
-        void write(M& fine, const std::vector<Handle>& handles, std::span<const std::uint32_t> heirs) const override
-        {
-            auto to = access::template add<Handle, T>(fine, name_);
-            for (std::size_t i = 0; i < handles.size(); ++i)
-                to[handles[i]] = heirs[i] == 0 ? value_of_nothing<T>() : T(values_[heirs[i] - 1]);
-        }
-
-    private:
-        std::string name_;
-        std::vector<T> values_;
-    };
+    static void write_inherited(M& fine, const std::string& name, const std::vector<Handle>& handles,
+                                const inherited_values& values, std::span<const std::uint32_t> heirs)
+    {
+        store_inherited<T>(access::template add<Handle, T>(fine, name), handles, values, heirs);
+    }
 
     std::vector<Handle> handles_;
     std::vector<averaged> means_;
-    std::vector<std::unique_ptr<const inherited>> heirs_;
+    std::vector<inherited> heirs_;
     std::vector<std::string> known_, unknown_;
 };
 
