@@ -16,7 +16,6 @@
 #include <kith/tile/cut_tiles.hpp>
 #include <kith/tile/numbered_tile.hpp>
 #include <kith/tile/pack.hpp>
-#include <kith/tile/refine_tile.hpp>
 #include <kith/tile/require_control.hpp>
 #include <kith/tile/tiles_at_once.hpp>
 
@@ -272,32 +271,7 @@ private:
     template <class Use>
     void refine_one(std::uint64_t number, job_type job, const Use& use, work_done& done)
     {
-        work_done more{.tiles = 1};
-        const auto count = [&](const tile_type& part) {
-            more.kept_faces += part.mesh.face_count();
-            more.useful_faces += owned_count(part.face_marks);
-        };
-        phase_seconds spent;
-        if constexpr (std::invocable<const Use&, kept_type>) {
-            timed(spent[phase::refine], [&] {
-                kith::refine_levels(number, std::move(job), *whole_, [&](kept_type kept) {
-                    if (kept.level > 0)
-                        count(kept.part);
-                    more.owned_faces = owned_count(kept.part.face_marks);
-                    use(std::move(kept));
-                });
-            });
-        } else {
-            timed(spent[phase::refine], [&] { kith::refine(job, *whole_, last_, count); });
-            more.owned_faces = owned_count(job.part.face_marks);
-            timed(spent[phase::write], [&] {
-                if constexpr (std::invocable<const Use&, std::uint64_t, tile_type, const Scheme&>)
-                    use(number, std::move(job.part), std::as_const(job.scheme));
-                else
-                    use(number, std::move(job.part));
-            });
-        }
-        more.seconds.add(spent, at_once_);
+        const work_done more = refine_counted(number, std::move(job), *whole_, last_, use, at_once_);
         const std::lock_guard lock(adding_);
         done += more;
     }

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <kith/part/phase_seconds.hpp>
+#include <kith/part/tile.hpp>
+#include <kith/tile/refine_tile.hpp>
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace kith::mpi {
 
@@ -29,5 +34,41 @@ struct work_done {
         return *this;
     }
 };
+
+/// Refines tile `number` of level 0 and hands it over: use(number, tile) or use(number, tile, scheme) with the last level, or, where `use`
+/// takes a kept_tile, with every level. Returns what was done; `at_once` tiles are being refined, so that each has a part of
+/// the seconds. Errors and cost: those of the steps.
+template <tile_like Tile, reaching_scheme Scheme, class Use>
+work_done refine_counted(std::uint64_t number, tile_job<Tile, Scheme> job, const whole_levels<Scheme>& whole,
+                         connect last, const Use& use, std::size_t at_once)
+{
+    work_done done{.tiles = 1};
+    const auto count = [&](const Tile& part) {
+        done.kept_faces += part.mesh.face_count();
+        done.useful_faces += owned_count(part.face_marks);
+    };
+    phase_seconds spent;
+    if constexpr (std::invocable<const Use&, kept_tile<Tile, Scheme>>) {
+        timed(spent[phase::refine], [&] {
+            kith::refine_levels(number, std::move(job), whole, [&](kept_tile<Tile, Scheme> kept) {
+                if (kept.level > 0)
+                    count(kept.part);
+                done.owned_faces = owned_count(kept.part.face_marks);
+                use(std::move(kept));
+            });
+        });
+    } else {
+        timed(spent[phase::refine], [&] { kith::refine(job, whole, last, count); });
+        done.owned_faces = owned_count(job.part.face_marks);
+        timed(spent[phase::write], [&] {
+            if constexpr (std::invocable<const Use&, std::uint64_t, Tile, const Scheme&>)
+                use(number, std::move(job.part), std::as_const(job.scheme));
+            else
+                use(number, std::move(job.part));
+        });
+    }
+    done.seconds.add(spent, at_once);
+    return done;
+}
 
 } // namespace kith::mpi

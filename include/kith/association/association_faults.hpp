@@ -4,10 +4,12 @@
 #include "association.hpp"
 
 #include <kith/base/error.hpp>
+#include <kith/mesh/connectivity.hpp>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -51,15 +53,6 @@ template <level Level>
     refuse(list_tuple(level, kind, tuple),
            " -> F has " + std::to_string(has) + " vertices, its column says " + std::to_string(declared));
 }
-template <level Level>
-[[noreturn, gnu::noinline]] void taken_side(const Level& level, tuple_kind kind, std::size_t tuple,
-                                            std::size_t halfedge)
-{
-    refuse(list_tuple(level, kind, tuple),
-           " -> F: side " + std::to_string(halfedge % 2) + " of new edge " + std::to_string(halfedge / 2) +
-               " has a face already");
-}
-
 /// What declares the vertex of such a tuple, which no column does; nothing for elements of one kind, of which no column
 /// can speak.
 inline std::string column_for(const tuple_elements& tuple)
@@ -100,7 +93,19 @@ inline constexpr const char* absent_face = " -> F: the columns of the scheme lea
 inline constexpr const char* vertex_read_early = " -> V is read before it is set";
 inline constexpr const char* vertex_set_twice = " -> V is set twice";
 inline constexpr const char* face_set_twice = " -> F is set twice";
-inline constexpr const char* no_side = " -> F: the scheme declares edges, so each line needs its side: v >> side";
+
+/// A line of a face needs a side of a new edge that no other face has.
+template <level Level, std::unsigned_integral Index>
+[[gnu::noinline]] void require_free_side(const Level& level, tuple_kind kind, std::size_t tuple, Index halfedge,
+                                         const connectivity<Index>& fine)
+{
+    if (halfedge == connectivity<Index>::none)
+        refuse(level, kind, tuple, " -> F: the scheme declares edges, so each line needs its side: v >> side");
+    if (fine.halfedge_corner[halfedge] != connectivity<Index>::none)
+        refuse(list_tuple(level, kind, tuple),
+               " -> F: side " + std::to_string(halfedge % 2) + " of new edge " + std::to_string(halfedge / 2) +
+                   " has a face already");
+}
 
 } // namespace kith::faults
 

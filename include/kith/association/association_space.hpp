@@ -230,8 +230,12 @@ private:
         const index_type first = first_corner(id);
         index_type corner = first;
         for (const face_line<index_type>& line : lines) {
-            if constexpr (Checked)
-                check_line(Kind, tuple, id, corner, line);
+            if constexpr (Checked) {
+                if (corner >= first_corner(id + 1))
+                    faults::wrong_degree(*coarse_, Kind, tuple, corner - first + 1, first_corner(id + 1) - first);
+                if constexpr (Connect == connect::everything and Numbering::has_edges)
+                    faults::require_free_side(*coarse_, Kind, tuple, line.halfedge, *fine_);
+            }
             fine_->corner_vertex[corner] = line.vertex;
             if constexpr (Connect == connect::everything and Numbering::has_edges)
                 fine_->set_side(corner, line.halfedge);
@@ -280,20 +284,6 @@ private:
     }
     template <tuple_kind Kind>
     static constexpr bool has_vertices = decltype(Numbering::vertices)::template has<Kind>;
-
-    [[gnu::noinline]] void check_line(tuple_kind kind, std::size_t tuple, index_type id, index_type corner,
-                                      const face_line<index_type>& line) const
-    {
-        if (corner >= first_corner(id + 1))
-            faults::wrong_degree(
-                *coarse_, kind, tuple, corner - first_corner(id) + 1, first_corner(id + 1) - first_corner(id));
-        if constexpr (Connect == connect::everything and Numbering::has_edges) {
-            if (line.halfedge == none)
-                faults::refuse(*coarse_, kind, tuple, faults::no_side);
-            if (fine_->halfedge_corner[line.halfedge] != none)
-                faults::taken_side(*coarse_, kind, tuple, line.halfedge);
-        }
-    }
 
     const Level* coarse_;
     const Numbering& ids_;
