@@ -2,6 +2,7 @@
 #pragma once
 
 #include "in_library.hpp"
+#include "sanitized.hpp"
 
 #include <algorithm>
 #include <array>
@@ -110,11 +111,7 @@ private:
     std::size_t kept_count_ = 0;
     std::size_t kept_bytes_ = 0;
     std::size_t in_use_ = 0, most_in_use_ = 0;
-#if defined(__SANITIZE_ADDRESS__)
-    std::size_t limit_ = 0; // what has been freed must not be touched
-#else
-    std::size_t limit_ = std::size_t(1) << 30;
-#endif
+    std::size_t limit_ = detail::is_sanitized ? 0 : std::size_t(1) << 30; // else a freed block could be read unseen
 };
 
 #ifdef KITH_HAS_BODIES
