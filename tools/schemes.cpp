@@ -202,6 +202,15 @@ sharp_elements sharp_after(const any_scheme& scheme, int levels)
         scheme);
 }
 
+void add_lost_state(std::vector<std::string>& lost, const any_scheme& scheme, const basic_mesh<>& control, int levels)
+{
+    if (is_prepared(scheme))
+        lost.emplace_back("which edges 4-8 has marked to be split next");
+    const bool is_between = (control.generation() + levels) % 2 != 0 and count(control.topology()).boundary_edges != 0;
+    if (std::holds_alternative<sqrt3>(scheme) and is_between)
+        lost.emplace_back("that sqrt3 splits the boundary in the next step");
+}
+
 void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme)
 {
     std::visit(

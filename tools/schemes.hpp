@@ -79,6 +79,9 @@ struct sharp_elements {
 /// Those that are sharp for more levels than this; averages of neighbours (Chaikin) may end that earlier.
 sharp_elements sharp_after(const any_scheme& scheme, int levels);
 
+/// What else the next step of the scheme would read of the last level and no format holds.
+void add_lost_state(std::vector<std::string>& lost, const any_scheme& scheme, const basic_mesh<>& control, int levels);
+
 /// "catmull-clark and loop"
 std::string schemes_with_creases();
 
