@@ -65,6 +65,9 @@ std::size_t property_of(const ply_element& element, const attribute& a)
 std::vector<std::string> not_kept(const ply_header& header)
 {
     std::vector<std::string> result;
+    for (const std::string& comment : header.comments)
+        if (comment.starts_with("TextureFile ")) // the picture that texture coordinates lie in, for MeshLab
+            result.push_back("the comment '" + shown(comment) + "'");
     for (const auto& element : header.elements) {
         if (not element.is_vertex() and not element.is_face()) {
             if (element.count != 0)
