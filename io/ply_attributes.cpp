@@ -29,7 +29,7 @@ bool is_attribute(const ply_element& element, std::size_t property)
 
 void take_words(const ply_header& header, mesh_attributes& attributes)
 {
-    attributes.material_files = material_files_in_ply(header.comments);
+    attributes.file_lines = file_lines_in_ply(header.comments);
     for (const std::string_view name : label_names) {
         const auto found = std::ranges::find(attributes.faces, ply_name(std::string(name)), &attribute::name);
         if (found == attributes.faces.end() or found->type.floating)
@@ -65,9 +65,6 @@ std::size_t property_of(const ply_element& element, const attribute& a)
 std::vector<std::string> not_kept(const ply_header& header)
 {
     std::vector<std::string> result;
-    for (const std::string& comment : header.comments)
-        if (comment.starts_with("TextureFile ")) // the picture that texture coordinates lie in, for MeshLab
-            result.push_back("the comment '" + shown(comment) + "'");
     for (const auto& element : header.elements) {
         if (not element.is_vertex() and not element.is_face()) {
             if (element.count != 0)

@@ -139,7 +139,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     refined_mesh result = timed(seconds[phase::refine], [&] {
         give_creases(request.scheme, control, words);
         if (not request.limit) // from where nobody goes on
-            add_lost_state(control.not_kept, request.scheme, control.mesh, request.levels);
+            tell_next_step(control, request.scheme, request.levels);
         request.holes = holes_of(control.tags, control.mesh);
         settle_attributes(control, format, {request.scheme, request.levels, request.limit});
         request.attributes = attribute_fields(control.attributes, control.mesh, linear);

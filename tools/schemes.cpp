@@ -202,13 +202,13 @@ sharp_elements sharp_after(const any_scheme& scheme, int levels)
         scheme);
 }
 
-void add_lost_state(std::vector<std::string>& lost, const any_scheme& scheme, const basic_mesh<>& control, int levels)
+void tell_next_step(control_mesh& control, const any_scheme& scheme, int levels)
 {
     if (is_prepared(scheme))
-        lost.emplace_back("which edges 4-8 has marked to be split next");
-    const bool is_between = (control.generation() + levels) % 2 != 0 and count(control.topology()).boundary_edges != 0;
-    if (std::holds_alternative<sqrt3>(scheme) and is_between)
-        lost.emplace_back("that sqrt3 splits the boundary in the next step");
+        control.not_kept.emplace_back("which edges 4-8 has marked to be split next");
+    const bool is_odd = (control.mesh.generation() + levels) % 2 != 0;
+    if (std::holds_alternative<sqrt3>(scheme) and is_odd and count(control.mesh.topology()).boundary_edges != 0)
+        control.attributes.file_lines.emplace_back(io::odd_generation);
 }
 
 void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme)

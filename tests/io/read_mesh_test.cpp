@@ -176,13 +176,6 @@ TEST(read_ply, everything_else_is_named)
     ASSERT_EQ(kinds.vertices.size(), 1);
     EXPECT_EQ(kinds.vertices[0].name, soup.attributes.vertices[0].name);
     EXPECT_TRUE(kinds.vertices[0].values.empty() and kinds.faces.empty() and kinds.corners.empty());
-
-    const std::string textured = std::string("ply\ncomment TextureFile my skin.png\ncomment by hand") +
-                                 files::ply.substr(3);
-    const auto picture = expect_tetrahedron(mesh_format::ply, textured).not_kept;
-    ASSERT_FALSE(picture.empty());
-    EXPECT_EQ(picture[0], "the comment 'TextureFile my skin.png'");
-    EXPECT_EQ(picture.size(), soup.not_kept.size() + 1);
 }
 
 TEST(read_ply, data_after_a_header_with_carriage_returns_may_begin_with_a_newline)

@@ -27,13 +27,20 @@ struct attribute {
 /// object, group, material, smoothing group, which are words.
 struct mesh_attributes {
     std::vector<attribute> vertices, faces, corners;
-    std::vector<std::string> material_files; ///< where OBJ has its materials
+    /// That name other files: "mtllib paint.mtl" of OBJ, "TextureFile skin.png" of PLY, as MeshLab writes it. And odd_generation.
+    std::vector<std::string> file_lines;
 
     [[nodiscard]] bool empty() const
     {
-        return vertices.empty() and faces.empty() and corners.empty() and material_files.empty();
+        return vertices.empty() and faces.empty() and corners.empty() and file_lines.empty();
     }
 };
+
+/// The tag that says that the mesh is of an odd generation, so that schemes whose steps take turns go on with the other one.
+inline constexpr std::string_view odd_generation = "t generation 1/0/0 1";
+
+/// Takes this out; returns whether it was there.
+bool take_odd_generation(mesh_attributes& attributes);
 
 /// The name by which all formats know an attribute: "u" for "texture_u" and "s", "red" for "diffuse_red".
 std::string_view shared_name(std::string_view name);
