@@ -298,11 +298,13 @@ private:
     /// would join the next line.
     void read_tag()
     {
-        auto ahead = text_;
-        if (ahead.word() == "generation")
-            soup_.attributes.file_lines.push_back("t " + rest_of_line());
-        else
-            read_obj_tag(text_, soup_.tags);
+        const auto begin = text_;
+        if ("t " + rest_of_line() == odd_generation) {
+            soup_.attributes.file_lines.emplace_back(odd_generation);
+            return;
+        }
+        text_ = begin;
+        read_obj_tag(text_, soup_.tags);
     }
     std::string rest_of_line()
     {

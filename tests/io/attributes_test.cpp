@@ -255,6 +255,20 @@ TEST(ply_attributes, words_of_faces_are_comments_that_others_skip)
     EXPECT_EQ(not_held(mesh_format::obj, with_picture.attributes), names{"names of texture files"});
     EXPECT_EQ(written(mesh_format::obj, with_picture).find("skin"), std::string::npos);
 
+    // Which step of a scheme comes next.
+    const std::string tag(kith::odd_generation);
+    auto odd = io::read_mesh(mesh_format::obj, obj + tag + "\n");
+    EXPECT_EQ(odd.attributes.file_lines, (names{"mtllib my paint.mtl", "mtllib other.mtl", tag}));
+    EXPECT_TRUE(odd.tags.unread.empty());
+    const auto through = io::read_mesh(mesh_format::ply, written(mesh_format::ply, odd));
+    EXPECT_EQ(through.attributes.file_lines, odd.attributes.file_lines);
+    EXPECT_EQ(io::read_mesh(mesh_format::obj, written(mesh_format::obj, through)).attributes.file_lines,
+              odd.attributes.file_lines);
+    EXPECT_EQ(not_held(mesh_format::off, odd.attributes).back(), "that sqrt3 splits the boundary in the next step");
+    EXPECT_TRUE(take_odd_generation(odd.attributes) and not take_odd_generation(odd.attributes));
+    EXPECT_EQ(odd.attributes.file_lines, soup.attributes.file_lines);
+    EXPECT_EQ(io::read_mesh(mesh_format::obj, obj + "t generation 1/0/0 2\n").tags.unread.size(), 1);
+
     // Other ends of lines; and what does not say all words, one by one, is a number.
     const auto replaced = [&](const std::string& from, const std::string& to) {
         std::string text = bytes;

@@ -12,6 +12,9 @@
 
 namespace kith {
 
+/// The tag of OBJ, in PLY a comment, that says that the mesh is of an odd generation: schemes whose steps take turns go on with the other one.
+inline constexpr std::string_view odd_generation = "t generation 1/0/0 1";
+
 /// The name of a property, which is one word.
 inline std::string ply_name(std::string name)
 {
@@ -59,8 +62,7 @@ inline std::vector<std::string> file_lines_in_ply(const std::vector<std::string>
 {
     std::vector<std::string> result;
     for (const std::string& comment : comments)
-        if (comment.starts_with("mtllib ") or comment.starts_with("TextureFile ") or
-            comment.starts_with("t generation "))
+        if (comment.starts_with("mtllib ") or comment.starts_with("TextureFile ") or comment == odd_generation)
             result.push_back(comment);
     return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/output/ply_words.hpp>
 #include <kith/slices/ply_header.hpp>
 
 #include <cmath>
@@ -36,10 +37,7 @@ struct mesh_attributes {
     }
 };
 
-/// The tag that says that the mesh is of an odd generation, so that schemes whose steps take turns go on with the other one.
-inline constexpr std::string_view odd_generation = "t generation 1/0/0 1";
-
-/// Takes this out; returns whether it was there.
+/// Takes odd_generation out; returns whether it was there.
 bool take_odd_generation(mesh_attributes& attributes);
 
 /// The name by which all formats know an attribute: "u" for "texture_u" and "s", "red" for "diffuse_red".
