@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace kith::io {
@@ -17,11 +20,6 @@ attribute_list take(const std::vector<attribute>& from, std::span<const std::str
     attribute_list result = find_all(from, names);
     result.resize(result.size() < least ? 0 : std::min(result.size(), most));
     return result;
-}
-
-bool holds_material_files(mesh_format format)
-{
-    return format == mesh_format::obj or format == mesh_format::ply;
 }
 
 bool has_words(const attribute& a)
@@ -64,6 +62,12 @@ private:
 };
 
 } // namespace
+
+bool holds_file_line(mesh_format format, std::string_view line)
+{
+    return format == mesh_format::ply or
+           (format == mesh_format::obj and (line.starts_with("mtllib ") or line == odd_generation));
+}
 
 held_attributes held_by(mesh_format format, const mesh_attributes& all)
 {
@@ -108,8 +112,9 @@ std::vector<std::string> not_held(mesh_format format, const mesh_attributes& att
     add_rest(attributes.vertices, rest.vertices);
     add_rest(attributes.corners, rest.corners);
     add_rest(attributes.faces, rest.faces);
-    if (not holds_material_files(format))
-        rest.material_files = attributes.material_files;
+    std::ranges::copy_if(attributes.file_lines, std::back_inserter(rest.file_lines), [&](const std::string& line) {
+        return not holds_file_line(format, line);
+    });
     return topics_of(rest);
 }
 
@@ -125,8 +130,9 @@ void keep_held(mesh_format format, mesh_attributes& attributes)
     take(attributes.vertices, kept.vertices);
     take(attributes.corners, kept.corners);
     take(attributes.faces, kept.faces);
-    if (holds_material_files(format))
-        kept.material_files = std::move(attributes.material_files);
+    std::ranges::copy_if(attributes.file_lines, std::back_inserter(kept.file_lines), [&](const std::string& line) {
+        return holds_file_line(format, line);
+    });
     attributes = std::move(kept);
 }
 

@@ -59,6 +59,11 @@ std::string topic_of(std::string_view name, std::string_view elements)
     return "the property '" + shown(name) + "' of " + std::string(elements);
 }
 
+bool take_odd_generation(mesh_attributes& attributes)
+{
+    return std::erase(attributes.file_lines, odd_generation) != 0;
+}
+
 std::vector<std::string> topics_of(const mesh_attributes& attributes)
 {
     std::vector<std::string> result;
@@ -74,8 +79,10 @@ std::vector<std::string> topics_of(const mesh_attributes& attributes)
         const std::string topic = topic_of(a.name, "faces");
         add(topic == "colours" ? "colours of faces" : topic);
     }
-    if (not attributes.material_files.empty())
-        add("materials");
+    for (const std::string& line : attributes.file_lines)
+        add(line == odd_generation        ? "that sqrt3 splits the boundary in the next step"
+            : line.starts_with("mtllib ") ? "materials"
+                                          : "names of texture files");
     return result;
 }
 

@@ -29,7 +29,7 @@ bool is_attribute(const ply_element& element, std::size_t property)
 
 void take_words(const ply_header& header, mesh_attributes& attributes)
 {
-    attributes.material_files = material_files_in_ply(header.comments);
+    attributes.file_lines = file_lines_in_ply(header.comments);
     for (const std::string_view name : label_names) {
         const auto found = std::ranges::find(attributes.faces, ply_name(std::string(name)), &attribute::name);
         if (found == attributes.faces.end() or found->type.floating)

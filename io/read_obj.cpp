@@ -201,9 +201,9 @@ public:
             else if (statement == "vn")
                 normals_.read_line(text_);
             else if (statement == "t")
-                read_obj_tag(text_, soup_.tags);
+                read_tag();
             else if (statement == "mtllib")
-                soup_.attributes.material_files.push_back(rest_of_line());
+                soup_.attributes.file_lines.push_back("mtllib " + rest_of_line());
             else if (not read_label(statement))
                 leave_aside(statement);
         }
@@ -296,6 +296,16 @@ private:
     }
     /// The words up to the end of the line, with a blank between them. At the end of the file the last one may end in what
     /// would join the next line.
+    void read_tag()
+    {
+        const auto begin = text_;
+        if ("t " + rest_of_line() == odd_generation) {
+            soup_.attributes.file_lines.emplace_back(odd_generation);
+            return;
+        }
+        text_ = begin;
+        read_obj_tag(text_, soup_.tags);
+    }
     std::string rest_of_line()
     {
         std::string result;

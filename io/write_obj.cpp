@@ -95,8 +95,9 @@ void write_obj(std::ostream& out, const written_mesh& what)
     header << "# kith: " << counted(vertices_of(what), "vertex") << ", " << counted(what.mesh.face_count(), "face")
            << '\n';
     if (what.attributes != nullptr)
-        for (const std::string& file : what.attributes->material_files)
-            header << "mtllib " << file << '\n';
+        for (const std::string& line : what.attributes->file_lines)
+            if (holds_file_line(mesh_format::obj, line))
+                header << line << '\n';
     out << header.text();
     write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
         text << "v " << point_of(what, v);

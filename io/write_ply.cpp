@@ -72,8 +72,7 @@ void write_ply(std::ostream& out, const written_mesh& what)
     text_block header;
     header << "ply\nformat " << (what.binary ? "binary_little_endian" : "ascii") << " 1.0\ncomment written by kith\n";
     if (what.attributes != nullptr)
-        for (const std::string& file : what.attributes->material_files)
-            header << ply_material_file_line(file);
+        header << ply_file_lines(what.attributes->file_lines);
     for (const attribute* a : held.faces)
         header << ply_word_lines(a->name, a->labels);
     header << "element vertex " << vertices_of(what) << "\nproperty double x\nproperty double y\nproperty double z\n"

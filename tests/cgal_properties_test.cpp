@@ -11,6 +11,7 @@
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/face_varying.hpp>
+#include <kith/linear.hpp>
 
 #include <gtest/gtest.h>
 
@@ -133,7 +134,7 @@ TEST(cgal_properties, inherit_from_the_element_that_an_element_comes_from)
             EXPECT_EQ(id[child], 10 + int(v));
         }
         for (const auto v : fine.vertices())
-            old_ones += id[v] != 0;
+            old_ones += id[v] != -1; // as the map has for new ones
         EXPECT_EQ(old_ones, control.number_of_vertices());
 
         const auto material = map_of<face, std::string>(fine, "f:material");
@@ -219,6 +220,62 @@ TEST(cgal_properties, of_half_edges_beyond_the_boundary_are_zero)
     const auto after = map_of<halfedge, kernel::Point_2>(fine, "h:texcoord");
     for (const auto h : fine.halfedges())
         EXPECT_EQ(after[h], fine.is_border(h) ? kernel::Point_2(0, 0) : kernel::Point_2(3, 4));
+}
+
+TEST(cgal_properties, elements_that_inherit_nothing_have_what_the_map_gives_to_new_ones)
+{
+    mesh control = make(shapes::open_house());
+    auto patch = control.add_property_map<face, int>("f:patch", -1).first;
+    auto id = control.add_property_map<edge, std::size_t>("e:id", 77).first;
+    auto name = control.add_property_map<vertex, std::string>("v:name", "new").first;
+    control.add_property_map<halfedge, double>("h:angle", -2);
+    for (const auto f : control.faces())
+        patch[f] = int(f);
+    for (const auto e : control.edges())
+        id[e] = e;
+    for (const auto v : control.vertices())
+        name[v] = "old";
+
+    const auto as_expected = [](mesh fine, std::size_t faces_without) {
+        const auto fine_patch = map_of<face, int>(fine, "f:patch");
+        const auto fine_id = map_of<edge, std::size_t>(fine, "e:id");
+        const auto fine_name = map_of<vertex, std::string>(fine, "v:name");
+        const auto angle = map_of<halfedge, double>(fine, "h:angle");
+        std::size_t without = 0, unnamed = 0, inside = 0;
+        for (const auto f : fine.faces())
+            without += fine_patch[f] == -1;
+        for (const auto e : fine.edges())
+            inside += fine_id[e] == 77;
+        for (const auto v : fine.vertices())
+            unnamed += fine_name[v] == "";
+        for (const auto h : fine.halfedges())
+            EXPECT_EQ(angle[h], -2);
+        EXPECT_EQ(without, faces_without);
+        EXPECT_EQ(unnamed, 0U);
+        EXPECT_GT(inside, 0U);
+        const auto v = fine.add_vertex(); // the maps are as they were
+        EXPECT_EQ(fine_name[v], "new");
+    };
+    as_expected(kith::refine_with_properties(control, kith::catmull_clark(), 2).first, 0);
+    const auto dual = kith::refine_with_properties(control, kith::doo_sabin(), 1).first;
+    as_expected(dual, dual.number_of_faces() - control.number_of_faces());
+}
+
+TEST(cgal_properties, of_one_name_and_several_types_are_all_carried)
+{
+    mesh control = make(shapes::cube());
+    control.add_property_map<face, int>("f:patch", 3);
+    control.add_property_map<face, std::string>("f:patch", "three");
+    control.add_property_map<face, label>("f:patch", label{3});
+    const auto [fine, report] = kith::refine_with_properties(control, kith::catmull_clark(), 1);
+    EXPECT_EQ(report.carried, (names{"f:patch", "f:patch"}));
+    EXPECT_EQ(report.left_out, names{"f:patch"});
+    const auto number = map_of<face, int>(fine, "f:patch");
+    const auto word = map_of<face, std::string>(fine, "f:patch");
+    for (const auto f : fine.faces()) {
+        EXPECT_EQ(number[f], 3);
+        EXPECT_EQ(word[f], "three");
+    }
 }
 
 TEST(cgal_properties, of_faces_without_a_parent_and_of_another_mesh)
@@ -307,12 +364,29 @@ TEST(cgal_properties, numbers_of_exact_kernels_stay_exact)
     using exact_mesh = surface_mesh<epeck>;
     const auto shape = shapes::cube();
     exact_mesh cube = user_mesh<exact_mesh>::make(shape.points, shape.faces);
-    auto heat = cube.add_property_map<exact_mesh::Vertex_index, epeck::FT>("v:heat").first;
+    auto heat = cube.add_property_map<exact_mesh::Vertex_index, epeck::FT>("v:heat", 0).first;
     heat[exact_mesh::Vertex_index(0)] = epeck::FT(1) / 3;
     auto [fine, report] = kith::refine_with_properties(cube, kith::catmull_clark(), 1);
     EXPECT_EQ(report.carried, names{"v:heat"});
     const auto after = fine.add_property_map<exact_mesh::Vertex_index, epeck::FT>("v:heat").first;
     EXPECT_EQ(after[exact_mesh::Vertex_index(0)], epeck::FT(5) / 36);
+}
+
+TEST(cgal_properties, of_exact_kernels_are_zero_beyond_the_boundary)
+{
+    using exact_mesh = surface_mesh<epeck>;
+    const auto shape = shapes::open_house();
+    exact_mesh house = user_mesh<exact_mesh>::make(shape.points, shape.faces);
+    auto heat = house.add_property_map<exact_mesh::Halfedge_index, epeck::FT>("h:heat", 7).first;
+    auto texture = house.add_property_map<exact_mesh::Halfedge_index, epeck::Point_2>("h:uv", epeck::Point_2(1, 2))
+                       .first;
+    auto [fine, report] = kith::refine_with_properties(house, kith::linear(), 1);
+    heat = fine.add_property_map<exact_mesh::Halfedge_index, epeck::FT>("h:heat").first;
+    texture = fine.add_property_map<exact_mesh::Halfedge_index, epeck::Point_2>("h:uv").first;
+    for (const auto h : fine.halfedges()) {
+        EXPECT_EQ(heat[h], epeck::FT(fine.is_border(h) ? 0 : 7));
+        EXPECT_EQ(texture[h], fine.is_border(h) ? epeck::Point_2(0, 0) : epeck::Point_2(1, 2));
+    }
 }
 
 TEST(cgal_properties, values_at_corners_with_seams_go_as_on_the_native_mesh)

@@ -53,6 +53,23 @@ TEST(make_mesh, stores_each_face_from_its_smallest_vertex_on)
     EXPECT_EQ(face(mesh, 0), (indices{0, 3, 1, 4, 2}));
 }
 
+TEST(make_mesh, takes_values_at_corners_along)
+{
+    const polygons faces{{3, 0, 1, 4}, {1, 2, 5}, {5, 4, 1}};
+    const std::vector<int> values{13, 10, 11, 14, 21, 22, 25, 35, 34, 31}; // ten times the face and the vertex
+    const auto mesh = kith::make_mesh(some_points(6), faces);
+    const auto at_corners = kith::values_at_corners(faces, values);
+    std::vector<int> expected;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (const auto v : mesh.face(f))
+            expected.push_back(10 * int(f + 1) + int(v));
+    EXPECT_EQ(at_corners, expected);
+    EXPECT_NE(error_text<kith::mesh_error>([&] {
+                  kith::values_at_corners(faces, std::vector<int>(9));
+              }).find("the faces have 10 corners, 9 values were given"),
+              std::string::npos);
+}
+
 TEST(make_mesh, numbers_edges_by_their_ends)
 {
     const auto mesh = kith::make_mesh(some_points(4), polygons{{3, 2, 1}, {1, 0, 3}});

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -156,6 +157,47 @@ TEST(openmesh_properties, of_property_managers_are_carried_to_others)
         hard_ones += fine_hard[e];
     }
     EXPECT_EQ(hard_ones, 4);
+}
+
+TEST(openmesh_properties, without_a_name_of_their_own_are_not_taken_for_one_another)
+{
+    const auto shape = shapes::cube();
+    auto control = user_mesh<poly_mesh>::make(shape.points, shape.faces);
+    OpenMesh::VPropHandleT<double> first, second; // OpenMesh calls both "<vprop>"
+    OpenMesh::VPropHandleT<float> third;
+    control.add_property(first), control.add_property(second), control.add_property(third);
+    for (const auto v : control.vertices())
+        control.property(first, v) = 1, control.property(second, v) = 2, control.property(third, v) = 3;
+    auto [fine, report] = kith::refine_with_properties(control, kith::catmull_clark(), 1);
+    EXPECT_EQ(std::ranges::count(report.carried, "<vprop>"), 2);
+    EXPECT_EQ(report.left_out, names{"<vprop>"});
+    const auto doubles = OpenMesh::getProperty<VertexHandle, double>(fine, "<vprop>");
+    const auto floats = OpenMesh::getProperty<VertexHandle, float>(fine, "<vprop>");
+    for (const auto v : fine.vertices()) {
+        EXPECT_EQ(doubles[v], 1);
+        EXPECT_EQ(floats[v], 3);
+    }
+}
+
+TEST(openmesh_properties, of_the_mesh_as_a_whole_are_copied)
+{
+    using pictures = std::map<int, std::string>;
+    const auto shape = shapes::cube();
+    auto control = user_mesh<poly_mesh>::make(shape.points, shape.faces);
+    OpenMesh::MPropHandleT<pictures> textures;
+    OpenMesh::MPropHandleT<std::string> author;
+    OpenMesh::MPropHandleT<std::vector<VertexHandle>> path;
+    control.add_property(textures, "TextureMapping");
+    control.add_property(author, "author");
+    control.add_property(path, "path");
+    control.property(textures) = {{1, "skin.png"}};
+    control.property(author) = "me";
+    auto [fine, report] = kith::refine_with_properties(control, kith::catmull_clark(), 1);
+    EXPECT_EQ(report.left_out, names{"path"});
+    EXPECT_EQ(std::ranges::count(report.carried, "TextureMapping"), 1);
+    ASSERT_TRUE(fine.get_property_handle(textures, "TextureMapping") and fine.get_property_handle(author, "author"));
+    EXPECT_EQ(fine.property(textures), (pictures{{1, "skin.png"}}));
+    EXPECT_EQ(fine.property(author), "me");
 }
 
 TEST(openmesh_properties, colours_are_values_of_masks)

@@ -181,13 +181,14 @@ TEST(ply_file, says_words_in_comments)
 {
     const auto cube = native(shapes::cube());
     kith::file_array groups{"smoothing group", kith::field_on::faces, "Int32", 1, 4, {"", "left side", "7"}};
-    const kith::ply_file layout(counts_of(cube), false, {groups}, {"my paint.mtl"});
+    const kith::ply_file layout(counts_of(cube), false, {groups}, {"mtllib my paint.mtl", "TextureFile skin.png"});
     const directory here;
     auto file = kith::offset_file::create((here.path / "file").string(), layout.size());
     layout.write_frame(file);
     file.close();
     const std::string begin =
-        "ply\nformat binary_little_endian 1.0\ncomment written by kith\ncomment mtllib my paint.mtl\n"
+        "ply\nformat binary_little_endian 1.0\ncomment written by kith\ncomment mtllib my paint.mtl\ncomment "
+        "TextureFile skin.png\n"
         "comment word smoothing_group 1 left side\ncomment word smoothing_group 2 7\nelement vertex 8\n";
     const std::string bytes = bytes_of(here.path / "file");
     EXPECT_EQ(bytes.substr(0, begin.size()), begin);
@@ -195,7 +196,8 @@ TEST(ply_file, says_words_in_comments)
     const auto comments = kith::read_ply_header(bytes).comments;
     EXPECT_EQ(kith::words_in_ply(comments, groups.name), groups.words);
     EXPECT_EQ(kith::words_in_ply(comments, "group"), std::vector<std::string>());
-    EXPECT_EQ(kith::material_files_in_ply(comments), std::vector<std::string>{"my paint.mtl"});
+    EXPECT_EQ(kith::file_lines_in_ply(comments),
+              (std::vector<std::string>{"mtllib my paint.mtl", "TextureFile skin.png"}));
 }
 
 TEST(ply_file, refuses_what_the_format_has_no_room_for)

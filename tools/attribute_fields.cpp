@@ -113,7 +113,7 @@ io::mesh_attributes kinds_of(const io::mesh_attributes& attributes)
     return {without_values(attributes.vertices),
             without_values(attributes.faces),
             without_values(attributes.corners),
-            attributes.material_files};
+            attributes.file_lines};
 }
 
 attribute_counts count_of(const io::mesh_attributes& attributes, face_varying_linear corners)

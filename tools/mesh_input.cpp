@@ -86,6 +86,8 @@ control_mesh control_mesh_of(const io::polygon_soup& soup)
             result.isolated = std::move(isolated);
             result.not_kept = soup.not_kept;
             result.attributes = attributes_of(with_faces, result.mesh);
+            if (take_odd_generation(result.attributes))
+                result.mesh = {storage<std::array<double, 3>>(result.mesh.points()), result.mesh.topology(), 1};
             return result;
         };
     if (const auto used = vertices_with_faces(soup); std::ranges::find(used, false) == used.end())

@@ -121,8 +121,8 @@ std::vector<std::byte> pack_kinds(const io::mesh_attributes& kinds)
                 out.add_array(label);
         }
     });
-    out.add(kinds.material_files.size());
-    for (const std::string& file : kinds.material_files)
+    out.add(kinds.file_lines.size());
+    for (const std::string& file : kinds.file_lines)
         out.add_array(file);
     return out.take();
 }
@@ -141,7 +141,7 @@ io::mesh_attributes unpack_kinds(const std::vector<std::byte>& bytes)
         }
     });
     for (auto files = in.get<std::size_t>(); files > 0; --files)
-        result.material_files.push_back(next_text(in));
+        result.file_lines.push_back(next_text(in));
     return result;
 }
 

@@ -185,7 +185,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
         made.emplace(output_request{.path = what.output,
                                     .journal = request.journal,
                                     .arrays = tile_attributes(what.kinds).arrays(),
-                                    .material_files = what.kinds.material_files,
+                                    .file_lines = what.kinds.file_lines,
                                     .levels = what.levels,
                                     .with_origin = what.with_origin,
                                     .with_normals = what.limit,

@@ -86,7 +86,7 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     tile_output file({.path = request.output,
                       .journal = how.journal,
                       .arrays = tile_attributes(request.kinds).arrays(),
-                      .material_files = request.kinds.material_files,
+                      .file_lines = request.kinds.file_lines,
                       .levels = request.levels,
                       .with_origin = request.with_origin,
                       .with_normals = request.limit,

@@ -202,6 +202,15 @@ sharp_elements sharp_after(const any_scheme& scheme, int levels)
         scheme);
 }
 
+void tell_next_step(control_mesh& control, const any_scheme& scheme, int levels)
+{
+    if (is_prepared(scheme))
+        control.not_kept.emplace_back("which edges 4-8 has marked to be split next");
+    const bool is_odd = (control.mesh.generation() + levels) % 2 != 0;
+    if (std::holds_alternative<sqrt3>(scheme) and is_odd and count(control.mesh.topology()).boundary_edges != 0)
+        control.attributes.file_lines.emplace_back(odd_generation);
+}
+
 void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme)
 {
     std::visit(

@@ -79,6 +79,9 @@ struct sharp_elements {
 /// Those that are sharp for more levels than this; averages of neighbours (Chaikin) may end that earlier.
 sharp_elements sharp_after(const any_scheme& scheme, int levels);
 
+/// Adds to what goes along with the mesh what the next step of the scheme would read of the last level, or names it as lost.
+void tell_next_step(control_mesh& control, const any_scheme& scheme, int levels);
+
 /// "catmull-clark and loop"
 std::string schemes_with_creases();
 

@@ -46,7 +46,7 @@ io::mesh_attributes not_in_vtu(io::mesh_attributes& attributes)
     move_if(attributes.vertices, rest.vertices, has_no_room);
     move_if(attributes.faces, rest.faces, has_no_room);
     std::swap(attributes.corners, rest.corners);
-    std::swap(attributes.material_files, rest.material_files);
+    std::swap(attributes.file_lines, rest.file_lines);
     return rest;
 }
 

@@ -17,6 +17,7 @@ slice_attributes::slice_attributes(tile_request& request, const std::string& pat
     control_mesh control;
     control.attributes = io::kinds_in(file_.header());
     control.not_kept = io::not_kept(file_.header());
+    take_odd_generation(control.attributes); // which matters at a boundary, of which slices know nothing
     settle_tile_attributes(control, request.output, {request.scheme, request.levels, request.limit});
     request.kinds = kinds_ = std::move(control.attributes);
     not_kept_ = std::move(control.not_kept);

@@ -80,8 +80,7 @@ tile_output::tile_output(const output_request& request, const output_surface& su
                                                request.with_normals,
                                                request.arrays);
     } else if (extension_of(request.path) == ".ply") {
-        layout_ = std::make_unique<ply_file>(
-            surface.counts, request.with_normals, request.arrays, request.material_files);
+        layout_ = std::make_unique<ply_file>(surface.counts, request.with_normals, request.arrays, request.file_lines);
     } else {
         layout_ = std::make_unique<vtu_file>(
             surface.counts, request.levels, request.with_origin, request.with_normals, request.arrays);

@@ -27,7 +27,7 @@ struct output_request {
     std::string path;
     std::string journal;              ///< the directory, or nothing
     std::vector<file_array> arrays{}; ///< of attributes
-    std::vector<std::string> material_files{};
+    std::vector<std::string> file_lines{};
     int levels = 0;
     bool with_origin = false;
     bool with_normals = false;

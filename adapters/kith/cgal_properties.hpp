@@ -53,11 +53,24 @@ struct property_access<CGAL::Surface_mesh<Point>> {
             return found.first; // is false where nothing was found
     }
     template <class Handle, class T>
-    static auto add(mesh& m, const std::string& name)
+    static auto add(mesh& m, const std::string& name, const T& unset = detail::value_of_nothing<T>())
     {
-        // Points and vectors leave their coordinates open unless told.
-        return m.template add_property_map<Handle, T>(name, detail::value_of_nothing<T>()).first;
+        return m.template add_property_map<Handle, T>(name, unset).first;
     }
+
+    /// A map knows what new elements have, and tells it by giving it to one.
+    static mesh with_one_element(const mesh& m)
+    {
+        mesh result = m;
+        result.clear_without_removing_property_maps();
+        result.add_vertex();
+        result.add_edge();
+        result.add_face();
+        return result;
+    }
+    /// What T() leaves open is open in a map that was made without a value.
+    template <class T>
+    static constexpr bool starts_with_a_value = not detail::is_left_open<T>;
 
     /// As CGAL's readers and writers call them.
     template <class Handle>

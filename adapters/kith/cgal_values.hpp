@@ -50,6 +50,7 @@ struct affine_cartesian : coordinates_affine<typename CGAL::Kernel_traits<T>::Ke
 /// The same as four numbers.
 template <class T, std::size_t N>
 struct averaged_cartesian {
+    static T nothing() { return store(four_numbers<double>{}); }
     template <class Number>
     static four_numbers<Number> load(const T& value)
     {
@@ -123,6 +124,7 @@ struct averaged_value<T> {
     {
         return detail::as_coordinate<T>(x[0]);
     }
+    static T nothing() { return T(0); }
 };
 
 template <>

@@ -8,10 +8,10 @@
 
 #include <OpenMesh/Core/Mesh/Status.hh>
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -87,8 +87,7 @@ struct property_access<M> {
                 return std::is_empty_v<Data> and dynamic_cast<const OpenMesh::PropertyT<Data>*>(p) != nullptr;
             };
             for (auto p = begin; p != end; ++p)
-                if (*p != nullptr and not is_reserved((*p)->name()) and not is_nothing(*p) and
-                    std::ranges::find(result, (*p)->name()) == result.end())
+                if (*p != nullptr and not is_reserved((*p)->name()) and not is_nothing(*p))
                     result.push_back((*p)->name());
         };
         if constexpr (std::same_as<Handle, OpenMesh::VertexHandle>)
@@ -116,6 +115,20 @@ struct property_access<M> {
         return detail::add_property<Handle, T>(m, name);
     }
 
+    /// Copies the properties of the mesh as a whole, such as the pictures to which texture indices lead; returns the names of those of
+    /// other types.
+    static std::vector<std::string> copy_of_whole(const M& from, M& to, std::vector<std::string>& copied)
+    {
+        std::vector<std::string> others;
+        for (auto p = from.mprops_begin(); p != from.mprops_end(); ++p)
+            if (*p != nullptr) {
+                const bool is_known = copy_of_whole(
+                    from, to, **p, static_cast<std::tuple<value_types, std::tuple<pictures>>*>(nullptr));
+                (is_known ? copied : others).push_back((*p)->name());
+            }
+        return others;
+    }
+
     /// As OpenMesh calls its attributes.
     template <class Handle>
     static std::string standard_name(standard_property which)
@@ -132,6 +145,25 @@ struct property_access<M> {
         std::conditional_t<Which == standard_property::normal, typename M::Normal, typename M::TexCoord2D>>;
 
 private:
+    using pictures = std::map<int, std::string>; // as OpenMesh's readers have them
+    template <class... T, class... More>
+    static bool copy_of_whole(const M& from, M& to, const OpenMesh::BaseProperty& property,
+                              std::tuple<std::tuple<T...>, std::tuple<More...>>*)
+    {
+        return (copy_if<T>(from, to, property) or ...) or (copy_if<More>(from, to, property) or ...);
+    }
+    template <class T>
+    static bool copy_if(const M& from, M& to, const OpenMesh::BaseProperty& property)
+    {
+        OpenMesh::MPropHandleT<T> handle, copy;
+        if (not from.get_property_handle(handle, property.name()))
+            return false;
+        if (not to.get_property_handle(copy, property.name()))
+            to.add_property(copy, property.name());
+        to.property(copy) = from.property(handle);
+        return true;
+    }
+
     /// An attribute that has this name and type, so that the functions of the mesh see it, too.
     template <class Handle>
     static void request_attribute(M& m, const std::string& name, const std::type_info& type)

@@ -8,11 +8,13 @@
 #include <kith/property/property_access.hpp>
 #include <kith/property/property_values.hpp>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -68,10 +70,22 @@ void carry_map(const hierarchy<M, Scheme>& levels, int from, int to, const Sourc
         detail::put_value(target, fine_handles[i], fine[i]);
 }
 
+/// A property that goes by a rule of the user, on elements with such handles and of type T, which may be any.
+template <class Handle, class T, class Rule>
+struct property_by_rule {
+    std::string name;
+    Rule rule;
+};
+template <class Handle, class T, class Rule>
+property_by_rule<Handle, T, Rule> by_rule(std::string name, Rule rule)
+{
+    return {std::move(name), std::move(rule)};
+}
+
 /// What has become of the properties of a mesh, by their names.
 struct property_report {
     std::vector<std::string> carried;
-    std::vector<std::string> left_out; ///< of a type that is not known, or normals
+    std::vector<std::string> left_out; ///< of a type that is not known, or normals; what by_rule names and is not there
 };
 
 namespace detail {
@@ -111,18 +125,53 @@ void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
         on_all_faces.write_heirs(fine, levels.carry(from, to, on_faces(on_all_faces.own_heirs())).values());
 }
 
+/// Carries a property by a rule; returns whether there is one of this name and type.
+template <class Handle, class T, class Rule, mesh M, scheme Scheme>
+bool carry_property(const hierarchy<M, Scheme>& levels, int from, int to, M& fine, const std::string& name,
+                    const Rule& rule)
+{
+    using access = property_access<M>;
+    const auto source = access::template find<Handle, T>(levels[from], name);
+    if (not source)
+        return false;
+    const unset_values<Handle, M> unset(levels[from], true);
+    carry_map<Handle>(levels, from, to, source, add_unset<Handle>(fine, name, unset.template of<T>(name)), rule);
+    return true;
+}
+
+/// Types of the user that have a mean, but are not coordinates, go apart.
+template <class T, class Handle, class M>
+concept has_mean_of_its_own = affine_value<T> and not can_be_averaged<T> and
+                              (std::same_as<Handle, typename mesh_traits<M>::vertex> or
+                               std::same_as<Handle, typename mesh_traits<M>::halfedge>);
+
+/// The same by the usual rule, if the type is one that goes apart.
+template <class Handle, class T, mesh M, scheme Scheme>
+bool carry_mean(const hierarchy<M, Scheme>& levels, int from, int to, M& fine, const std::string& name)
+{
+    if constexpr (has_mean_of_its_own<T, Handle, M>)
+        return carry_property<Handle, T>(levels, from, to, fine, name, usual_rule<M, Handle, T>());
+    else
+        return false;
+}
+template <class Handle, class M, class... T>
+using types_without_own_means = decltype(std::tuple_cat(
+    std::declval<std::conditional_t<has_mean_of_its_own<T, Handle, M>, std::tuple<>, std::tuple<T>>>()...));
+
 } // namespace detail
 
 /// Gives `fine`, which has the elements of level `to` of a hierarchy, the properties of level `from` under their names: on
 /// vertices, half-edges, edges and faces, of the types that property_access knows, and More.
 /// On vertices, what can be averaged goes by the masks of the scheme, as the points do, and the rest stays with the vertices that
-/// come from a vertex. Faces inherit from their parent, edges from the edge along which they lie; all others have T(). On
-/// half-edges what can be averaged is that of corners, linear in each face, with its seams; the rest stays with those that lie along a
-/// half-edge.
+/// come from a vertex. Faces inherit from their parent, edges from the edge along which they lie. On half-edges what can be averaged
+/// is that of corners, linear in each face, with its seams; the rest stays with those that lie along a half-edge. All others have what
+/// the map gives to new elements, where the library has such values, else T().
+/// What by_rule names goes by that rule instead.
 /// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without connectivity
-/// per property that is averaged, and one pass over the levels for the others of a kind; a copy of the values of level `from`.
-template <class... More, mesh M, scheme Scheme>
-property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, int to, M& fine)
+/// per property that is averaged or has a rule, and one pass over the levels for the others of a kind; a copy of the values of level `from`.
+template <class... More, mesh M, scheme Scheme, class... Handle, class... T, class... Rule>
+property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
+                                 const property_by_rule<Handle, T, Rule>&... rules)
 {
     using traits = mesh_traits<M>;
     const auto count = [](const M& mesh) {
@@ -131,37 +180,56 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
     if (count(fine) != count(levels[to]))
         throw mesh_error("the mesh that is to have the properties is not level " + std::to_string(to) +
                          " of the hierarchy; give a copy of that level");
-    using types = decltype(std::tuple_cat(std::declval<typename property_access<M>::value_types>(),
-                                          std::declval<std::tuple<More...>>()));
     property_report report;
-    const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& names) {
-        to.insert(to.end(), names.begin(), names.end());
-    };
-    const auto carry = [&]<class Handle>(Handle) {
-        const detail::property_values<Handle, M> values(levels[from], static_cast<types*>(nullptr));
-        constexpr bool is_edge = std::same_as<Handle, typename traits::edge>;
+    const auto carry = [&]<class On>(On) {
+        using types = decltype(std::tuple_cat(std::declval<typename property_access<M>::value_types>(),
+                                              std::declval<detail::types_without_own_means<On, M, More...>>()));
+        const detail::property_values<On, M> values(levels[from], static_cast<types*>(nullptr));
+        constexpr bool is_edge = std::same_as<On, typename traits::edge>;
         constexpr bool can_carry = not is_edge or numbering_of<Scheme, std::uint32_t>::has_edges;
         if constexpr (can_carry)
             detail::carry_values(levels, from, to, fine, values);
-        add(can_carry ? report.carried : report.left_out, values.known());
-        add(report.left_out, values.unknown());
+        auto& known = can_carry ? report.carried : report.left_out;
+        known.insert(known.end(), values.known().begin(), values.known().end());
+        for (const std::string& name : values.unknown())
+            ((detail::carry_mean<On, More>(levels, from, to, fine, name) or ...) ? report.carried : report.left_out)
+                .push_back(name);
     };
     carry(typename traits::vertex());
     carry(typename traits::halfedge());
     carry(typename traits::edge());
     carry(typename traits::face());
+
+    if constexpr (requires { property_access<M>::copy_of_whole(fine, fine, report.carried); }) {
+        const auto others = property_access<M>::copy_of_whole(levels[from], fine, report.carried);
+        report.left_out.insert(report.left_out.end(), others.begin(), others.end());
+    }
+
+    const auto carry_by_rule = [&]<class On, class Value, class By>(const property_by_rule<On, Value, By>& each) {
+        const auto left_out = std::ranges::find(report.left_out, each.name);
+        const bool is_new = std::ranges::find(report.carried, each.name) == report.carried.end();
+        if (not detail::carry_property<On, Value>(levels, from, to, fine, each.name, each.rule)) {
+            if (is_new and left_out == report.left_out.end())
+                report.left_out.push_back(each.name);
+        } else if (left_out != report.left_out.end()) {
+            report.left_out.erase(left_out);
+            report.carried.push_back(each.name);
+        }
+    };
+    (carry_by_rule(rules), ...);
     return report;
 }
 
 /// `refine`, to the same points, with all properties that can be carried. Errors: as hierarchy::refine. Cost: that of both;
 /// keeps all levels meanwhile.
-template <class... More, mesh M, scheme Scheme>
-std::pair<M, property_report> refine_with_properties(const M& mesh, const Scheme& scheme, int levels)
+template <class... More, mesh M, scheme Scheme, class... Handle, class... T, class... Rule>
+std::pair<M, property_report> refine_with_properties(const M& mesh, const Scheme& scheme, int levels,
+                                                     const property_by_rule<Handle, T, Rule>&... rules)
 {
     hierarchy<M, Scheme> all(mesh, scheme);
     all.refine(levels);
     std::pair<M, property_report> result(all[levels], property_report());
-    result.second = carry_properties<More...>(all, 0, levels, result.first);
+    result.second = carry_properties<More...>(all, 0, levels, result.first, rules...);
     return result;
 }
 

@@ -72,7 +72,7 @@ void expect_same(const io::mesh_attributes& a, const io::mesh_attributes& b)
     expect_same(a.vertices, b.vertices);
     expect_same(a.faces, b.faces);
     expect_same(a.corners, b.corners);
-    EXPECT_EQ(a.material_files, b.material_files);
+    EXPECT_EQ(a.file_lines, b.file_lines);
 }
 
 /// Two quads with a seam of the texture at vertex 2 and none at vertex 3; words; colours at some vertices.
@@ -102,7 +102,7 @@ TEST(obj_attributes, are_read)
     EXPECT_EQ(faces[2].labels, (names{"", "red", "blue"}));
     expect_same(faces[2].values, {1, 1, 2}, "material");
     expect_same(faces[3].values, {1, 0, 0}, "smoothing group");
-    EXPECT_EQ(soup.attributes.material_files, names{"a.mtl b.mtl"});
+    EXPECT_EQ(soup.attributes.file_lines, names{"mtllib a.mtl b.mtl"});
 }
 
 TEST(obj_attributes, are_written_as_they_are_read)
@@ -150,7 +150,7 @@ TEST(obj_attributes, indices_and_numbers_are_checked)
     EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 0\nf 1/99999999999999999999 2 3\n").substr(0, 8), "line 5: ");
     // A name at the end of the file does not join the next line to it.
     auto soup = io::read_mesh(mesh_format::obj, points + "f 1 2 3\nmtllib a\\");
-    EXPECT_EQ(soup.attributes.material_files, names{"a"});
+    EXPECT_EQ(soup.attributes.file_lines, names{"mtllib a"});
 }
 
 TEST(ply_attributes, all_types_keep_their_bits)
@@ -245,6 +245,30 @@ TEST(ply_attributes, words_of_faces_are_comments_that_others_skip)
         EXPECT_EQ(written(mesh_format::obj, again), written(mesh_format::obj, soup));
     }
 
+    // As MeshLab names pictures, which OBJ leaves to its files of materials.
+    std::string textured = bytes;
+    textured.replace(textured.find("comment mtllib other.mtl"), 24, "comment TextureFile my skin.png");
+    const auto with_picture = io::read_mesh(mesh_format::ply, textured);
+    EXPECT_EQ(with_picture.attributes.file_lines, (names{"mtllib my paint.mtl", "TextureFile my skin.png"}));
+    EXPECT_EQ(written(mesh_format::ply, with_picture), textured);
+    EXPECT_EQ(not_held(mesh_format::ply, with_picture.attributes), names());
+    EXPECT_EQ(not_held(mesh_format::obj, with_picture.attributes), names{"names of texture files"});
+    EXPECT_EQ(written(mesh_format::obj, with_picture).find("skin"), std::string::npos);
+
+    // Which step of a scheme comes next.
+    const std::string tag(kith::odd_generation);
+    auto odd = io::read_mesh(mesh_format::obj, obj + tag + "\n");
+    EXPECT_EQ(odd.attributes.file_lines, (names{"mtllib my paint.mtl", "mtllib other.mtl", tag}));
+    EXPECT_TRUE(odd.tags.unread.empty());
+    const auto through = io::read_mesh(mesh_format::ply, written(mesh_format::ply, odd));
+    EXPECT_EQ(through.attributes.file_lines, odd.attributes.file_lines);
+    EXPECT_EQ(io::read_mesh(mesh_format::obj, written(mesh_format::obj, through)).attributes.file_lines,
+              odd.attributes.file_lines);
+    EXPECT_EQ(not_held(mesh_format::off, odd.attributes).back(), "that sqrt3 splits the boundary in the next step");
+    EXPECT_TRUE(take_odd_generation(odd.attributes) and not take_odd_generation(odd.attributes));
+    EXPECT_EQ(odd.attributes.file_lines, soup.attributes.file_lines);
+    EXPECT_EQ(io::read_mesh(mesh_format::obj, obj + "t generation 1/0/0 2\n").tags.unread.size(), 1);
+
     // Other ends of lines; and what does not say all words, one by one, is a number.
     const auto replaced = [&](const std::string& from, const std::string& to) {
         std::string text = bytes;
@@ -314,7 +338,7 @@ TEST(attributes, go_from_one_format_to_another)
     expect_same(ply.attributes.corners[0].values, {0, 0.1, 1, 0.25, 0.5, 7, 0.25, none, none, none}, "u");
     expect_same(ply.attributes.vertices, obj.attributes.vertices);
     expect_same(ply.attributes.faces, obj.attributes.faces);
-    EXPECT_EQ(ply.attributes.material_files, obj.attributes.material_files);
+    EXPECT_EQ(ply.attributes.file_lines, obj.attributes.file_lines);
 
     auto soup = io::read_mesh(mesh_format::off, files::off);
     soup.attributes.vertices = {{"diffuse_red", u8, {255, 0, 51, 102}, {}},

@@ -21,6 +21,8 @@ compare() { # compare IN ARGUMENTS...: the bytes of the program without tiles
 compare rich.ply -s catmull-clark -n 3 --uv none
 compare rich.ply -s doo-sabin -n 2
 compare rich.ply -s 4-8 -n 3
+compare charts.obj -s sqrt3 -n 1 --triangulate # the next step is the odd one, which the file says
+has ranks.ply "^comment t generation 1/0/0 1$"
 compare charts.obj -s catmull-clark -n 3 --uv corners+1 --crease-angle 20
 compare charts.obj -s loop -n 2 --triangulate --uv none --threads 2
 compare charts.obj -s kobbelt -n 2

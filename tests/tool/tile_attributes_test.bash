@@ -45,6 +45,11 @@ run refine grid.obj -s catmull-clark -n 1 -o straight.obj
 run refine tiles.ply -s catmull-clark -n 0 -o back.obj
 exits 0
 same straight.obj back.obj
+sed '2a comment TextureFile my skin.png' rich.ply >picture.ply # as MeshLab has it
+in_tiles picture.ply -s catmull-clark -n 1
+has tiles.ply '^comment TextureFile my skin.png$'
+run refine picture.ply -s catmull-clark -n 0 -o back.obj
+says "names of texture files"
 run refine charts.obj -s catmull-clark -n 2 -o linear.ply --binary
 run refine charts.obj -s catmull-clark -n 2 -o smooth.ply --binary --uv none
 check "they differ" test "$(cmp -l linear.ply smooth.ply | wc -l)" -gt 100

@@ -64,15 +64,13 @@ public:
     /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number, for numbers of a type
     /// that it has not, for several of them in a value of a vertex or face, and for two fields on corners.
     explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {},
-                      const std::vector<std::string>& material_files = {})
+                      const std::vector<std::string>& file_lines = {})
         : counts_(counts), with_normals_(with_normals), arrays_(std::move(arrays))
     {
         if (counts.vertices > std::numeric_limits<std::int32_t>::max())
             throw mesh_error("PLY numbers " + std::to_string(std::numeric_limits<std::int32_t>::max()) +
                              " vertices at most, there are " + std::to_string(counts.vertices) + "; write .vtu");
-        std::string of_vertices, of_faces, of_corners, comments;
-        for (const std::string& file : material_files)
-            comments += ply_material_file_line(file);
+        std::string of_vertices, of_faces, of_corners, comments = ply_file_lines(file_lines);
         place_of_ = std::vector<std::uint64_t>(arrays_.size());
         bytes_of_vertex_ = with_normals ? 48 : 24;
         for (std::size_t i = 0; i < arrays_.size(); ++i) {

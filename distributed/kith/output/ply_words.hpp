@@ -12,6 +12,9 @@
 
 namespace kith {
 
+/// The tag of OBJ, in PLY a comment, that says that the mesh is of an odd generation: schemes whose steps take turns go on with the other one.
+inline constexpr std::string_view odd_generation = "t generation 1/0/0 1";
+
 /// The name of a property, which is one word.
 inline std::string ply_name(std::string name)
 {
@@ -28,10 +31,13 @@ inline std::string ply_word_lines(const std::string& property, const std::vector
     return result;
 }
 
-/// The same for a file in which the materials are.
-inline std::string ply_material_file_line(const std::string& file)
+/// Lines that name files in which materials or textures are, or that are tags.
+inline std::string ply_file_lines(const std::vector<std::string>& lines)
 {
-    return "comment mtllib " + file + "\n";
+    std::string result;
+    for (const std::string& line : lines)
+        result += "comment " + line + "\n";
+    return result;
 }
 
 /// The words of a property, the first of which says none; nothing where the comments of a header do not say them one by one.
@@ -51,14 +57,13 @@ inline std::vector<std::string> words_in_ply(const std::vector<std::string>& com
     return result;
 }
 
-/// The files in which the materials are.
-inline std::vector<std::string> material_files_in_ply(const std::vector<std::string>& comments)
+/// Such lines.
+inline std::vector<std::string> file_lines_in_ply(const std::vector<std::string>& comments)
 {
     std::vector<std::string> result;
-    constexpr std::string_view begin = "mtllib ";
-    for (const std::string_view comment : comments)
-        if (comment.starts_with(begin))
-            result.emplace_back(comment.substr(begin.size()));
+    for (const std::string& comment : comments)
+        if (comment.starts_with("mtllib ") or comment.starts_with("TextureFile ") or comment == odd_generation)
+            result.push_back(comment);
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <iterator>
 #include <ranges>
 #include <span>
@@ -97,6 +98,13 @@ inline void check_faces(std::size_t vertices, const face_list& faces, mesh_repor
     }
 }
 
+/// Copies what lies at the corners of a face in such an order that its smallest vertex comes first.
+template <class Values, class Out>
+void from_smallest_vertex(std::span<const std::size_t> face, const Values& at_corners, Out out)
+{
+    std::ranges::rotate_copy(at_corners, at_corners.begin() + (std::ranges::min_element(face) - face.begin()), out);
+}
+
 /// The faces as connectivity, each from its smallest vertex on, without edges yet.
 template <std::unsigned_integral Index>
 connectivity<Index> connect_faces(std::size_t vertices, const face_list& faces)
@@ -108,12 +116,8 @@ connectivity<Index> connect_faces(std::size_t vertices, const face_list& faces)
     for (std::size_t f = 0; uniform and f < faces.size(); ++f)
         uniform = faces[f].size() == degree;
     t.allocate_faces(faces.size(), uniform ? int(degree) : 0, [&](std::size_t f) { return faces[f].size(); });
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        const auto face = faces[f];
-        const auto smallest = std::ranges::min_element(face) - face.begin();
-        const auto out = t.corner_vertex.begin() + faces.first[f];
-        std::ranges::rotate_copy(face, face.begin() + smallest, out);
-    }
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        from_smallest_vertex(faces[f], faces[f], t.corner_vertex.begin() + faces.first[f]);
     return t;
 }
 
@@ -168,6 +172,28 @@ template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range
 auto make_mesh(const Points& points, const Faces& faces)
 {
     return make_mesh<Index>(points, face_list(faces));
+}
+
+/// Values at the corners of faces, in the order of their list, in that of the mesh which `make_mesh` makes of these faces, as `on_corners`
+/// takes them: there each face begins with its smallest vertex. Errors: mesh_error unless there is a value per corner. Cost: O(corners).
+template <std::ranges::contiguous_range Values>
+auto values_at_corners(const face_list& faces, const Values& values)
+{
+    if (std::ranges::size(values) != faces.vertices.size())
+        throw mesh_error("the faces have " + std::to_string(faces.vertices.size()) + " corners, " +
+                         std::to_string(std::ranges::size(values)) + " values were given; give one per corner");
+    std::vector<std::ranges::range_value_t<Values>> result(faces.vertices.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        detail::from_smallest_vertex(faces[f],
+                                     std::span(values).subspan(faces.first[f], faces[f].size()),
+                                     result.begin() + std::ptrdiff_t(faces.first[f]));
+    return result;
+}
+template <std::ranges::input_range Faces, std::ranges::contiguous_range Values>
+    requires(not std::same_as<Faces, face_list>)
+auto values_at_corners(const Faces& faces, const Values& values)
+{
+    return values_at_corners(face_list(faces), values);
 }
 
 } // namespace kith

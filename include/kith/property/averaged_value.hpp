@@ -3,15 +3,13 @@
 
 #include <kith/base/affine.hpp>
 
-#include <kith/base/affine.hpp>
-
 #include <array>
 #include <concepts>
 #include <cstddef>
 
 namespace kith {
 
-/// A type whose values can be averaged: as up to four coordinates, and back.
+/// A type whose values can be averaged: as up to four coordinates, and back. Where T() leaves them open nothing() is zero.
 template <class T>
 struct averaged_value;
 

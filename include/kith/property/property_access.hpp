@@ -18,6 +18,16 @@ namespace kith {
 ///   add<Handle, T>(mesh, name)         something with [handle] to write to, new where there is none
 ///   standard_name<Handle>(which)       what the library calls a standard_property on such elements; empty if it does not
 ///   standard_type<which>               and the type of its values; void for any
+///
+/// and where properties have a value for elements that nobody has given one, which else is T():
+///
+///   with_one_element(mesh)             a mesh with the same properties and one element of each kind, which have these values
+///   starts_with_a_value<T>             whether they are never left open
+///   add<Handle, T>(mesh, name, unset)  as above, where new with this value
+///
+/// and where there are properties of a mesh as a whole:
+///
+///   copy_of_whole(from, to, copied)    copies them, adds their names, and returns those of what it does not know
 template <class M>
 struct property_access;
 

@@ -3,9 +3,11 @@
 
 #include "averaged_value.hpp"
 #include "property_access.hpp"
+#include "unset_values.hpp"
 
 #include <kith/base/storage.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -13,18 +15,11 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
 namespace kith::detail {
-
-/// T(), which elements have that inherit nothing; zero where its constructor leaves it open, as those of OpenMesh's vectors do.
-template <class T>
-const T& value_of_nothing()
-{
-    static const T value = T(); // what is static is cleared before it is constructed
-    return value;
-}
 
 /// What elements have from one element of the control mesh each, of any type.
 struct inherited_values {
@@ -32,27 +27,30 @@ struct inherited_values {
 };
 template <class T>
 struct inherited_values_of final : inherited_values {
+    explicit inherited_values_of(const T& unset) : nothing(unset) {}
+
+    T nothing; ///< which elements have that inherit nothing
     std::vector<T> values;
 };
 
 template <class T, class From, class Handle>
-std::unique_ptr<const inherited_values> load_inherited(const From& from, const std::vector<Handle>& handles)
+std::unique_ptr<const inherited_values> load_inherited(const From& from, const std::vector<Handle>& handles,
+                                                       const T& nothing)
 {
-    auto* const result = new inherited_values_of<T>();
+    auto* const result = new inherited_values_of<T>(nothing);
     std::unique_ptr<const inherited_values> owned(result);
     result->values.reserve(handles.size());
     for (const Handle x : handles)
         result->values.push_back(from[x]);
     return owned;
 }
-/// heirs: one more than the number of the element that each has its value from, 0 for those that have T().
+/// heirs: one more than the number of the element that each has its value from, 0 for those that inherit nothing.
 template <class T, class To, class Handle>
-void store_inherited(To to, const std::vector<Handle>& handles, const inherited_values& all,
+void store_inherited(To to, const std::vector<Handle>& handles, const inherited_values_of<T>& all,
                      std::span<const std::uint32_t> heirs)
 {
-    const std::vector<T>& values = static_cast<const inherited_values_of<T>&>(all).values;
     for (std::size_t i = 0; i < handles.size(); ++i)
-        to[handles[i]] = heirs[i] == 0 ? value_of_nothing<T>() : T(values[heirs[i] - 1]);
+        to[handles[i]] = heirs[i] == 0 ? all.nothing : T(all.values[heirs[i] - 1]);
 }
 
 template <class Number, class T, class From, class Handle>
@@ -96,7 +94,8 @@ public:
     struct averaged {
         std::string name;
         storage<coordinates> values;
-        void (*write)(M&, const std::string& name, const std::vector<Handle>&, std::span<const coordinates>);
+        coordinates nothing; ///< which elements have that inherit nothing
+        void (*write)(M&, const averaged&, const std::vector<Handle>&, std::span<const coordinates>);
     };
     struct inherited {
         std::string name;
@@ -119,9 +118,18 @@ public:
     {
         property_values result;
         result.handles_ = handles_of<Handle>(mesh);
-        for (const std::string& name : access::template names<Handle>(mesh)) {
-            const bool is_known = not access::follows_from_points(name) and (result.read<T>(mesh, name) or ...);
-            (is_known ? result.known_ : result.unknown_).push_back(name);
+        const std::vector<std::string> names = access::template names<Handle>(mesh);
+        const unset_values<Handle, M> unset(mesh, not names.empty());
+        for (auto name = names.begin(); name != names.end(); ++name) {
+            if (std::find(names.begin(), name, *name) != name)
+                continue;
+            // Several properties may have one name, each with another type or with none of its own.
+            const auto properties = std::size_t(std::count(name, names.end(), *name));
+            std::vector<std::type_index> read;
+            if (not access::follows_from_points(*name))
+                (result.read<T>(mesh, *name, unset, properties, read), ...);
+            result.known_.insert(result.known_.end(), read.size(), *name);
+            result.unknown_.insert(result.unknown_.end(), properties - read.size(), *name);
         }
         return result;
     }
@@ -150,7 +158,7 @@ public:
     }
     static void write_mean(M& fine, const averaged& mean, std::span<const coordinates> values)
     {
-        mean.write(fine, mean.name, handles_of<Handle>(fine), values);
+        mean.write(fine, mean, handles_of<Handle>(fine), values);
     }
 
 private:
@@ -158,30 +166,40 @@ private:
     /// With the usual types, compiled in the library that `is_compiled_mesh` tells of.
     static property_values read_in_library(const M& mesh);
 
-    /// Whether the property is of this type.
+    /// Reads the property of this name and type if there is one, and unless as many have been read as there are.
     template <class T>
-    bool read(const M& mesh, const std::string& name)
+    void read(const M& mesh, const std::string& name, const unset_values<Handle, M>& unset, std::size_t properties,
+              std::vector<std::type_index>& read_so_far)
     {
+        const std::type_index type = typeid(T);
+        if (read_so_far.size() == properties or std::ranges::find(read_so_far, type) != read_so_far.end())
+            return;
         const auto from = access::template find<Handle, T>(mesh, name);
         if (not from)
-            return false;
+            return;
+        read_so_far.push_back(type);
+        const T nothing = unset.template of<T>(name);
         if constexpr (has_means and can_be_averaged<T>)
-            means_.push_back({name, load_averaged<number, T>(from, handles_), &write_averaged<T>});
+            means_.push_back({name,
+                              load_averaged<number, T>(from, handles_),
+                              averaged_value<T>::template load<number>(nothing),
+                              &write_averaged<T>});
         else
-            heirs_.push_back({name, load_inherited<T>(from, handles_), &write_inherited<T>});
-        return true;
+            heirs_.push_back({name, load_inherited<T>(from, handles_, nothing), &write_inherited<T>});
     }
     template <class T>
-    static void write_averaged(M& fine, const std::string& name, const std::vector<Handle>& handles,
+    static void write_averaged(M& fine, const averaged& mean, const std::vector<Handle>& handles,
                                std::span<const coordinates> values)
     {
-        store_averaged<number, T>(access::template add<Handle, T>(fine, name), handles, values);
+        const T nothing = averaged_value<T>::template store<number>(mean.nothing);
+        store_averaged<number, T>(add_unset<Handle>(fine, mean.name, nothing), handles, values);
     }
     template <class T>
     static void write_inherited(M& fine, const std::string& name, const std::vector<Handle>& handles,
                                 const inherited_values& values, std::span<const std::uint32_t> heirs)
     {
-        store_inherited<T>(access::template add<Handle, T>(fine, name), handles, values, heirs);
+        const auto& all = static_cast<const inherited_values_of<T>&>(values);
+        store_inherited<T>(add_unset<Handle>(fine, name, all.nothing), handles, all, heirs);
     }
 
     std::vector<Handle> handles_;

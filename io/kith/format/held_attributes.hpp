@@ -5,6 +5,7 @@
 #include "mesh_format.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kith::io {
@@ -31,6 +32,9 @@ held_attributes held_by(mesh_format format, const mesh_attributes& attributes);
 
 /// The topics (topics_of) of the attributes for which a format has no room.
 std::vector<std::string> not_held(mesh_format format, const mesh_attributes& attributes);
+
+/// Whether it has room for a line that names another file.
+bool holds_file_line(mesh_format format, std::string_view line);
 
 /// Leaves those out.
 void keep_held(mesh_format format, mesh_attributes& attributes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/output/ply_words.hpp>
 #include <kith/slices/ply_header.hpp>
 
 #include <cmath>
@@ -27,13 +28,17 @@ struct attribute {
 /// object, group, material, smoothing group, which are words.
 struct mesh_attributes {
     std::vector<attribute> vertices, faces, corners;
-    std::vector<std::string> material_files; ///< where OBJ has its materials
+    /// That name other files: "mtllib paint.mtl" of OBJ, "TextureFile skin.png" of PLY, as MeshLab writes it. And odd_generation.
+    std::vector<std::string> file_lines;
 
     [[nodiscard]] bool empty() const
     {
-        return vertices.empty() and faces.empty() and corners.empty() and material_files.empty();
+        return vertices.empty() and faces.empty() and corners.empty() and file_lines.empty();
     }
 };
+
+/// Takes odd_generation out; returns whether it was there.
+bool take_odd_generation(mesh_attributes& attributes);
 
 /// The name by which all formats know an attribute: "u" for "texture_u" and "s", "red" for "diffuse_red".
 std::string_view shared_name(std::string_view name);
