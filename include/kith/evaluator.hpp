@@ -89,7 +89,7 @@ private:
             face_classes<Index> classes(plan->rings);
             classes.look_at(levels_.finest().topology());
             patches_ = patched_level<Point, Index, Scheme>::make(
-                levels_.finest(), classes, levels_.scheme(plan->begin), *plan, costs);
+                levels_.finest(), std::move(classes), levels_.scheme(plan->begin), *plan, costs);
             last_vertices_ = plan->last().vertices;
         }
     }

@@ -43,24 +43,27 @@ public:
     /// What refining level by level makes, to the bit; of the last level what is asked for. Precondition: is_worth_looking().
     [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh, connect last_level) const
     {
-        if (const auto made = patches_after(mesh, last_level))
+        Scheme scheme = scheme_;
+        if (const auto made = patches_after(mesh, scheme, last_level))
             return filled(mesh, *made, last_level);
-        mesh = before_last(std::move(mesh));
+        mesh = before_last(std::move(mesh), scheme);
         numbering ids;
-        return last_level == connect::faces ? refine_mesh<connect::faces>(mesh, scheme_, ids)
-                                            : refine_mesh<connect::everything>(mesh, scheme_, ids);
+        return last_level == connect::faces ? refine_mesh<connect::faces>(mesh, scheme, ids)
+                                            : refine_mesh<connect::everything>(mesh, scheme, ids);
     }
     /// The same into a mesh of another library. Precondition: is_worth_looking(). Errors: those of `make_room`.
     void refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index> mesh) const
     {
-        if (const auto made = patches_after(mesh, connect::everything)) {
+        Scheme scheme = scheme_;
+        if (const auto made = patches_after(mesh, scheme, connect::everything)) {
             const counts& last = plan_->last();
             fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
             made->fill(mesh, {.points = fine.points(), .writer = &fine});
             return fine.finish(mesh.generation() + levels_ - plan_->begin);
         }
+        mesh = before_last(std::move(mesh), scheme);
         numbering ids;
-        refine_mesh_into(fine, before_last(std::move(mesh)), scheme_, ids);
+        refine_mesh_into(fine, mesh, scheme, ids);
     }
 
 private:
@@ -68,29 +71,37 @@ private:
     using patches = patched_level<Point, Index, Scheme>;
     static constexpr std::size_t degree = numbering::common_degree;
 
-    /// Makes of the mesh the level whose faces own patches; nothing where they are no gain.
-    [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, connect last_level) const
+    /// A step with all connectivity, and the scheme becomes that of the next level.
+    static basic_mesh<Point, Index> next(const basic_mesh<Point, Index>& mesh, Scheme& scheme, numbering& ids)
+    {
+        auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
+        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation(), ids, fine);
+        return fine;
+    }
+    /// Makes of the mesh the level whose faces own patches, and of the scheme that of this level; nothing where they are no gain.
+    [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, Scheme& scheme,
+                                                       connect last_level) const
     {
         face_classes<Index> classes(plan_->rings);
         numbering ids;
         for (int level = 0; level < plan_->begin; ++level) {
             if (level == plan_->first)
                 classes.look_at(mesh.topology());
-            auto fine = refine_mesh<connect::everything>(mesh, scheme_, ids);
+            auto fine = next(mesh, scheme, ids);
             if (level >= plan_->first)
                 classes.follow(ids, degree, fine.topology());
             mesh = std::move(fine);
         }
         if (plan_->begin == plan_->first)
             classes.look_at(mesh.topology());
-        return patches::make(mesh, classes, scheme_, *plan_, costs_, last_level == connect::everything);
+        return patches::make(mesh, std::move(classes), scheme, *plan_, costs_, last_level == connect::everything);
     }
-    /// Where patches are no gain: the level before the last one, level by level.
-    [[nodiscard]] basic_mesh<Point, Index> before_last(basic_mesh<Point, Index> mesh) const
+    /// Where patches are no gain: from there the level before the last one, level by level.
+    [[nodiscard]] basic_mesh<Point, Index> before_last(basic_mesh<Point, Index> mesh, Scheme& scheme) const
     {
         numbering ids;
         for (int level = plan_->begin; level + 1 < levels_; ++level)
-            mesh = refine_mesh<connect::everything>(mesh, scheme_, ids);
+            mesh = next(mesh, scheme, ids);
         return mesh;
     }
     [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh, const patches& made,

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -21,7 +22,7 @@ template <std::unsigned_integral Index>
 class face_classes {
 public:
     using number = std::uint32_t;
-    /// Of faces whose neighbourhood is too large to compare.
+    /// Of faces whose neighbourhood is too large to compare, or left out.
     static constexpr number unlike = std::numeric_limits<number>::max();
 
     explicit face_classes(int rings) : rings_(rings) {}
@@ -30,6 +31,13 @@ public:
     /// The class of each face of the level at hand.
     [[nodiscard]] const storage<number>& of_faces() const { return of_face_; }
     [[nodiscard]] int rings() const { return rings_; }
+
+    /// Makes faces of the level at hand unlike all others.
+    void leave_out(std::span<const Index> faces)
+    {
+        for (const Index f : faces)
+            of_face_[f] = unlike;
+    }
 
     /// Of the faces of a mesh of one degree, which has its edges. Cost: O(faces), that of a walk for each.
     void look_at(const connectivity<Index>& mesh)

@@ -60,7 +60,7 @@ class template_maker {
 
 public:
     /// For the level of a mesh, which has its edges and the degree of refined faces and must outlive this, and one step for
-    /// each of the bases.
+    /// each of the bases, by a scheme that ignores numbers.
     template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const column_bases> bases)
         : mesh_(mesh), scheme_(scheme), bases_(bases), rings_(rings_before_steps(scheme, bases.size())), cutter_(mesh)
     {
@@ -81,12 +81,13 @@ public:
         for (std::size_t v = 0; v < points.size(); ++v)
             points[v] = value(std::uint32_t(v));
         tape.values.assign(points.size(), tape.none);
-        const auto refine = [&](const basic_mesh<value, Index>& mesh, numbering& ids) {
+        const auto refine = [&](const basic_mesh<value, Index>& mesh, const Scheme& scheme, numbering& ids) {
             const level_elements<native_level<value, Index, degree>> level(mesh);
-            return refine_level<connect::everything>(level, scheme_, mesh.generation(), ids);
+            return refine_level<connect::everything>(level, scheme, mesh.generation(), ids);
         };
-        const auto fine = refine_part<numbering>(
+        const auto fine = refine_part(
             basic_mesh<value, Index>(std::move(points), part.mesh.topology(), mesh_.generation()),
+            scheme_,
             numbers,
             bases_,
             rings_,

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "face_classes.hpp"
+#include "face_clusters.hpp"
 #include "kept_templates.hpp"
 #include "patch_filler.hpp"
 #include "patch_plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -37,20 +37,22 @@ class patched_level;
 
 #ifdef KITH_HAS_LANES
 
-/// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of other
-/// classes are refined as meshes of their own.
+/// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. All other faces, such
+/// as those where edges are creases, are refined as meshes of their own.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patched_level {
 public:
     using output = patch_output<Point, Index>;
 
-    /// Of a mesh whose faces have these classes, to make faces or all connectivity; nothing where it is no gain. Cost: that of the templates.
-    static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
+    /// Of a mesh whose faces have these classes and the scheme of its level, to make faces or all connectivity; nothing where it is
+    /// no gain. Cost: that of the templates.
+    static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, face_classes<Index> classes,
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
                                              bool with_edges = false)
     {
         const double in_patch = with_edges ? costs.in_patch_with_edges : costs.in_patch;
+        classes.leave_out(faces_near_state(mesh, scheme, plan.rings));
         std::vector<std::size_t> members(classes.count(), 0);
         for (const class_number c : classes.of_faces())
             if (c != classes.unlike)
@@ -104,7 +106,8 @@ public:
                 publish();
             },
             1);
-        refine_few(mesh, to);
+        if (clusters_)
+            clusters_->fill(mesh, to);
     }
 
 private:
@@ -117,12 +120,14 @@ private:
     template <class Gains>
     patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
                   const patch_plan& plan, const Gains& gains)
-        : scheme_(scheme), vertices_(plan.last().vertices), bases_(plan.bases), template_of_face_(mesh.face_count())
+        : vertices_(plan.last().vertices), template_of_face_(mesh.face_count())
     {
-        const auto kept = templates::of(scheme, mesh.generation(), plan.rings, bases_);
-        template_maker<Scheme, Point, Index> maker(mesh, scheme, bases_);
+        const Scheme plain = without_state(scheme);
+        const auto kept = templates::of(plain, mesh.generation(), plan.rings, plan.bases);
+        template_maker<Scheme, Point, Index> maker(mesh, plain, plan.bases);
         face_walk<Index> walk(mesh.topology(), classes.rings());
         constexpr class_number unknown = none - 1;
+        std::vector<Index> without_template;
         std::vector<class_number> template_of_class(classes.count(), unknown);
         for (std::size_t f = 0; f < mesh.face_count(); ++f) {
             class_number made = none;
@@ -133,8 +138,10 @@ private:
             }
             template_of_face_[f] = made;
             if (made == none)
-                few_.push_back(Index(f));
+                without_template.push_back(Index(f));
         }
+        if (not without_template.empty())
+            clusters_.emplace(scheme, plan.bases, std::move(without_template));
     }
 
     /// Its number; none for a face around which there is too much to be numbered.
@@ -153,93 +160,10 @@ private:
         return class_number(templates_.size() - 1);
     }
 
-    /// The patches of the faces that have no template, as meshes of their own, level by level.
-    void refine_few(const basic_mesh<Point, Index>& mesh, const output& to) const
-    {
-        constexpr std::size_t at_once =
-            128; // so that they take less than the level before the last one, which is not there
-        if (few_.empty())
-            return;
-        const connectivity<Index>& whole = mesh.topology();
-        const std::vector<int> rings = rings_before_steps(scheme_, bases_.size());
-        submesh_cutter<Point, Index> cutter(mesh);
-        std::vector<bool> is_one(mesh.face_count(), false);
-        const auto refine = [&](const basic_mesh<Point, Index>& level, numbering& ids) {
-            return refine_mesh<connect::everything>(level, scheme_, ids);
-        };
-        for (std::span<const Index> few = few_; not few.empty(); few = few.subspan(std::min(at_once, few.size()))) {
-            const auto here = few.first(std::min(at_once, few.size()));
-            for (const Index f : here)
-                is_one[f] = true;
-            auto part = cutter.cut(cutter.faces_around(here, rings.front()));
-            part_of_whole<owned_number<Index>> numbers{{}, {}, {}, degree};
-            for (const Index v : part.vertex_from)
-                numbers.vertices.push_back({v, is_one[whole.vertex_corner[v] / degree]});
-            for (const Index e : part.edge_from)
-                numbers.edges.push_back({e, is_one[whole.halfedge_corner[2 * std::size_t(e)] / degree]});
-            for (const Index f : part.face_from)
-                numbers.faces.push_back({f, is_one[f]});
-            for (const Index f : here)
-                is_one[f] = false;
-            const auto fine = refine_part<numbering>(
-                std::move(part.mesh),
-                numbers,
-                bases_,
-                rings,
-                [](const auto& face) { return face.owned; },
-                refine,
-                refine);
-            copy_owned(fine, numbers, to);
-        }
-    }
-
-    static void copy_owned(const basic_mesh<Point, Index>& part, const part_of_whole<owned_number<Index>>& numbers,
-                           const output& to)
-    {
-        const connectivity<Index>& fine = part.topology();
-        const auto corner_in_whole = [&](Index c) {
-            return Index(degree * numbers.faces[c / degree].number + c % degree);
-        };
-        const auto halfedge_in_whole = [&](Index h) { return Index(2 * numbers.edges[h / 2].number + h % 2); };
-        for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
-            if (const auto [number, owned] = numbers.vertices[v]; owned) {
-                to.points[number] = part.point(v);
-                if (to.has_edges())
-                    to.vertex_corner[number] = corner_in_whole(fine.vertex_corner[v]);
-                if (to.writer != nullptr)
-                    to.writer->set_start(number, halfedge_in_whole(fine.corner_halfedge[fine.vertex_corner[v]]));
-            }
-        std::array<face_line<Index>, degree> lines;
-        for (std::size_t f = 0; to.writer != nullptr and f < fine.faces; ++f) {
-            if (not numbers.faces[f].owned)
-                continue;
-            for (std::size_t i = 0; i < degree; ++i)
-                lines[i] = {numbers.vertices[fine.corner_vertex[degree * f + i]].number,
-                            halfedge_in_whole(fine.corner_halfedge[degree * f + i])};
-            to.writer->set_face(numbers.faces[f].number, lines);
-        }
-        for (std::size_t c = 0; to.has_faces() and c < fine.corners(); ++c) {
-            if (not numbers.faces[c / degree].owned)
-                continue;
-            const Index corner = corner_in_whole(Index(c));
-            to.corner_vertex[corner] = numbers.vertices[fine.corner_vertex[c]].number;
-            if (not to.has_edges())
-                continue;
-            const Index side = fine.corner_halfedge[c];
-            const Index halfedge = halfedge_in_whole(side);
-            to.corner_halfedge[corner] = halfedge;
-            to.halfedge_corner[halfedge] = corner;
-            if (fine.is_boundary(side / 2))
-                to.halfedge_corner[halfedge ^ 1] = fine.none;
-        }
-    }
-
-    Scheme scheme_;
     std::size_t vertices_; // of the last level
-    std::vector<column_bases> bases_;
     std::vector<typename templates::pointer> templates_;
     storage<class_number> template_of_face_;
-    std::vector<Index> few_; // faces without a template, in increasing order
+    std::optional<face_clusters<Point, Index, Scheme>> clusters_; // of the faces without a template
 };
 
 #endif

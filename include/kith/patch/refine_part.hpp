@@ -2,6 +2,7 @@
 #pragma once
 
 #include "child_numbers.hpp"
+#include "placed_state.hpp"
 
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
@@ -27,18 +28,20 @@ std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps)
     return rings;
 }
 
-/// Refines a part of a level, a step for each of the bases, and makes its numbers those of the last level. `refine(mesh, ids)` makes
-/// a step, `refine_last(mesh, ids)` the last one. `is_own` tells by the number of a face whether it is wanted; in between all is
-/// cut off that no wanted face needs. Precondition: the rings of the first step are there. Errors and cost: those of the steps.
-template <class Numbering, class Point, std::unsigned_integral Index, inherited_number Number, class IsOwn,
-          class Refine, class RefineLast>
-basic_mesh<Point, Index> refine_part(basic_mesh<Point, Index> part, part_of_whole<Number>& numbers,
+/// Refines a part of a level by the scheme of the part, a step for each of the bases, and makes its numbers those of the last level.
+/// `refine(mesh, scheme, ids)` makes a step, `refine_last(mesh, scheme, ids)` the last one. `is_own` tells by the number of a face
+/// whether it is wanted; in between all is cut off that no wanted face needs. Precondition: the rings of the first step are there.
+/// Errors and cost: those of the steps.
+template <scheme Scheme, class Point, std::unsigned_integral Index, inherited_number Number, class IsOwn, class Refine,
+          class RefineLast>
+basic_mesh<Point, Index> refine_part(basic_mesh<Point, Index> part, Scheme scheme, part_of_whole<Number>& numbers,
                                      std::span<const column_bases> bases, std::span<const int> rings,
                                      const IsOwn& is_own, const Refine& refine, const RefineLast& refine_last)
 {
-    Numbering ids;
+    numbering_of<Scheme, Index> ids;
     for (std::size_t step = 0; step + 1 < bases.size(); ++step) {
-        const basic_mesh<Point, Index> fine = refine(part, ids);
+        const basic_mesh<Point, Index> fine = refine(part, scheme, ids);
+        advance(scheme, level_of<basic_mesh<Point, Index>>(part), part.generation(), ids, fine);
         const auto all = numbers.next(ids, bases[step]);
         std::vector<Index> own;
         for (std::size_t f = 0; f < all.faces.size(); ++f)
@@ -47,9 +50,10 @@ basic_mesh<Point, Index> refine_part(basic_mesh<Point, Index> part, part_of_whol
         submesh_cutter<Point, Index> cutter(fine);
         auto cut = cutter.cut(cutter.faces_around(own, rings[step + 1]));
         numbers = all.template of_part<Index>(cut.vertex_from, cut.edge_from, cut.face_from);
+        take_state_of_part(scheme, scheme, cut.numbers());
         part = std::move(cut.mesh);
     }
-    basic_mesh<Point, Index> last = refine_last(part, ids);
+    basic_mesh<Point, Index> last = refine_last(part, scheme, ids);
     numbers = numbers.next(ids, bases.back());
     return last;
 }
