@@ -173,7 +173,7 @@ struct placed_pulls : pulls {
     void for_each_place(const F& f) const
     {
         for (const auto& [face, pull] : of_faces.list())
-            f(kith::tuple_kind::f, face);
+            f(kith::tuple_kind::f, face, pull);
     }
 };
 

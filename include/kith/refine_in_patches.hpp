@@ -21,7 +21,8 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patch_refinement {
 public:
-    /// `levels` steps from a control mesh that has its edges. Cost: O(levels).
+    /// `levels` steps from a control mesh that has its edges. Cost: O(levels), and where it is not clear that patches are worth
+    /// while, O(elements) and walks around some faces.
     patch_refinement(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                      const patch_costs& costs = {})
         : scheme_(scheme)
@@ -30,15 +31,13 @@ public:
         , plan_(plan_patches(count(control.topology()), control.topology().degree == int(degree), scheme, levels,
                              control.generation()))
     {
+        is_worth_looking_ = has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces and
+                            (share_of_walks() <= costs_.share_of_walks or
+                             (share_of_walks() <= costs_.share_if_alike and is_alike(control)));
     }
 
     /// Whether there are so many faces that it may be worth while.
-    [[nodiscard]] bool is_worth_looking() const
-    {
-        return has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces and
-               costs_.of_walk * double(plan_->faces_of_walk(degree) * plan_->levels[std::size_t(plan_->first)].faces) <=
-                   costs_.share_of_walks * double(plan_->last().faces);
-    }
+    [[nodiscard]] bool is_worth_looking() const { return is_worth_looking_; }
 
     /// What refining level by level makes, to the bit; of the last level what is asked for. Precondition: is_worth_looking().
     [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh, connect last_level) const
@@ -71,6 +70,19 @@ private:
     using patches = patched_level<Point, Index, Scheme>;
     static constexpr std::size_t degree = numbering::common_degree;
 
+    /// What all walks cost of what refining level by level does.
+    [[nodiscard]] double share_of_walks() const
+    {
+        const auto faces = double(plan_->levels[std::size_t(plan_->first)].faces);
+        return costs_.of_walk * double(plan_->faces_of_walk(degree)) * faces / double(plan_->last().faces);
+    }
+    /// Whether the faces of a mesh that lie close together mostly look alike.
+    [[nodiscard]] bool is_alike(const basic_mesh<Point, Index>& control) const
+    {
+        const connectivity<Index>& mesh = control.topology();
+        return plan_->first == 0 and not is_scattered(mesh) and
+               face_classes<Index>(plan_->rings).share_of_alike(mesh, {mesh, scheme_}) >= costs_.alike;
+    }
     /// A step with all connectivity, and the scheme becomes that of the next level.
     static basic_mesh<Point, Index> next(const basic_mesh<Point, Index>& mesh, Scheme& scheme, numbering& ids)
     {
@@ -86,15 +98,15 @@ private:
         numbering ids;
         for (int level = 0; level < plan_->begin; ++level) {
             if (level == plan_->first)
-                classes.look_at(mesh.topology());
+                classes.look_at(mesh.topology(), {mesh.topology(), scheme});
             auto fine = next(mesh, scheme, ids);
             if (level >= plan_->first)
-                classes.follow(ids, degree, fine.topology());
+                classes.follow(ids, degree, fine.topology(), {fine.topology(), scheme});
             mesh = std::move(fine);
         }
         if (plan_->begin == plan_->first)
-            classes.look_at(mesh.topology());
-        return patches::make(mesh, std::move(classes), scheme, *plan_, costs_, last_level == connect::everything);
+            classes.look_at(mesh.topology(), {mesh.topology(), scheme});
+        return patches::make(mesh, classes, scheme, *plan_, costs_, last_level == connect::everything);
     }
     /// Where patches are no gain: from there the level before the last one, level by level.
     [[nodiscard]] basic_mesh<Point, Index> before_last(basic_mesh<Point, Index> mesh, Scheme& scheme) const
@@ -131,6 +143,7 @@ private:
     patch_costs costs_;
     int levels_;
     std::optional<patch_plan> plan_;
+    bool is_worth_looking_;
 };
 
 #endif

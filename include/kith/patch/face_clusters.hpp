@@ -56,6 +56,7 @@ private:
     using numbers_in_whole = part_of_whole<owned_number<Index>>;
     static constexpr std::size_t degree = numbering::common_degree;
     static constexpr std::size_t at_once = 256; // with all their descendants they are in the caches
+    static constexpr double cost_of_cut = 16;
 
     /// What a thread needs.
     class worker {
@@ -71,19 +72,22 @@ private:
             auto numbers = numbers_of(part, faces);
             Scheme scheme = clusters_.plain_;
             take_state_of_part(scheme, clusters_.scheme_, part.numbers());
-            const auto refine = [](const basic_mesh<Point, Index>& level, const Scheme& of_level, numbering& ids) {
-                return refine_mesh<connect::everything>(level, of_level, ids);
-            };
-            const auto fine = refine_part(
+            const auto before_last = refine_part(
                 std::move(part.mesh),
-                std::move(scheme),
+                scheme,
                 numbers,
                 clusters_.bases_,
                 clusters_.rings_,
                 [](const auto& face) { return face.owned; },
-                refine,
-                refine);
-            copy_owned(fine, numbers, to);
+                cost_of_cut,
+                [](const basic_mesh<Point, Index>& level, const Scheme& of_level, numbering& ids) {
+                    return refine_mesh<connect::everything>(level, of_level, ids);
+                });
+            numbering ids;
+            const bool with_edges = to.has_edges() or to.writer != nullptr;
+            const auto fine = with_edges ? refine_mesh<connect::everything>(before_last, scheme, ids)
+                                         : refine_mesh<connect::faces>(before_last, scheme, ids);
+            copy_owned(fine, numbers.next(ids, clusters_.bases_.back(), with_edges), to);
         }
 
     private:
@@ -92,13 +96,18 @@ private:
             const connectivity<Index>& whole = mesh_.topology();
             for (const Index f : faces)
                 is_one_[f] = true;
-            numbers_in_whole numbers{{}, {}, {}, degree};
-            for (const Index v : part.vertex_from)
-                numbers.vertices.push_back({v, is_one_[whole.vertex_corner[v] / degree]});
-            for (const Index e : part.edge_from)
-                numbers.edges.push_back({e, is_one_[whole.halfedge_corner[2 * std::size_t(e)] / degree]});
-            for (const Index f : part.face_from)
-                numbers.faces.push_back({f, is_one_[f]});
+            const auto owned = [](std::span<const Index> from, const auto& is_owned) {
+                storage<owned_number<Index>> result(from.size());
+                for (std::size_t i = 0; i < from.size(); ++i)
+                    result[i] = {from[i], is_owned(from[i])};
+                return result;
+            };
+            numbers_in_whole numbers{
+                owned(part.vertex_from, [&](Index v) { return is_one_[whole.vertex_corner[v] / degree]; }),
+                owned(part.edge_from,
+                      [&](Index e) { return is_one_[whole.halfedge_corner[2 * std::size_t(e)] / degree]; }),
+                owned(part.face_from, [&](Index f) { return is_one_[f]; }),
+                degree};
             for (const Index f : faces)
                 is_one_[f] = false;
             return numbers;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct patch_costs {
     double of_template = 3000;       ///< of making one, in final faces
     double of_walk = 3;          ///< of each face that is met in a walk around one of the first level to find its class
     double share_of_walks = .05; ///< nobody looks where all walks cost more than this share of the whole
+    double share_if_alike = .15; ///< the same where most of some faces are alike, so that it will not be in vain
+    double alike = .75;          ///< so many of them
     double to_be_cheaper = .9;   ///< patches must come to less than so much
     std::size_t least_faces = 4096; ///< of the level whose faces own patches; for fewer nobody looks
 };
@@ -37,8 +40,8 @@ class patched_level;
 
 #ifdef KITH_HAS_LANES
 
-/// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. All other faces, such
-/// as those where edges are creases, are refined as meshes of their own.
+/// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of other
+/// classes are refined as meshes of their own.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patched_level {
@@ -47,12 +50,11 @@ public:
 
     /// Of a mesh whose faces have these classes and the scheme of its level, to make faces or all connectivity; nothing where it is
     /// no gain. Cost: that of the templates.
-    static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, face_classes<Index> classes,
+    static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
                                              bool with_edges = false)
     {
         const double in_patch = with_edges ? costs.in_patch_with_edges : costs.in_patch;
-        classes.leave_out(faces_near_state(mesh, scheme, plan.rings));
         std::vector<std::size_t> members(classes.count(), 0);
         for (const class_number c : classes.of_faces())
             if (c != classes.unlike)
@@ -122,9 +124,9 @@ private:
                   const patch_plan& plan, const Gains& gains)
         : vertices_(plan.last().vertices), template_of_face_(mesh.face_count())
     {
-        const Scheme plain = without_state(scheme);
-        const auto kept = templates::of(plain, mesh.generation(), plan.rings, plan.bases);
-        template_maker<Scheme, Point, Index> maker(mesh, plain, plan.bases);
+        const auto kept = templates::of(without_state(scheme), mesh.generation(), plan.rings, plan.bases);
+        template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
+        state_marks<Index> marks(mesh.topology(), scheme);
         face_walk<Index> walk(mesh.topology(), classes.rings());
         constexpr class_number unknown = none - 1;
         std::vector<Index> without_template;
@@ -133,7 +135,7 @@ private:
             class_number made = none;
             if (const class_number c = classes.of_faces()[f]; c != classes.unlike) {
                 if (template_of_class[c] == unknown)
-                    template_of_class[c] = gains(c) ? find_template(*kept, maker, walk, f) : none;
+                    template_of_class[c] = gains(c) ? find_template(*kept, maker, walk, marks, f) : none;
                 made = template_of_class[c];
             }
             template_of_face_[f] = made;
@@ -146,15 +148,16 @@ private:
 
     /// Its number; none for a face around which there is too much to be numbered.
     class_number find_template(templates& kept, template_maker<Scheme, Point, Index>& maker, face_walk<Index>& walk,
-                               std::size_t face)
+                               state_marks<Index>& marks, std::size_t face)
     {
         walk.around(face);
-        auto found = kept.find(walk.key());
+        const std::u16string& key = marks.key(walk);
+        auto found = kept.find(key);
         if (found == nullptr) {
             auto made = maker.make(walk);
             if (not made)
                 return none;
-            found = kept.keep(walk.key(), std::move(*made));
+            found = kept.keep(key, std::move(*made));
         }
         templates_.push_back(std::move(found));
         return class_number(templates_.size() - 1);

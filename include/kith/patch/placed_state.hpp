@@ -1,24 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "face_walk.hpp"
+
 #include <kith/association/tuples.hpp>
+#include <kith/base/error.hpp>
+#include <kith/base/storage.hpp>
 #include <kith/mesh/connectivity.hpp>
 #include <kith/step/level_state.hpp>
 #include <kith/step/submesh.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace kith {
 
-/// State of a level that says of which elements it says something, such as creases.
+namespace detail {
+
+/// Stands for what a state says of an element.
+struct any_value {
+    template <class T>
+        requires std::is_trivially_copyable_v<T>
+    any_value(const T&);
+};
+
+} // namespace detail
+
+/// State of a level that says of which elements it says something, and what, such as creases.
 template <class State>
-concept placed_state = requires(const State& state, void (*f)(tuple_kind, std::size_t)) {
+concept placed_state = requires(const State& state, void (*f)(tuple_kind, std::size_t, detail::any_value)) {
     state.for_each_place(f);
     { state.of_part(part_numbers<std::uint32_t>()) } -> std::convertible_to<State>;
 };
@@ -59,40 +78,107 @@ void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<
             scheme, whole, [&](auto& state, const auto& of_whole) { state = detail::state_of_part(of_whole, part); });
 }
 
-/// The faces of a level within so many rings of the elements of which the scheme's state says something, increasing.
-/// Precondition: the mesh has its edges. Cost: O(1) without state, else O(elements).
-template <scheme Scheme, class Point, std::unsigned_integral Index>
-std::vector<Index> faces_near_state(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int rings)
-{
-    std::vector<Index> seeds;
-    if constexpr (scheme_of_places<Scheme>) {
-        const connectivity<Index>& t = mesh.topology();
-        const auto add = [&](Index corner) {
-            if (corner != t.none)
-                seeds.push_back(t.face_of(corner));
-        };
-        const auto add_faces_of = [&](tuple_kind kind, std::size_t element) {
-            if (kind == tuple_kind::f) {
-                seeds.push_back(Index(element));
-            } else if (kind == tuple_kind::e) {
-                add(t.halfedge_corner[2 * element]);
-                add(t.halfedge_corner[2 * element + 1]);
-            } else {
-                Index c = t.vertex_corner[element];
-                do {
-                    add(c);
-                    c = t.next_in_fan(c);
-                } while (c != t.none and c != t.vertex_corner[element]);
-            }
-        };
-        detail::for_each_state(scheme, [&](const auto& state) { state.for_each_place(add_faces_of); });
+/// What the state of a scheme says of the elements of a level, as a part of the keys of neighbourhoods: so that faces are alike
+/// only where the state is, too.
+template <std::unsigned_integral Index>
+class state_marks {
+public:
+    /// Precondition: the mesh, which must outlive this, has its edges and faces of one degree. Cost: O(1) where there is no state,
+    /// else O(elements).
+    template <scheme Scheme>
+    state_marks(const connectivity<Index>& mesh, const Scheme& scheme) : mesh_(mesh)
+    {
+        if constexpr (scheme_of_places<Scheme>) {
+            char16_t which = 0;
+            detail::for_each_state(scheme, [&](const auto& state) {
+                state.for_each_place(
+                    [&](tuple_kind kind, std::size_t element, const auto& value) { add(kind, element, which, value); });
+                ++which;
+            });
+        }
     }
-    if (seeds.empty())
-        return {};
-    std::ranges::sort(seeds);
-    const auto twice = std::ranges::unique(seeds);
-    seeds.erase(twice.begin(), twice.end());
-    return submesh_cutter<Point, Index>(mesh).faces_around(seeds, rings);
-}
+
+    /// The key of a walk and, where the state says something of the elements that were met, before it what. Cost: O(corners).
+    [[nodiscard]] const std::u16string& key(const face_walk<Index>& walk)
+    {
+        if (texts_.empty() or walk.key().empty() or
+            std::ranges::none_of(walk.faces(), [&](Index f) { return bool(is_marked_[f]); }))
+            return walk.key();
+        key_.assign(1, no_walk);
+        for (const Index f : walk.faces()) {
+            append(of_face_[f]);
+            for (Index c = mesh_.first_corner(f); c < mesh_.first_corner(f + std::size_t(1)); ++c) {
+                append(of_vertex_[mesh_.corner_vertex[c]]);
+                append(of_edge_[mesh_.corner_halfedge[c] / 2]);
+            }
+        }
+        return key_ += walk.key();
+    }
+
+private:
+    static constexpr Index none = connectivity<Index>::none;
+    static constexpr char16_t no_walk = 0xffff; // with which no key of a walk begins
+
+    template <class Value>
+    void add(tuple_kind kind, std::size_t element, char16_t which, const Value& value)
+    {
+        if (texts_.empty()) {
+            of_vertex_ = storage<Index>(mesh_.vertices, none);
+            of_edge_ = storage<Index>(mesh_.edges(), none);
+            of_face_ = storage<Index>(mesh_.faces, none);
+            is_marked_ = storage<unsigned char>(mesh_.faces, false);
+        }
+        storage<Index>& of_kind = kind == tuple_kind::v ? of_vertex_ : kind == tuple_kind::e ? of_edge_ : of_face_;
+        if (element >= of_kind.size())
+            throw mesh_error("the scheme has a state of element " + std::to_string(element) +
+                             ", of which the level has " + std::to_string(of_kind.size()) +
+                             "; make the state for this mesh and level");
+        if (of_kind[element] == none) {
+            of_kind[element] = Index(texts_.size());
+            texts_.emplace_back();
+            mark_faces(kind, element);
+        }
+        std::u16string& text = texts_[of_kind[element]];
+        text += which;
+        for (const std::byte b : std::bit_cast<std::array<std::byte, sizeof(Value)>>(value))
+            text += char16_t(b);
+    }
+    /// Those that have the element.
+    void mark_faces(tuple_kind kind, std::size_t element)
+    {
+        const auto mark = [&](Index corner) {
+            if (corner != none)
+                is_marked_[mesh_.face_of(corner)] = true;
+        };
+        if (kind == tuple_kind::v) {
+            Index c = mesh_.vertex_corner[element];
+            do {
+                mark(c);
+                c = mesh_.next_in_fan(c);
+            } while (c != none and c != mesh_.vertex_corner[element]);
+        } else if (kind == tuple_kind::e) {
+            mark(mesh_.halfedge_corner[2 * element]);
+            mark(mesh_.halfedge_corner[2 * element + 1]);
+        } else {
+            is_marked_[element] = true;
+        }
+    }
+    /// How long a text is comes before it, so that keys are read in one way.
+    void append(Index place)
+    {
+        if (place == none) {
+            key_ += char16_t(0);
+        } else {
+            key_ += char16_t(texts_[place].size());
+            key_ += texts_[place];
+        }
+    }
+
+    const connectivity<Index>& mesh_;
+    storage<Index> of_vertex_, of_edge_, of_face_; // places in the list of texts; empty without state
+    storage<unsigned char> is_marked_;             // of faces: whether there is a text of it, a vertex or an edge of it
+    std::vector<std::u16string> texts_;
+    std::u16string key_;
+};
 
 } // namespace kith

@@ -107,9 +107,9 @@ concept finished_step = requires(const S& step) {
 ///
 ///   void require_one_each(level) const   throws mesh_error for a state of another level, before that is cut
 ///
-///   void for_each_place(f) const         f(tuple_kind, number) for each vertex, edge and face (v, e, f) of which it says something:
-///                                        where none of them is within its reach a scheme does what it does with the state of a
-///                                        part without elements. Who does not have it may say something anywhere
+///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of which it says
+///                                        something, in values that can be copied as bytes: all that the state of a part says
+///                                        beside what that of a part without elements does. Who has none may say anything anywhere
 ///
 /// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
 template <scheme Scheme>
