@@ -6,6 +6,7 @@
 #include <kith/refine.hpp>
 
 #include "all_shapes.hpp"
+#include "error_text.hpp"
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
@@ -132,6 +133,28 @@ TEST(creased_patches, are_what_refine_makes_of_a_mesh_with_few_creases)
     ASSERT_TRUE(patches_of<kith::catmull_clark>(mesh, scheme, 6).is_worth_looking());
     for (const connect last : {connect::faces, connect::everything})
         EXPECT_TRUE(same_bits(refine(mesh, scheme, 6, {.last_level = last}), level_by_level(mesh, scheme, 6, last)));
+}
+
+TEST(creased_patches, refuses_creases_of_another_mesh)
+{
+    const auto mesh = native(shapes::torus(12, 24));
+    kith::catmull_clark scheme;
+    scheme.sharpness.sharpen_edge(mesh.edge_count(), 2.);
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([&] { refine(mesh, scheme, 6); }),
+        "the state of the scheme: edge 576 does not exist, there are 576; make the state for this mesh and level");
+}
+
+TEST(creased_patches, are_looked_for_in_face_lists_where_a_sample_of_faces_is_alike)
+{
+    const auto looks = [](const mesh3d& mesh, connect last) {
+        const patches_of<kith::catmull_clark> patches(mesh, {}, 4);
+        return std::array{patches.is_worth_looking(), patches.is_worth_looking(mesh, last)};
+    };
+    const auto alike = native(shapes::torus(60, 80));
+    EXPECT_EQ(looks(alike, connect::faces), (std::array{false, true}));
+    EXPECT_EQ(looks(alike, connect::everything), (std::array{false, false}));
+    EXPECT_EQ(looks(native(shapes::shuffled(shapes::torus(60, 80), 3)), connect::faces), (std::array{false, false}));
 }
 
 /// Catmull-Clark whose face points are drawn to the first corner, at faces that have a number, which their children halve.

@@ -21,8 +21,7 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patch_refinement {
 public:
-    /// `levels` steps from a control mesh that has its edges. Cost: O(levels), and where it is not clear that patches are worth
-    /// while, O(elements) and walks around some faces.
+    /// `levels` steps from a control mesh that has its edges. Cost: O(levels).
     patch_refinement(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                      const patch_costs& costs = {})
         : scheme_(scheme)
@@ -31,13 +30,17 @@ public:
         , plan_(plan_patches(count(control.topology()), control.topology().degree == int(degree), scheme, levels,
                              control.generation()))
     {
-        is_worth_looking_ = has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces and
-                            (share_of_walks() <= costs_.share_of_walks or
-                             (share_of_walks() <= costs_.share_if_alike and is_alike(control)));
     }
 
-    /// Whether there are so many faces that it may be worth while.
-    [[nodiscard]] bool is_worth_looking() const { return is_worth_looking_; }
+    /// Whether there are so many faces that it may be worth while on any mesh.
+    [[nodiscard]] bool is_worth_looking() const { return is_large() and share_of_walks() <= costs_.share_of_walks; }
+    /// Whether it may be on this control mesh, for which this was made: face lists gain so much that walks may cost more where they will
+    /// not be in vain. Cost: O(1), or O(elements) and that of some of the walks.
+    [[nodiscard]] bool is_worth_looking(const basic_mesh<Point, Index>& control, connect last_level) const
+    {
+        return is_worth_looking() or (last_level == connect::faces and is_large() and
+                                      share_of_walks() <= costs_.share_if_alike and is_alike(control));
+    }
 
     /// What refining level by level makes, to the bit; of the last level what is asked for. Precondition: is_worth_looking().
     [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh, connect last_level) const
@@ -70,6 +73,10 @@ private:
     using patches = patched_level<Point, Index, Scheme>;
     static constexpr std::size_t degree = numbering::common_degree;
 
+    [[nodiscard]] bool is_large() const
+    {
+        return has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces;
+    }
     /// What all walks cost of what refining level by level does.
     [[nodiscard]] double share_of_walks() const
     {
@@ -143,7 +150,6 @@ private:
     patch_costs costs_;
     int levels_;
     std::optional<patch_plan> plan_;
-    bool is_worth_looking_;
 };
 
 #endif

@@ -55,7 +55,9 @@ private:
     using numbering = numbering_of<Scheme, Index>;
     using numbers_in_whole = part_of_whole<owned_number<Index>>;
     static constexpr std::size_t degree = numbering::common_degree;
-    static constexpr std::size_t at_once = 256; // with all their descendants they are in the caches
+    // Neighbours by their numbers: closer than in the order of the surface, where a mesh is in order.
+    static constexpr std::size_t at_once = 256;
+    // As measured: where few steps are left, or a cluster is compact, rings that are made in vain cost less than cutting them off.
     static constexpr double cost_of_cut = 16;
 
     /// What a thread needs.

@@ -28,8 +28,8 @@ struct patch_costs {
     double of_template = 3000;       ///< of making one, in final faces
     double of_walk = 3;          ///< of each face that is met in a walk around one of the first level to find its class
     double share_of_walks = .05; ///< nobody looks where all walks cost more than this share of the whole
-    double share_if_alike = .15; ///< the same where most of some faces are alike, so that it will not be in vain
-    double alike = .75;          ///< so many of them
+    double share_if_alike = .15; ///< the same for face lists, where most faces of a sample are alike
+    double alike = .85;          ///< so many of them
     double to_be_cheaper = .9;   ///< patches must come to less than so much
     std::size_t least_faces = 4096; ///< of the level whose faces own patches; for fewer nobody looks
 };

@@ -83,8 +83,8 @@ void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<
 template <std::unsigned_integral Index>
 class state_marks {
 public:
-    /// Precondition: the mesh, which must outlive this, has its edges and faces of one degree. Cost: O(1) where there is no state,
-    /// else O(elements).
+    /// Precondition: the mesh, which must outlive this, has its edges and faces of one degree. Errors: mesh_error for a state of
+    /// elements that do not exist. Cost: O(1) where there is no state, else O(elements).
     template <scheme Scheme>
     state_marks(const connectivity<Index>& mesh, const Scheme& scheme) : mesh_(mesh)
     {
@@ -130,8 +130,11 @@ private:
         }
         storage<Index>& of_kind = kind == tuple_kind::v ? of_vertex_ : kind == tuple_kind::e ? of_edge_ : of_face_;
         if (element >= of_kind.size())
-            throw mesh_error("the scheme has a state of element " + std::to_string(element) +
-                             ", of which the level has " + std::to_string(of_kind.size()) +
+            throw mesh_error("the state of the scheme: " +
+                             std::string(kind == tuple_kind::v   ? "vertex "
+                                         : kind == tuple_kind::e ? "edge "
+                                                                 : "face ") +
+                             std::to_string(element) + " does not exist, there are " + std::to_string(of_kind.size()) +
                              "; make the state for this mesh and level");
         if (of_kind[element] == none) {
             of_kind[element] = Index(texts_.size());
