@@ -7,7 +7,6 @@
 #include "patch_filler.hpp"
 #include "patch_plan.hpp"
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>

@@ -8,7 +8,6 @@
 #include <kith/base/storage.hpp>
 #include <kith/mesh/connectivity.hpp>
 #include <kith/step/level_state.hpp>
-#include <kith/step/submesh.hpp>
 
 #include <algorithm>
 #include <array>
