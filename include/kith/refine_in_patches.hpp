@@ -5,6 +5,7 @@
 
 #include <kith/patch/patched_level.hpp>
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -83,6 +84,14 @@ private:
         const auto faces = double(plan_->levels[std::size_t(plan_->first)].faces);
         return costs_.of_walk * double(plan_->faces_of_walk(degree)) * faces / double(plan_->last().faces);
     }
+    /// Whether so many creases are different that walks around the faces beside them cost too much: with each level there are about twice
+    /// as many such faces.
+    [[nodiscard]] bool is_in_vain(const face_classes<Index>& classes, int level) const
+    {
+        const double walks = std::ldexp(double(classes.count()), plan_->begin - level);
+        return costs_.of_walk * double(plan_->faces_of_walk(degree)) * walks >
+               costs_.share_of_walks * double(plan_->last().faces);
+    }
     /// Whether the faces of a mesh that lie close together mostly look alike.
     [[nodiscard]] bool is_alike(const basic_mesh<Point, Index>& control) const
     {
@@ -103,14 +112,19 @@ private:
     {
         face_classes<Index> classes(plan_->rings);
         numbering ids;
+        bool gives_up = false;
         for (int level = 0; level < plan_->begin; ++level) {
             if (level == plan_->first)
                 classes.look_at(mesh.topology(), {mesh.topology(), scheme});
             auto fine = next(mesh, scheme, ids);
-            if (level >= plan_->first)
-                classes.follow(ids, degree, fine.topology(), {fine.topology(), scheme});
+            state_marks<Index> marks(fine.topology(), scheme);
+            gives_up = gives_up or (level >= plan_->first and not marks.empty() and is_in_vain(classes, level));
+            if (level >= plan_->first and not gives_up)
+                classes.follow(ids, degree, fine.topology(), std::move(marks));
             mesh = std::move(fine);
         }
+        if (gives_up)
+            return {};
         if (plan_->begin == plan_->first)
             classes.look_at(mesh.topology(), {mesh.topology(), scheme});
         return patches::make(mesh, classes, scheme, *plan_, costs_, last_level == connect::everything);

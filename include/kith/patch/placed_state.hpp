@@ -97,6 +97,9 @@ public:
         }
     }
 
+    /// There is no state.
+    [[nodiscard]] bool empty() const { return texts_.empty(); }
+
     /// The key of a walk and, where the state says something of the elements that were met, before it what. Cost: O(corners).
     [[nodiscard]] const std::u16string& key(const face_walk<Index>& walk)
     {
