@@ -8,6 +8,7 @@
 #include "every_scheme.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
+#include "written_level.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,53 +47,6 @@ constexpr kith::patch_costs some_templates{
 
 template <class Scheme>
 constexpr bool has_patches = kith::patchable_scheme<Scheme, std::array<double, 3>, std::uint32_t>;
-
-/// A mesh of another library, as simple as can be: what is written into it, as native arrays.
-template <class Point, class Index>
-class written_level final : public kith::level_writer<Point, Index> {
-public:
-    void make_room(std::size_t vertices, std::size_t edges, std::size_t faces, bool is_closed) override
-    {
-        points_ = kith::storage<Point>(vertices);
-        leaving_.resize(vertices);
-        mesh_.vertices = vertices;
-        mesh_.faces = faces;
-        sides_ = 2 * edges;
-        is_closed_ = is_closed;
-    }
-    [[nodiscard]] Point* points() const override { return points_.data(); }
-    void set_start(Index vertex, Index leaving) override { leaving_[vertex] = leaving; }
-    void set_faces(Index first, std::size_t degree, std::span<const kith::face_line<Index>> lines) override
-    {
-        if (mesh_.degree == 0) {
-            mesh_.allocate_faces(mesh_.faces, int(degree), [degree](std::size_t) { return degree; });
-            mesh_.allocate_edges(sides_ / 2);
-        }
-        Index corner = Index(degree * first);
-        for (const auto& [vertex, halfedge] : lines) {
-            mesh_.corner_vertex[corner] = vertex;
-            mesh_.set_side(corner++, halfedge);
-        }
-    }
-    void finish(int generation) override { generation_ = generation; }
-
-    kith::basic_mesh<Point, Index> take()
-    {
-        EXPECT_EQ(is_closed_, std::ranges::count(mesh_.halfedge_corner, mesh_.none) == 0);
-        mesh_.vertex_corner = kith::storage<Index>(leaving_.size());
-        for (std::size_t v = 0; v < leaving_.size(); ++v)
-            mesh_.vertex_corner[v] = mesh_.halfedge_corner[leaving_[v]];
-        return {kith::storage<Point>(points_), std::move(mesh_), generation_};
-    }
-
-private:
-    mutable kith::storage<Point> points_;
-    std::vector<Index> leaving_;
-    kith::connectivity<Index> mesh_;
-    std::size_t sides_ = 0;
-    bool is_closed_ = false;
-    int generation_ = 0;
-};
 
 template <class Point, class Index>
 bool same_level(const kith::basic_mesh<Point, Index>& a, const kith::basic_mesh<Point, Index>& b)
@@ -265,9 +218,6 @@ TEST(refine_in_patches, is_left_out_where_it_would_be_wrong_or_of_no_use)
     EXPECT_FALSE(looks(torus, kith::loop{}, 0));
     EXPECT_FALSE(looks(native(shapes::tetrahedron()), kith::loop{}, 4)); // few faces
     EXPECT_FALSE(looks(torus, kith::loop{}, 4));                         // many walks
-    kith::loop creased;                                                  // keeps its creases by the numbers of edges
-    creased.sharpness.sharpen_edge(0, 2.);
-    EXPECT_FALSE(looks(torus, creased, 5));
     // Its columns ask where the boundary is.
     EXPECT_FALSE(looks(native(shapes::triangulated(shapes::grid(40, 40))), kith::sqrt3{}, 6));
     // New faces of vertices and edges; columns that pick marked edges.

@@ -87,7 +87,8 @@ private:
                 return;
             levels_.refine(plan->begin);
             face_classes<Index> classes(plan->rings);
-            classes.look_at(levels_.finest().topology());
+            const auto& begin = levels_.finest().topology();
+            classes.look_at(begin, {begin, levels_.scheme(plan->begin)});
             patches_ = patched_level<Point, Index, Scheme>::make(
                 levels_.finest(), classes, levels_.scheme(plan->begin), *plan, costs);
             last_vertices_ = plan->last().vertices;

@@ -5,6 +5,7 @@
 
 #include <kith/patch/patched_level.hpp>
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -32,35 +33,40 @@ public:
     {
     }
 
-    /// Whether there are so many faces that it may be worth while.
-    [[nodiscard]] bool is_worth_looking() const
+    /// Whether there are so many faces that it may be worth while on any mesh.
+    [[nodiscard]] bool is_worth_looking() const { return is_large() and share_of_walks() <= costs_.share_of_walks; }
+    /// Whether it may be on this control mesh, for which this was made: face lists gain so much that walks may cost more where they will
+    /// not be in vain. Cost: O(1), or O(elements) and that of some of the walks.
+    [[nodiscard]] bool is_worth_looking(const basic_mesh<Point, Index>& control, connect last_level) const
     {
-        return has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces and
-               costs_.of_walk * double(plan_->faces_of_walk(degree) * plan_->levels[std::size_t(plan_->first)].faces) <=
-                   costs_.share_of_walks * double(plan_->last().faces);
+        return is_worth_looking() or (last_level == connect::faces and is_large() and
+                                      share_of_walks() <= costs_.share_if_alike and is_alike(control));
     }
 
     /// What refining level by level makes, to the bit; of the last level what is asked for. Precondition: is_worth_looking().
     [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh, connect last_level) const
     {
-        if (const auto made = patches_after(mesh, last_level))
+        Scheme scheme = scheme_;
+        if (const auto made = patches_after(mesh, scheme, last_level))
             return filled(mesh, *made, last_level);
-        mesh = before_last(std::move(mesh));
+        mesh = before_last(std::move(mesh), scheme);
         numbering ids;
-        return last_level == connect::faces ? refine_mesh<connect::faces>(mesh, scheme_, ids)
-                                            : refine_mesh<connect::everything>(mesh, scheme_, ids);
+        return last_level == connect::faces ? refine_mesh<connect::faces>(mesh, scheme, ids)
+                                            : refine_mesh<connect::everything>(mesh, scheme, ids);
     }
     /// The same into a mesh of another library. Precondition: is_worth_looking(). Errors: those of `make_room`.
     void refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index> mesh) const
     {
-        if (const auto made = patches_after(mesh, connect::everything)) {
+        Scheme scheme = scheme_;
+        if (const auto made = patches_after(mesh, scheme, connect::everything)) {
             const counts& last = plan_->last();
             fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
             made->fill(mesh, {.points = fine.points(), .writer = &fine});
             return fine.finish(mesh.generation() + levels_ - plan_->begin);
         }
+        mesh = before_last(std::move(mesh), scheme);
         numbering ids;
-        refine_mesh_into(fine, before_last(std::move(mesh)), scheme_, ids);
+        refine_mesh_into(fine, mesh, scheme, ids);
     }
 
 private:
@@ -68,29 +74,67 @@ private:
     using patches = patched_level<Point, Index, Scheme>;
     static constexpr std::size_t degree = numbering::common_degree;
 
-    /// Makes of the mesh the level whose faces own patches; nothing where they are no gain.
-    [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, connect last_level) const
+    [[nodiscard]] bool is_large() const
+    {
+        return has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces;
+    }
+    /// What all walks cost of what refining level by level does.
+    [[nodiscard]] double share_of_walks() const
+    {
+        const auto faces = double(plan_->levels[std::size_t(plan_->first)].faces);
+        return costs_.of_walk * double(plan_->faces_of_walk(degree)) * faces / double(plan_->last().faces);
+    }
+    /// Whether so many creases are different that walks around the faces beside them cost too much: with each level there are about twice
+    /// as many such faces.
+    [[nodiscard]] bool is_in_vain(const face_classes<Index>& classes, int level) const
+    {
+        const double walks = std::ldexp(double(classes.count()), plan_->begin - level);
+        return costs_.of_walk * double(plan_->faces_of_walk(degree)) * walks >
+               costs_.share_of_walks * double(plan_->last().faces);
+    }
+    /// Whether the faces of a mesh that lie close together mostly look alike.
+    [[nodiscard]] bool is_alike(const basic_mesh<Point, Index>& control) const
+    {
+        const connectivity<Index>& mesh = control.topology();
+        return plan_->first == 0 and not is_scattered(mesh) and
+               face_classes<Index>(plan_->rings).share_of_alike(mesh, {mesh, scheme_}) >= costs_.alike;
+    }
+    /// A step with all connectivity, and the scheme becomes that of the next level.
+    static basic_mesh<Point, Index> next(const basic_mesh<Point, Index>& mesh, Scheme& scheme, numbering& ids)
+    {
+        auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
+        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation(), ids, fine);
+        return fine;
+    }
+    /// Makes of the mesh the level whose faces own patches, and of the scheme that of this level; nothing where they are no gain.
+    [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, Scheme& scheme,
+                                                       connect last_level) const
     {
         face_classes<Index> classes(plan_->rings);
         numbering ids;
+        bool gives_up = false;
         for (int level = 0; level < plan_->begin; ++level) {
             if (level == plan_->first)
-                classes.look_at(mesh.topology());
-            auto fine = refine_mesh<connect::everything>(mesh, scheme_, ids);
-            if (level >= plan_->first)
-                classes.follow(ids, degree, fine.topology());
+                classes.look_at(mesh.topology(), {mesh.topology(), scheme});
+            auto fine = next(mesh, scheme, ids);
+            state_marks<Index> marks(fine.topology(), scheme);
+            gives_up = gives_up or (level >= plan_->first and not marks.empty() and is_in_vain(classes, level));
+            if (level >= plan_->first and not gives_up)
+                classes.follow(ids, degree, fine.topology(), std::move(marks));
             mesh = std::move(fine);
         }
+        if (gives_up)
+            return {};
         if (plan_->begin == plan_->first)
-            classes.look_at(mesh.topology());
-        return patches::make(mesh, classes, scheme_, *plan_, costs_, last_level == connect::everything);
+            classes.look_at(mesh.topology(), {mesh.topology(), scheme});
+        return patches::make(mesh, classes, scheme, *plan_, costs_, last_level == connect::everything);
     }
-    /// Where patches are no gain: the level before the last one, level by level.
-    [[nodiscard]] basic_mesh<Point, Index> before_last(basic_mesh<Point, Index> mesh) const
+    /// Where patches are no gain: from there the level before the last one, level by level.
+    [[nodiscard]] basic_mesh<Point, Index> before_last(basic_mesh<Point, Index> mesh, Scheme& scheme) const
     {
         numbering ids;
         for (int level = plan_->begin; level + 1 < levels_; ++level)
-            mesh = refine_mesh<connect::everything>(mesh, scheme_, ids);
+            mesh = next(mesh, scheme, ids);
         return mesh;
     }
     [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh, const patches& made,

@@ -47,18 +47,20 @@ public:
     void append(std::size_t element, const T& value) { list_.emplace_back(element, value); }
     void sort() { std::ranges::stable_sort(list_, {}, &entry::first); }
 
-    /// Those of a part, whose elements have these numbers, which increase. Cost: O(entries + elements of the part).
+    /// Those of a part, whose elements have these numbers, which increase; a number may come several times.
+    /// Cost: O(log) for each of the entries or each of the elements, whichever are fewer, and for what is found.
     template <std::unsigned_integral Index>
     [[nodiscard]] sparse_values of_part(std::span<const Index> numbers) const
     {
         sparse_values result;
         auto known = list_.begin();
-        for (std::size_t i = 0; i < numbers.size() and known != list_.end(); ++i) {
-            while (known != list_.end() and known->first < numbers[i])
-                ++known;
-            if (known != list_.end() and known->first == numbers[i])
-                result.append(i, known->second);
-        }
+        for (auto number = numbers.begin(); number != numbers.end() and known != list_.end();)
+            if (known->first < *number)
+                known = std::ranges::lower_bound(known, list_.end(), std::size_t(*number), {}, &entry::first);
+            else if (*number < known->first)
+                number = std::lower_bound(number, numbers.end(), known->first);
+            else
+                result.append(std::size_t(number++ - numbers.begin()), known->second);
         return result;
     }
     /// Takes over those of a part; of an element that both have the value here stays. Cost: O(entries log of them).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/storage.hpp>
 #include <kith/step/scheme.hpp>
 
 #include <array>
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace kith {
 
@@ -78,55 +78,64 @@ struct owned_number {
 /// The numbers of all elements of a part of a level whose faces have one degree.
 template <inherited_number Number>
 struct part_of_whole {
-    std::vector<Number> vertices, edges, faces;
+    storage<Number> vertices, edges, faces;
     std::size_t degree = 0;
 
-    /// That of the child of a tuple, in a column that begins at `base` in the whole mesh.
-    [[nodiscard]] Number child(tuple_kind kind, std::size_t tuple, std::uint64_t base) const
-    {
-        const std::size_t each = tuples_per_element(kind), element = tuple / each, rest = tuple % each;
-        switch (kind) {
-        case tuple_kind::v: return vertices[element].child(base, 1);
-        case tuple_kind::e:
-        case tuple_kind::ve: return edges[element].child(base + rest, each);
-        case tuple_kind::f: return faces[element].child(base, 1);
-        case tuple_kind::vf:
-        case tuple_kind::ef:
-        case tuple_kind::vfe: break;
-        }
-        return faces[element / degree].child(base + each * (element % degree) + rest, each * degree);
-    }
     /// Those of a part of the part: of the elements listed.
     template <std::unsigned_integral Index>
     [[nodiscard]] part_of_whole of_part(std::span<const Index> some_vertices, std::span<const Index> some_edges,
                                         std::span<const Index> some_faces) const
     {
-        const auto some = [](const std::vector<Number>& all, std::span<const Index> which) {
-            std::vector<Number> result;
-            result.reserve(which.size());
-            for (const Index i : which)
-                result.push_back(all[i]);
+        const auto some = [](const storage<Number>& all, std::span<const Index> which) {
+            storage<Number> result(which.size());
+            for (std::size_t i = 0; i < which.size(); ++i)
+                result[i] = all[which[i]];
             return result;
         };
         return {some(vertices, some_vertices), some(edges, some_edges), some(faces, some_faces), degree};
     }
-    /// Those of the next level of the part, which a step has made with these ids. Cost: O(elements).
+    /// Those of the next level of the part, which a step has made with these ids; without edges where nobody asks for them.
+    /// Cost: O(elements).
     template <level_numbering Numbering>
-    [[nodiscard]] part_of_whole next(const Numbering& ids, const column_bases& bases) const
+    [[nodiscard]] part_of_whole next(const Numbering& ids, const column_bases& bases, bool with_edges = true) const
     {
-        const auto all = [this](const auto& of, const column_bases::by_kind& base) {
-            std::vector<Number> result;
-            result.reserve(of.total());
-            for (std::size_t id = 0; id < of.total(); ++id) {
-                const auto [kind, tuple] = of.origin(id);
-                result.push_back(child(kind, tuple, base[std::size_t(kind)]));
-            }
-            return result;
-        };
-        return {all(ids.vertices, bases.vertices),
-                all(ids.edges, bases.edges),
-                all(ids.faces, bases.faces),
+        return {children(ids.vertices, bases.vertices),
+                with_edges ? children(ids.edges, bases.edges) : storage<Number>(),
+                children(ids.faces, bases.faces),
                 Numbering::common_degree};
+    }
+
+private:
+    template <element_ids Ids>
+    [[nodiscard]] storage<Number> children(const Ids& ids, const column_bases::by_kind& bases) const
+    {
+        storage<Number> result(ids.total());
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (add_column<Ids::kinds[I]>(ids, I, bases[std::size_t(Ids::kinds[I])], result), ...);
+        }(std::make_index_sequence<Ids::size>());
+        return result;
+    }
+    /// Where all tuples of a column give birth they are met in the order of their elements.
+    template <tuple_kind Kind, element_ids Ids>
+    void add_column(const Ids& ids, std::size_t column, std::uint64_t base, storage<Number>& result) const
+    {
+        constexpr bool of_corners = Kind != tuple_kind::v and Kind != tuple_kind::e and Kind != tuple_kind::ve and
+                                    Kind != tuple_kind::f;
+        const std::size_t each = tuples_per_element(Kind) * (of_corners ? degree : 1);
+        const storage<Number>& parents = Kind == tuple_kind::v                             ? vertices
+                                         : Kind == tuple_kind::e or Kind == tuple_kind::ve ? edges
+                                                                                           : faces;
+        std::size_t id = ids.base(column);
+        if constexpr (Ids::template is_full<Kind>) {
+            for (const Number& parent : parents)
+                for (std::size_t rest = 0; rest < each; ++rest)
+                    result[id++] = parent.child(base + rest, each);
+        } else {
+            for (const std::size_t end = id + ids.count(column); id < end; ++id) {
+                const std::size_t tuple = ids.origin(id).second;
+                result[id] = parents[tuple / each].child(base + tuple % each, each);
+            }
+        }
     }
 };
 

@@ -75,15 +75,22 @@ private:
         face_[face] = Index(faces_.size());
         faces_.push_back(face);
     }
-    /// A corner in the numbers of the neighbourhood.
-    [[nodiscard]] std::size_t local(Index corner) const { return degree_ * face_[corner / degree_] + corner % degree_; }
+    /// With divisors that the compiler knows, which takes a third of the time.
+    [[nodiscard]] Index face_of(Index corner) const
+    {
+        return degree_ == 4 ? corner / 4 : degree_ == 3 ? corner / 3 : Index(corner / degree_);
+    }
+    [[nodiscard]] walked_corner walked(Index corner) const
+    {
+        const Index face = face_of(corner);
+        return {std::uint16_t(face_[face]), std::uint16_t(corner - degree_ * face)};
+    }
     void reach(Index from, Index across)
     {
-        const Index face = Index(across / degree_);
+        const Index face = face_of(across);
         if (face_[face] != none)
             return;
-        steps_.push_back(
-            {{std::uint16_t(face_[from / degree_]), std::uint16_t(from % degree_)}, std::uint16_t(across % degree_)});
+        steps_.push_back({walked(from), std::uint16_t(across - degree_ * face)});
         add(face);
     }
     /// Finds all faces of the fan that a corner lies in.
@@ -110,7 +117,7 @@ private:
     /// Of the first `inner` faces all fans are there.
     void make_key(std::size_t inner)
     {
-        constexpr unsigned boundary = 0, outside = 1, first_corner = 2;
+        constexpr char16_t boundary = 0, outside = 1, first_corner = 2;
         std::size_t complete = 0; // vertices whose whole fan is there come first
         for (std::size_t f = 0; f < faces_.size(); ++f) {
             if (f == inner)
@@ -125,16 +132,22 @@ private:
         }
         if (inner >= faces_.size())
             complete = vertices_.size();
+        key_.resize(2 * degree_ * faces_.size());
+        char16_t* to = key_.data();
         for (const Index f : faces_)
             for (std::size_t i = 0; i < degree_; ++i) {
                 const Index c = Index(degree_ * f + i), v = mesh_.corner_vertex[c];
                 const Index halfedge = mesh_.corner_halfedge[c], across = mesh_.halfedge_corner[halfedge ^ 1];
                 const bool starts = vertex_[v] < complete and mesh_.vertex_corner[v] == c;
-                key_.push_back(char16_t(2 * vertex_[v] + starts));
-                key_.push_back(char16_t(across == none ? boundary
-                                        : face_[across / degree_] == none
-                                            ? outside
-                                            : first_corner + 2 * local(across) + halfedge % 2));
+                *to++ = char16_t(2 * vertex_[v] + starts);
+                if (across == none) {
+                    *to++ = boundary;
+                    continue;
+                }
+                const Index other = face_of(across), at = face_[other];
+                *to++ = at == none
+                            ? outside
+                            : char16_t(first_corner + 2 * (degree_ * at + across - degree_ * other) + halfedge % 2);
             }
         for (const Index v : vertices_)
             vertex_[v] = none;

@@ -33,7 +33,7 @@ template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
 
-/// Templates of a scheme for levels of one size, by the neighbourhoods that they are for. Those of the last size are kept
+/// Templates of a scheme without its state for levels of one size, by the neighbourhoods and the state there that they are for. Those of the last size are kept
 /// for the process, one list for each type of scheme and point, so that who refines again is spared making them; schemes that
 /// cannot be told apart have a list of their own each time. At most `most` templates, of some 10 to 30 KB each. Safe on
 /// several threads.
@@ -65,7 +65,7 @@ public:
     {
     }
 
-    /// The template for the neighbourhoods that have this key of a walk; nullptr where none is kept.
+    /// The template for the neighbourhoods that have this key of a walk and of the state there; nullptr where none is kept.
     [[nodiscard]] pointer find(const std::u16string& key) const
     {
         const std::lock_guard lock(mutex_);

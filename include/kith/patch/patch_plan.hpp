@@ -57,14 +57,15 @@ struct patch_plan {
 };
 
 /// A patch has at most some hundred faces. Nothing for a mesh on which the numbers of the scheme do not follow in one way, whose
-/// order it does not ignore, as where edges are creases, or where there is no step to make. Precondition: the levels can be counted.
+/// order it does not ignore even where its state says nothing, or where there is no step to make. Precondition: the levels can be counted.
 /// Cost: O(levels).
 template <reaching_scheme Scheme>
 std::optional<patch_plan> plan_patches(const counts& control, bool has_degree, const Scheme& scheme, int levels,
                                        int generation)
 {
     constexpr std::uint64_t most_faces_of_patch = 100;
-    if (levels < 1 or not detail::is_free_of_order<Scheme>(control.boundary_edges == 0) or not ignores_numbers(scheme))
+    if (levels < 1 or not detail::is_free_of_order<Scheme>(control.boundary_edges == 0) or
+        not ignores_numbers(without_state(scheme)))
         return {};
     patch_plan plan{has_degree ? 0 : 1, levels, 0, {control}, {}};
     for (int level = 0; level < levels; ++level)

@@ -57,12 +57,18 @@ class template_maker {
     using result = patch_template<scalar, Index>;
     using numbering = numbering_of<Scheme, Index>;
     static constexpr int degree = int(numbering::common_degree);
+    static constexpr double cost_of_cut = 0; // what is written down costs more
 
 public:
     /// For the level of a mesh, which has its edges and the degree of refined faces and must outlive this, and one step for
-    /// each of the bases.
+    /// each of the bases, by the scheme of the level.
     template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const column_bases> bases)
-        : mesh_(mesh), scheme_(scheme), bases_(bases), rings_(rings_before_steps(scheme, bases.size())), cutter_(mesh)
+        : mesh_(mesh)
+        , scheme_(scheme)
+        , plain_(without_state(scheme))
+        , bases_(bases)
+        , rings_(rings_before_steps(scheme, bases.size()))
+        , cutter_(mesh)
     {
     }
 
@@ -81,18 +87,24 @@ public:
         for (std::size_t v = 0; v < points.size(); ++v)
             points[v] = value(std::uint32_t(v));
         tape.values.assign(points.size(), tape.none);
-        const auto refine = [&](const basic_mesh<value, Index>& mesh, numbering& ids) {
+        const auto refine = [&](const basic_mesh<value, Index>& mesh, const Scheme& of_level, numbering& ids) {
             const level_elements<native_level<value, Index, degree>> level(mesh);
-            return refine_level<connect::everything>(level, scheme_, mesh.generation(), ids);
+            return refine_level<connect::everything>(level, of_level, mesh.generation(), ids);
         };
-        const auto fine = refine_part<numbering>(
+        Scheme scheme = plain_;
+        take_state_of_part(scheme, scheme_, part.numbers());
+        const auto before_last = refine_part(
             basic_mesh<value, Index>(std::move(points), part.mesh.topology(), mesh_.generation()),
+            scheme,
             numbers,
             bases_,
             rings_,
             [&](const affine_number<Index>& face) { return face.source == sources.centre(); },
-            refine,
+            cost_of_cut,
             refine);
+        numbering ids;
+        const auto fine = refine(before_last, scheme, ids);
+        numbers = numbers.next(ids, bases_.back());
         return assemble(walk, sources, numbers, fine, tape);
     }
 
@@ -123,15 +135,17 @@ private:
 
         [[nodiscard]] affine_numbers numbers() const
         {
-            affine_numbers result{{}, {}, {}, std::size_t(degree)};
             std::uint32_t id = 0;
-            const auto fill = [&](auto& list, std::size_t count) {
-                for (std::size_t i = 0; i < count; ++i)
-                    list.push_back({0, 1, id++});
+            const auto in_turn = [&](std::size_t count) {
+                storage<affine_number<Index>> result(count);
+                for (auto& number : result)
+                    number = {0, 1, id++};
+                return result;
             };
-            fill(result.vertices, topology_.vertices);
-            fill(result.edges, topology_.edges());
-            fill(result.faces, topology_.faces);
+            affine_numbers result{{}, {}, {}, std::size_t(degree)};
+            result.vertices = in_turn(topology_.vertices);
+            result.edges = in_turn(topology_.edges());
+            result.faces = in_turn(topology_.faces);
             return result;
         }
         [[nodiscard]] typename result::source source(std::uint32_t id) const
@@ -175,7 +189,7 @@ private:
 
     /// Those of some elements, in the order of their numbers.
     template <class IsOne>
-    static std::vector<std::uint32_t> in_order(const std::vector<number>& numbers, const IsOne& is_one)
+    static std::vector<std::uint32_t> in_order(const storage<number>& numbers, const IsOne& is_one)
     {
         std::vector<std::uint32_t> result;
         for (std::uint32_t i = 0; i < numbers.size(); ++i)
@@ -265,6 +279,7 @@ private:
 
     const basic_mesh<Point, Index>& mesh_;
     const Scheme& scheme_;
+    Scheme plain_; // without its state
     std::span<const column_bases> bases_;
     std::vector<int> rings_;
     submesh_cutter<Point, Index> cutter_;

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "face_classes.hpp"
+#include "face_clusters.hpp"
 #include "kept_templates.hpp"
 #include "patch_filler.hpp"
 #include "patch_plan.hpp"
 
-#include <algorithm>
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,6 +27,8 @@ struct patch_costs {
     double of_template = 3000;       ///< of making one, in final faces
     double of_walk = 3;          ///< of each face that is met in a walk around one of the first level to find its class
     double share_of_walks = .05; ///< nobody looks where all walks cost more than this share of the whole
+    double share_if_alike = .15; ///< the same for face lists, where most faces of a sample are alike
+    double alike = .85;          ///< so many of them
     double to_be_cheaper = .9;   ///< patches must come to less than so much
     std::size_t least_faces = 4096; ///< of the level whose faces own patches; for fewer nobody looks
 };
@@ -45,7 +47,8 @@ class patched_level {
 public:
     using output = patch_output<Point, Index>;
 
-    /// Of a mesh whose faces have these classes, to make faces or all connectivity; nothing where it is no gain. Cost: that of the templates.
+    /// Of a mesh whose faces have these classes and the scheme of its level, to make faces or all connectivity; nothing where it is
+    /// no gain. Cost: that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
                                              bool with_edges = false)
@@ -104,7 +107,8 @@ public:
                 publish();
             },
             1);
-        refine_few(mesh, to);
+        if (clusters_)
+            clusters_->fill(mesh, to);
     }
 
 private:
@@ -117,129 +121,51 @@ private:
     template <class Gains>
     patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
                   const patch_plan& plan, const Gains& gains)
-        : scheme_(scheme), vertices_(plan.last().vertices), bases_(plan.bases), template_of_face_(mesh.face_count())
+        : vertices_(plan.last().vertices), template_of_face_(mesh.face_count())
     {
-        const auto kept = templates::of(scheme, mesh.generation(), plan.rings, bases_);
-        template_maker<Scheme, Point, Index> maker(mesh, scheme, bases_);
+        const auto kept = templates::of(without_state(scheme), mesh.generation(), plan.rings, plan.bases);
+        template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
+        state_marks<Index> marks(mesh.topology(), scheme);
         face_walk<Index> walk(mesh.topology(), classes.rings());
         constexpr class_number unknown = none - 1;
+        std::vector<Index> without_template;
         std::vector<class_number> template_of_class(classes.count(), unknown);
         for (std::size_t f = 0; f < mesh.face_count(); ++f) {
             class_number made = none;
             if (const class_number c = classes.of_faces()[f]; c != classes.unlike) {
                 if (template_of_class[c] == unknown)
-                    template_of_class[c] = gains(c) ? find_template(*kept, maker, walk, f) : none;
+                    template_of_class[c] = gains(c) ? find_template(*kept, maker, walk, marks, f) : none;
                 made = template_of_class[c];
             }
             template_of_face_[f] = made;
             if (made == none)
-                few_.push_back(Index(f));
+                without_template.push_back(Index(f));
         }
+        if (not without_template.empty())
+            clusters_.emplace(scheme, plan.bases, std::move(without_template));
     }
 
     /// Its number; none for a face around which there is too much to be numbered.
     class_number find_template(templates& kept, template_maker<Scheme, Point, Index>& maker, face_walk<Index>& walk,
-                               std::size_t face)
+                               state_marks<Index>& marks, std::size_t face)
     {
         walk.around(face);
-        auto found = kept.find(walk.key());
+        const std::u16string& key = marks.key(walk);
+        auto found = kept.find(key);
         if (found == nullptr) {
             auto made = maker.make(walk);
             if (not made)
                 return none;
-            found = kept.keep(walk.key(), std::move(*made));
+            found = kept.keep(key, std::move(*made));
         }
         templates_.push_back(std::move(found));
         return class_number(templates_.size() - 1);
     }
 
-    /// The patches of the faces that have no template, as meshes of their own, level by level.
-    void refine_few(const basic_mesh<Point, Index>& mesh, const output& to) const
-    {
-        constexpr std::size_t at_once =
-            128; // so that they take less than the level before the last one, which is not there
-        if (few_.empty())
-            return;
-        const connectivity<Index>& whole = mesh.topology();
-        const std::vector<int> rings = rings_before_steps(scheme_, bases_.size());
-        submesh_cutter<Point, Index> cutter(mesh);
-        std::vector<bool> is_one(mesh.face_count(), false);
-        const auto refine = [&](const basic_mesh<Point, Index>& level, numbering& ids) {
-            return refine_mesh<connect::everything>(level, scheme_, ids);
-        };
-        for (std::span<const Index> few = few_; not few.empty(); few = few.subspan(std::min(at_once, few.size()))) {
-            const auto here = few.first(std::min(at_once, few.size()));
-            for (const Index f : here)
-                is_one[f] = true;
-            auto part = cutter.cut(cutter.faces_around(here, rings.front()));
-            part_of_whole<owned_number<Index>> numbers{{}, {}, {}, degree};
-            for (const Index v : part.vertex_from)
-                numbers.vertices.push_back({v, is_one[whole.vertex_corner[v] / degree]});
-            for (const Index e : part.edge_from)
-                numbers.edges.push_back({e, is_one[whole.halfedge_corner[2 * std::size_t(e)] / degree]});
-            for (const Index f : part.face_from)
-                numbers.faces.push_back({f, is_one[f]});
-            for (const Index f : here)
-                is_one[f] = false;
-            const auto fine = refine_part<numbering>(
-                std::move(part.mesh),
-                numbers,
-                bases_,
-                rings,
-                [](const auto& face) { return face.owned; },
-                refine,
-                refine);
-            copy_owned(fine, numbers, to);
-        }
-    }
-
-    static void copy_owned(const basic_mesh<Point, Index>& part, const part_of_whole<owned_number<Index>>& numbers,
-                           const output& to)
-    {
-        const connectivity<Index>& fine = part.topology();
-        const auto corner_in_whole = [&](Index c) {
-            return Index(degree * numbers.faces[c / degree].number + c % degree);
-        };
-        const auto halfedge_in_whole = [&](Index h) { return Index(2 * numbers.edges[h / 2].number + h % 2); };
-        for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
-            if (const auto [number, owned] = numbers.vertices[v]; owned) {
-                to.points[number] = part.point(v);
-                if (to.has_edges())
-                    to.vertex_corner[number] = corner_in_whole(fine.vertex_corner[v]);
-                if (to.writer != nullptr)
-                    to.writer->set_start(number, halfedge_in_whole(fine.corner_halfedge[fine.vertex_corner[v]]));
-            }
-        std::array<face_line<Index>, degree> lines;
-        for (std::size_t f = 0; to.writer != nullptr and f < fine.faces; ++f) {
-            if (not numbers.faces[f].owned)
-                continue;
-            for (std::size_t i = 0; i < degree; ++i)
-                lines[i] = {numbers.vertices[fine.corner_vertex[degree * f + i]].number,
-                            halfedge_in_whole(fine.corner_halfedge[degree * f + i])};
-            to.writer->set_face(numbers.faces[f].number, lines);
-        }
-        for (std::size_t c = 0; to.has_faces() and c < fine.corners(); ++c) {
-            if (not numbers.faces[c / degree].owned)
-                continue;
-            const Index corner = corner_in_whole(Index(c));
-            to.corner_vertex[corner] = numbers.vertices[fine.corner_vertex[c]].number;
-            if (not to.has_edges())
-                continue;
-            const Index side = fine.corner_halfedge[c];
-            const Index halfedge = halfedge_in_whole(side);
-            to.corner_halfedge[corner] = halfedge;
-            to.halfedge_corner[halfedge] = corner;
-            if (fine.is_boundary(side / 2))
-                to.halfedge_corner[halfedge ^ 1] = fine.none;
-        }
-    }
-
-    Scheme scheme_;
     std::size_t vertices_; // of the last level
-    std::vector<column_bases> bases_;
     std::vector<typename templates::pointer> templates_;
     storage<class_number> template_of_face_;
-    std::vector<Index> few_; // faces without a template, in increasing order
+    std::optional<face_clusters<Point, Index, Scheme>> clusters_; // of the faces without a template
 };
 
 #endif

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "child_numbers.hpp"
+#include "placed_state.hpp"
 
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <span>
@@ -27,31 +29,37 @@ std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps)
     return rings;
 }
 
-/// Refines a part of a level, a step for each of the bases, and makes its numbers those of the last level. `refine(mesh, ids)` makes
-/// a step, `refine_last(mesh, ids)` the last one. `is_own` tells by the number of a face whether it is wanted; in between all is
-/// cut off that no wanted face needs. Precondition: the rings of the first step are there. Errors and cost: those of the steps.
-template <class Numbering, class Point, std::unsigned_integral Index, inherited_number Number, class IsOwn,
-          class Refine, class RefineLast>
-basic_mesh<Point, Index> refine_part(basic_mesh<Point, Index> part, part_of_whole<Number>& numbers,
+/// Makes of a part of a level that of the level before the last one, with a step for each of the bases but the last, of its scheme
+/// the scheme there and of its numbers those there. `refine(mesh, scheme, ids)` makes a step. `is_own` tells by the number of a
+/// face whether it is wanted; after a step all is cut off that no wanted face needs, where that costs less than refining it:
+/// for a wanted face as much as making `cost_of_cut` faces. Precondition: the rings of the first step are there.
+/// Errors and cost: those of the steps.
+template <scheme Scheme, class Point, std::unsigned_integral Index, inherited_number Number, class IsOwn, class Refine>
+basic_mesh<Point, Index> refine_part(basic_mesh<Point, Index> part, Scheme& scheme, part_of_whole<Number>& numbers,
                                      std::span<const column_bases> bases, std::span<const int> rings,
-                                     const IsOwn& is_own, const Refine& refine, const RefineLast& refine_last)
+                                     const IsOwn& is_own, double cost_of_cut, const Refine& refine)
 {
-    Numbering ids;
+    numbering_of<Scheme, Index> ids;
     for (std::size_t step = 0; step + 1 < bases.size(); ++step) {
-        const basic_mesh<Point, Index> fine = refine(part, ids);
-        const auto all = numbers.next(ids, bases[step]);
+        basic_mesh<Point, Index> fine = refine(part, scheme, ids);
+        advance(scheme, level_of<basic_mesh<Point, Index>>(part), part.generation(), ids, fine);
+        numbers = numbers.next(ids, bases[step]);
+        const double made_of_each = std::pow(double(fine.face_count()) / double(part.face_count()),
+                                             bases.size() - step - 1);
+        part = std::move(fine);
         std::vector<Index> own;
-        for (std::size_t f = 0; f < all.faces.size(); ++f)
-            if (is_own(all.faces[f]))
+        for (std::size_t f = 0; f < numbers.faces.size(); ++f)
+            if (is_own(numbers.faces[f]))
                 own.push_back(Index(f));
-        submesh_cutter<Point, Index> cutter(fine);
+        if (double(part.face_count() - own.size()) * made_of_each <= cost_of_cut * double(own.size()))
+            continue;
+        submesh_cutter<Point, Index> cutter(part);
         auto cut = cutter.cut(cutter.faces_around(own, rings[step + 1]));
-        numbers = all.template of_part<Index>(cut.vertex_from, cut.edge_from, cut.face_from);
+        numbers = numbers.template of_part<Index>(cut.vertex_from, cut.edge_from, cut.face_from);
+        take_state_of_part(scheme, scheme, cut.numbers());
         part = std::move(cut.mesh);
     }
-    basic_mesh<Point, Index> last = refine_last(part, ids);
-    numbers = numbers.next(ids, bases.back());
-    return last;
+    return part;
 }
 
 } // namespace kith

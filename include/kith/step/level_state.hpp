@@ -107,6 +107,10 @@ concept finished_step = requires(const S& step) {
 ///
 ///   void require_one_each(level) const   throws mesh_error for a state of another level, before that is cut
 ///
+///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of which it says
+///                                        something, in values that can be copied as bytes: all that the state of a part says
+///                                        beside what that of a part without elements does. Who has none may say anything anywhere
+///
 /// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
 template <scheme Scheme>
 inline constexpr bool has_state = detail::is_said<decltype(traits_of<Scheme>.state)>;
@@ -222,21 +226,27 @@ void advance(Scheme& scheme, const Level& coarse, int generation, const Numberin
 
 namespace detail {
 
+template <class State, std::unsigned_integral Index>
+State state_of_part(const State& state, const part_numbers<Index>& part)
+{
+    constexpr bool parts = requires {
+        { state.of_part(part) } -> std::convertible_to<State>;
+    };
+    static_assert(
+        parts,
+        "the state that a scheme names in its traits() needs of_part(const part_numbers<Index>&) const, which "
+        "returns that of a part of the level, to be refined in tiles and to have limits");
+    if constexpr (parts)
+        return state.of_part(part);
+    else
+        return state;
+}
+
 /// The scheme of a part of a level: the same, with the state of that part.
 template <scheme Scheme, std::unsigned_integral Index>
 Scheme scheme_of_part(Scheme scheme, const part_numbers<Index>& part)
 {
-    for_each_state(scheme, [&]<class State>(State& state) {
-        constexpr bool parts = requires {
-            { std::as_const(state).of_part(part) } -> std::convertible_to<State>;
-        };
-        static_assert(
-            parts,
-            "the state that a scheme names in its traits() needs of_part(const part_numbers<Index>&) const, which "
-            "returns that of a part of the level, to be refined in tiles and to have limits");
-        if constexpr (parts)
-            state = std::as_const(state).of_part(part);
-    });
+    for_each_state(scheme, [&](auto& state) { state = state_of_part(std::as_const(state), part); });
     return scheme;
 }
 

@@ -131,6 +131,16 @@ public:
         return result;
     }
 
+    /// All sharp elements: f(tuple_kind, number, sharpness).
+    template <class F>
+    void for_each_place(const F& f) const
+    {
+        for (const auto& [edge, sharpness] : edges())
+            f(tuple_kind::e, edge, sharpness);
+        for (const auto& [vertex, sharpness] : vertices())
+            f(tuple_kind::v, vertex, sharpness);
+    }
+
     /// The creases of a part of the level.
     template <std::unsigned_integral Index>
     [[nodiscard]] creases of_part(const part_numbers<Index>& part) const

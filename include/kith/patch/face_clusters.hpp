@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "patch_filler.hpp"
+#include "refine_part.hpp"
+
+#include <kith/base/for_parts.hpp>
+#include <kith/step/step.hpp>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+#ifdef KITH_HAS_LANES
+
+/// The patches of the faces that have no template: some at a time are cut out with their rings and refined as a mesh of their own,
+/// level by level, by the scheme of that part.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+class face_clusters {
+public:
+    using output = patch_output<Point, Index>;
+
+    /// Of faces of a level, increasing, with the scheme of the level and a step for each of the bases.
+    face_clusters(const Scheme& scheme, std::vector<column_bases> bases, std::vector<Index> faces)
+        : scheme_(scheme)
+        , plain_(without_state(scheme))
+        , rings_(rings_before_steps(scheme, bases.size()))
+        , bases_(std::move(bases))
+        , faces_(std::move(faces))
+    {
+    }
+
+    /// Makes what these faces of the mesh own. Cost: that of the steps.
+    void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
+    {
+        detail::for_parts((faces_.size() + at_once - 1) / at_once,
+                          true,
+                          [&](std::size_t begin, std::size_t end) {
+                              worker one(*this, mesh);
+                              for (std::size_t cluster = begin; cluster < end; ++cluster)
+                                  one.fill(std::span(faces_).subspan(
+                                               at_once * cluster, std::min(at_once, faces_.size() - at_once * cluster)),
+                                           to);
+                          },
+                          2);
+    }
+
+private:
+    using numbering = numbering_of<Scheme, Index>;
+    using numbers_in_whole = part_of_whole<owned_number<Index>>;
+    static constexpr std::size_t degree = numbering::common_degree;
+    // Neighbours by their numbers: closer than in the order of the surface, where a mesh is in order.
+    static constexpr std::size_t at_once = 256;
+    // As measured: where few steps are left, or a cluster is compact, rings that are made in vain cost less than cutting them off.
+    static constexpr double cost_of_cut = 16;
+
+    /// What a thread needs.
+    class worker {
+    public:
+        worker(const face_clusters& clusters, const basic_mesh<Point, Index>& mesh)
+            : clusters_(clusters), mesh_(mesh), cutter_(mesh), is_one_(mesh.face_count(), false)
+        {
+        }
+
+        void fill(std::span<const Index> faces, const output& to)
+        {
+            auto part = cutter_.cut(cutter_.faces_around(faces, clusters_.rings_.front()));
+            auto numbers = numbers_of(part, faces);
+            Scheme scheme = clusters_.plain_;
+            take_state_of_part(scheme, clusters_.scheme_, part.numbers());
+            const auto before_last = refine_part(
+                std::move(part.mesh),
+                scheme,
+                numbers,
+                clusters_.bases_,
+                clusters_.rings_,
+                [](const auto& face) { return face.owned; },
+                cost_of_cut,
+                [](const basic_mesh<Point, Index>& level, const Scheme& of_level, numbering& ids) {
+                    return refine_mesh<connect::everything>(level, of_level, ids);
+                });
+            numbering ids;
+            const bool with_edges = to.has_edges() or to.writer != nullptr;
+            const auto fine = with_edges ? refine_mesh<connect::everything>(before_last, scheme, ids)
+                                         : refine_mesh<connect::faces>(before_last, scheme, ids);
+            copy_owned(fine, numbers.next(ids, clusters_.bases_.back(), with_edges), to);
+        }
+
+    private:
+        [[nodiscard]] numbers_in_whole numbers_of(const submesh<Point, Index>& part, std::span<const Index> faces)
+        {
+            const connectivity<Index>& whole = mesh_.topology();
+            for (const Index f : faces)
+                is_one_[f] = true;
+            const auto owned = [](std::span<const Index> from, const auto& is_owned) {
+                storage<owned_number<Index>> result(from.size());
+                for (std::size_t i = 0; i < from.size(); ++i)
+                    result[i] = {from[i], is_owned(from[i])};
+                return result;
+            };
+            numbers_in_whole numbers{
+                owned(part.vertex_from, [&](Index v) { return is_one_[whole.vertex_corner[v] / degree]; }),
+                owned(part.edge_from,
+                      [&](Index e) { return is_one_[whole.halfedge_corner[2 * std::size_t(e)] / degree]; }),
+                owned(part.face_from, [&](Index f) { return is_one_[f]; }),
+                degree};
+            for (const Index f : faces)
+                is_one_[f] = false;
+            return numbers;
+        }
+
+        const face_clusters& clusters_;
+        const basic_mesh<Point, Index>& mesh_;
+        submesh_cutter<Point, Index> cutter_;
+        std::vector<bool> is_one_;
+    };
+
+    static void copy_owned(const basic_mesh<Point, Index>& part, const part_of_whole<owned_number<Index>>& numbers,
+                           const output& to)
+    {
+        const connectivity<Index>& fine = part.topology();
+        const auto corner_in_whole = [&](Index c) {
+            return Index(degree * numbers.faces[c / degree].number + c % degree);
+        };
+        const auto halfedge_in_whole = [&](Index h) { return Index(2 * numbers.edges[h / 2].number + h % 2); };
+        for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
+            if (const auto [number, owned] = numbers.vertices[v]; owned) {
+                to.points[number] = part.point(v);
+                if (to.has_edges())
+                    to.vertex_corner[number] = corner_in_whole(fine.vertex_corner[v]);
+                if (to.writer != nullptr)
+                    to.writer->set_start(number, halfedge_in_whole(fine.corner_halfedge[fine.vertex_corner[v]]));
+            }
+        std::array<face_line<Index>, degree> lines;
+        for (std::size_t f = 0; to.writer != nullptr and f < fine.faces; ++f) {
+            if (not numbers.faces[f].owned)
+                continue;
+            for (std::size_t i = 0; i < degree; ++i)
+                lines[i] = {numbers.vertices[fine.corner_vertex[degree * f + i]].number,
+                            halfedge_in_whole(fine.corner_halfedge[degree * f + i])};
+            to.writer->set_face(numbers.faces[f].number, lines);
+        }
+        for (std::size_t c = 0; to.has_faces() and c < fine.corners(); ++c) {
+            if (not numbers.faces[c / degree].owned)
+                continue;
+            const Index corner = corner_in_whole(Index(c));
+            to.corner_vertex[corner] = numbers.vertices[fine.corner_vertex[c]].number;
+            if (not to.has_edges())
+                continue;
+            const Index side = fine.corner_halfedge[c];
+            const Index halfedge = halfedge_in_whole(side);
+            to.corner_halfedge[corner] = halfedge;
+            to.halfedge_corner[halfedge] = corner;
+            if (fine.is_boundary(side / 2))
+                to.halfedge_corner[halfedge ^ 1] = fine.none;
+        }
+    }
+
+    Scheme scheme_, plain_; // of the level; without its state
+    std::vector<int> rings_;
+    std::vector<column_bases> bases_;
+    std::vector<Index> faces_;
+};
+
+#endif
+
+} // namespace kith
