@@ -10,6 +10,7 @@
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
+#include "under_sanitizers.hpp"
 #include "written_level.hpp"
 
 #include <gtest/gtest.h>
@@ -77,6 +78,8 @@ void expect_same_bits_with_creases(const mesh3d& mesh, Scheme scheme, int levels
     for (const crease_method method : {crease_method::uniform, crease_method::chaikin})
         for (const double sharpness : {.6, 1.7, infinitely_sharp})
             for (const int each : {7, 100000}) {
+                if (under_sanitizers and (sharpness != 1.7 or each != 7))
+                    continue;
                 scheme.sharpness = sharpened(mesh, each, sharpness, method);
                 expect_same_bits(mesh,
                                  scheme,
@@ -115,7 +118,7 @@ TEST(creased_patches, makes_them_on_any_number_of_threads)
     scheme.sharpness = sharpened(mesh, 7, 2.5, crease_method::uniform);
     for (const connect last : {connect::faces, connect::everything}) {
         const auto expected = level_by_level(mesh, scheme, 4, last);
-        for (const int threads : {1, 2, 3, 4, 7}) {
+        for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 4, 7}) {
             const thread_count count(threads);
             EXPECT_TRUE(same_bits(patches_of<kith::catmull_clark>(mesh, scheme, 4, some_templates).refine(mesh, last),
                                   expected))

@@ -8,6 +8,7 @@
 #include "every_scheme.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
+#include "under_sanitizers.hpp"
 #include "written_level.hpp"
 
 #include <gtest/gtest.h>
@@ -78,12 +79,13 @@ bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, i
 TEST(refine_in_patches, makes_the_same_bits)
 {
     std::size_t compared = 0;
+    const int most_levels = under_sanitizers ? 2 : 3;
     for_each_of_all_schemes_and_shape([&](const auto& scheme, const mesh3d& mesh) {
         if constexpr (has_patches<std::remove_cvref_t<decltype(scheme)>>)
-            for (const int levels : {1, 2, 3})
+            for (int levels = 1; levels <= most_levels; ++levels)
                 compared += compare(mesh, scheme, levels);
     });
-    EXPECT_GT(compared, 150U);
+    EXPECT_GT(compared, 50U * unsigned(most_levels));
 }
 
 TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
@@ -92,14 +94,15 @@ TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
     const auto polygons = native(shapes::shaken(shapes::both(shapes::house(), shapes::pentacube())));
     const auto triangles = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::pentacube()), 5)));
     const auto open = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(5, 6)), 7)));
-    EXPECT_TRUE(compare(quads, kith::catmull_clark{}, 4));
-    EXPECT_TRUE(compare(polygons, kith::catmull_clark{}, 4));
-    EXPECT_TRUE(compare(triangles, kith::loop{.weights = kith::loop_weights::warren, .sharpness = {}}, 4));
-    EXPECT_TRUE(compare(triangles, kith::butterfly{}, 4));
-    EXPECT_TRUE(compare(triangles, kith::sqrt3{}, 5));
-    EXPECT_TRUE(compare(open, kith::loop{}, 4));
-    EXPECT_TRUE(compare(open, kith::butterfly{}, 4));
-    EXPECT_TRUE(compare(quads, kith::kobbelt{}, 3));
+    const int levels = under_sanitizers ? 3 : 4;
+    EXPECT_TRUE(compare(quads, kith::catmull_clark{}, levels));
+    EXPECT_TRUE(compare(polygons, kith::catmull_clark{}, levels));
+    EXPECT_TRUE(compare(triangles, kith::loop{.weights = kith::loop_weights::warren, .sharpness = {}}, levels));
+    EXPECT_TRUE(compare(triangles, kith::butterfly{}, levels));
+    EXPECT_TRUE(compare(triangles, kith::sqrt3{}, levels + 1));
+    EXPECT_TRUE(compare(open, kith::loop{}, levels));
+    EXPECT_TRUE(compare(open, kith::butterfly{}, levels));
+    EXPECT_TRUE(compare(quads, kith::kobbelt{}, levels - 1));
 }
 
 /// A scheme of a user's own: masks inside masks, weights by valence, and a ring that is walked twice.
@@ -199,7 +202,7 @@ TEST(refine_in_patches, is_what_refine_does_with_a_large_level_on_any_number_of_
                      .is_worth_looking()));
     for (const connect last : {connect::faces, connect::everything}) {
         const auto given = level_by_level(torus, kith::catmull_clark{}, 6, last);
-        for (const int threads : {1, 2, 3, 4, 7}) {
+        for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 4, 7}) {
             const thread_count count(threads);
             EXPECT_TRUE(same_bits(refine(torus, kith::catmull_clark{}, 6, {.last_level = last}), given)) << threads;
         }
