@@ -205,17 +205,18 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
         report.left_out.insert(report.left_out.end(), others.begin(), others.end());
     }
 
-    const auto carry_by_rule = [&]<class On, class Value, class By>(const property_by_rule<On, Value, By>& each) {
-        const auto left_out = std::ranges::find(report.left_out, each.name);
-        const bool is_new = std::ranges::find(report.carried, each.name) == report.carried.end();
-        if (not detail::carry_property<On, Value>(levels, from, to, fine, each.name, each.rule)) {
-            if (is_new and left_out == report.left_out.end())
-                report.left_out.push_back(each.name);
-        } else if (left_out != report.left_out.end()) {
-            report.left_out.erase(left_out);
-            report.carried.push_back(each.name);
-        }
-    };
+    [[maybe_unused]] const auto carry_by_rule =
+        [&]<class On, class Value, class By>(const property_by_rule<On, Value, By>& each) {
+            const auto left_out = std::ranges::find(report.left_out, each.name);
+            const bool is_new = std::ranges::find(report.carried, each.name) == report.carried.end();
+            if (not detail::carry_property<On, Value>(levels, from, to, fine, each.name, each.rule)) {
+                if (is_new and left_out == report.left_out.end())
+                    report.left_out.push_back(each.name);
+            } else if (left_out != report.left_out.end()) {
+                report.left_out.erase(left_out);
+                report.carried.push_back(each.name);
+            }
+        };
     (carry_by_rule(rules), ...);
     return report;
 }
