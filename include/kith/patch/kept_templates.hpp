@@ -33,10 +33,10 @@ template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
 
-/// Templates of a scheme without its state for levels of one size, by the neighbourhoods and the state there that they are for. Those of the last size are kept
-/// for the process, one list for each type of scheme and point, so that who refines again is spared making them; schemes that
-/// cannot be told apart have a list of their own each time. At most `most` templates, of some 10 to 30 KB each. Safe on
-/// several threads.
+/// Templates of a scheme without its state for levels of one size, by the neighbourhoods and the state there that they are
+/// for. Those of the last size are kept for the process, one list for each type of scheme and point, so that who refines again
+/// is spared making them; schemes that cannot be told apart have a list of their own each time. At most `most` templates, of some
+/// 10 to 30 KB each. Safe on several threads.
 template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:
