@@ -258,7 +258,7 @@ std::string held(const Levels& levels)
 TEST(hierarchy, keeps_the_last_levels_and_restores_others)
 {
     for_each_of_all_schemes_and_shape([](const auto& scheme, const mesh3d& mesh) {
-        if (under_sanitizers and mesh.face_count() > 12)
+        if (under_sanitizers and mesh.face_count() > 8)
             return;
         hierarchy levels(mesh, scheme);
         levels.keep_last(1);

@@ -262,14 +262,25 @@ private:
             store(to[2] + i, quad(__builtin_shufflevector(ef, gh, 0, 1, 4, 5)));
             store(to[3] + i, quad(__builtin_shufflevector(ef, gh, 2, 3, 6, 7)));
         };
+        std::size_t i = 0;
+        // Each line of the cache at once: a processor has few buffers for what goes past the caches, and what leaves them half full
+        // is slow.
         if (is_aligned)
-            for (std::size_t i = 0; i < count; i += 4)
-                turn(i, [](Index* at, quad q) __attribute__((always_inline)) {
-                    store_past_caches(reinterpret_cast<quad*>(at), q);
-                });
-        else
-            for (std::size_t i = 0; i < count; i += 4)
-                turn(i, [](Index* at, quad q) __attribute__((always_inline)) { __builtin_memcpy(at, &q, sizeof(q)); });
+            for (; i + 16 <= count; i += 16) {
+                quad lines[4][4];
+                for (std::size_t part = 0; part < 4; ++part) {
+                    quad* line = &lines[0][part];
+                    turn(i + 4 * part, [&](Index*, quad q) __attribute__((always_inline)) {
+                        *line = q;
+                        line += 4;
+                    });
+                }
+                for (std::size_t row = 0; row < 4; ++row)
+                    for (std::size_t part = 0; part < 4; ++part)
+                        store_past_caches(reinterpret_cast<quad*>(to[row] + i) + part, lines[row][part]);
+            }
+        for (; i < count; i += 4)
+            turn(i, [](Index* at, quad q) __attribute__((always_inline)) { __builtin_memcpy(at, &q, sizeof(q)); });
     }
 
     const basic_mesh<Point, Index>* coarse_;
