@@ -97,8 +97,8 @@ void draw_line(std::ostream& out, const axis& x, const axis& y, const curve& lin
 
 void draw(std::ostream& out, double from, const std::string& scheme, const std::vector<contest>& contests)
 {
-    static constexpr std::array theirs{"#888888", "#bb9944", "#44aa77", "#aa6688", "#bbbbbb", "#776655"};
-    static constexpr std::array ours{"#1f77b4", "#d62728", "#7f3fbf", "#17a2b8"};
+    static constexpr std::array theirs{"#888888", "#bb9944", "#44aa77", "#aa6688", "#bbbbbb", "#776655", "#c98a8a"};
+    static constexpr std::array ours{"#1f77b4", "#d62728", "#7f3fbf", "#17a2b8", "#ff7f0e", "#2ca02c"};
     const auto curves = curves_of(scheme, contests);
     axis x{.start = left, .length = width}, y{.start = from + top + height, .length = -height};
     for (const auto& [name, line] : curves)
