@@ -32,10 +32,19 @@ using kith::infinitely_sharp;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 /// A template for every class; one for those that have some members.
-constexpr kith::patch_costs all_templates{
-    .in_patch = 0, .among_few = 1, .of_template = 0, .of_walk = 0, .to_be_cheaper = never, .least_faces = 1};
-constexpr kith::patch_costs some_templates{
-    .in_patch = 0, .among_few = 1, .of_template = 300, .of_walk = 0, .to_be_cheaper = never, .least_faces = 1};
+constexpr kith::patch_costs all_templates{.in_patch = 0,
+                                          .among_few = 1,
+                                          .of_template = 0,
+                                          .of_face_in_template = 0,
+                                          .of_look = 0,
+                                          .share_if_alike = 1, // whatever the control mesh looks like
+                                          .to_be_cheaper = never,
+                                          .least_faces = 1};
+constexpr kith::patch_costs some_templates = [] {
+    auto costs = all_templates;
+    costs.of_template = 300;
+    return costs;
+}();
 
 template <class Scheme>
 using patches_of = kith::patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
@@ -141,24 +150,16 @@ TEST(creased_patches, are_what_refine_makes_of_a_mesh_with_few_creases)
 
 TEST(creased_patches, refuses_creases_of_another_mesh)
 {
-    const auto mesh = native(shapes::torus(12, 24));
-    kith::catmull_clark scheme;
-    scheme.sharpness.sharpen_edge(mesh.edge_count(), 2.);
-    EXPECT_EQ(
-        error_text<kith::mesh_error>([&] { refine(mesh, scheme, 6); }),
-        "the state of the scheme: edge 576 does not exist, there are 576; make the state for this mesh and level");
-}
-
-TEST(creased_patches, are_looked_for_in_face_lists_where_a_sample_of_faces_is_alike)
-{
-    const auto looks = [](const mesh3d& mesh, connect last) {
-        const patches_of<kith::catmull_clark> patches(mesh, {}, 4);
-        return std::array{patches.is_worth_looking(), patches.is_worth_looking(mesh, last)};
+    const auto error_of = [](const mesh3d& mesh, int levels) {
+        kith::catmull_clark scheme;
+        scheme.sharpness.sharpen_edge(mesh.edge_count(), 2.);
+        return error_text<kith::mesh_error>([&] { refine(mesh, scheme, levels); });
     };
-    const auto alike = native(shapes::torus(60, 80));
-    EXPECT_EQ(looks(alike, connect::faces), (std::array{false, true}));
-    EXPECT_EQ(looks(alike, connect::everything), (std::array{false, false}));
-    EXPECT_EQ(looks(native(shapes::shuffled(shapes::torus(60, 80), 3)), connect::faces), (std::array{false, false}));
+    EXPECT_EQ(error_of(native(shapes::torus(12, 24)), 6),
+              "creases: edge 576 does not exist, there are 576; make the creases for this mesh and level");
+    EXPECT_EQ(
+        error_of(native(shapes::torus(60, 80)), 3), // its faces own patches
+        "the state of the scheme: edge 9600 does not exist, there are 9600; make the state for this mesh and level");
 }
 
 /// Catmull-Clark whose face points are drawn to the first corner, at faces that have a number, which their children halve.

@@ -39,12 +39,22 @@ kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mes
 
 constexpr double never = std::numeric_limits<double>::infinity();
 /// A template for every class; none at all; one for those that have some members.
-constexpr kith::patch_costs all_templates{
-    .in_patch = 0, .among_few = 1, .of_template = 0, .of_walk = 0, .to_be_cheaper = never, .least_faces = 1};
-constexpr kith::patch_costs no_templates{
-    .in_patch = 0, .among_few = 1, .of_template = never, .of_walk = 0, .to_be_cheaper = never, .least_faces = 1};
-constexpr kith::patch_costs some_templates{
-    .in_patch = 0, .among_few = 1, .of_template = 300, .of_walk = 0, .to_be_cheaper = never, .least_faces = 1};
+constexpr kith::patch_costs all_templates{.in_patch = 0,
+                                          .among_few = 1,
+                                          .of_template = 0,
+                                          .of_face_in_template = 0,
+                                          .of_look = 0,
+                                          .share_if_alike = 1, // whatever the control mesh looks like
+                                          .to_be_cheaper = never,
+                                          .least_faces = 1};
+constexpr kith::patch_costs with_cost_of_template(double cost)
+{
+    auto costs = all_templates;
+    costs.of_template = cost;
+    return costs;
+}
+constexpr kith::patch_costs no_templates = with_cost_of_template(never);
+constexpr kith::patch_costs some_templates = with_cost_of_template(300);
 
 template <class Scheme>
 constexpr bool has_patches = kith::patchable_scheme<Scheme, std::array<double, 3>, std::uint32_t>;
@@ -219,13 +229,34 @@ TEST(refine_in_patches, is_left_out_where_it_would_be_wrong_or_of_no_use)
     };
     const auto torus = native(shapes::triangulated(shapes::torus(40, 40)));
     EXPECT_TRUE(looks(torus, kith::loop{}, 5));
+    EXPECT_TRUE(looks(torus, kith::loop{}, 4));
     EXPECT_FALSE(looks(torus, kith::loop{}, 0));
-    EXPECT_FALSE(looks(native(shapes::tetrahedron()), kith::loop{}, 4)); // few faces
-    EXPECT_FALSE(looks(torus, kith::loop{}, 4));                         // many walks
+    EXPECT_FALSE(looks(native(shapes::tetrahedron()), kith::loop{}, 4));  // few faces
+    EXPECT_FALSE(looks(refine(torus, kith::loop{}, 2), kith::loop{}, 1)); // looking costs more than making the faces
+    // Where edges run and fans start at random patches begin with the next level, if they are large and there are many.
+    const auto unlike = [](int n) {
+        return native(shapes::with_flips(shapes::triangulated(shapes::torus(n, n)), 3, 2 * n * n));
+    };
+    EXPECT_TRUE(looks(unlike(100), kith::loop{}, 4));
+    EXPECT_FALSE(looks(unlike(100), kith::loop{}, 3));
+    EXPECT_FALSE(looks(unlike(50), kith::loop{}, 4));
+    EXPECT_TRUE(looks(native(shapes::triangulated(shapes::torus(100, 100))), kith::loop{}, 3));
+    EXPECT_TRUE(looks(native(shapes::tetrahedron()), kith::loop{}, 9)); // few kinds, whatever they are
     // Its columns ask where the boundary is.
     EXPECT_FALSE(looks(native(shapes::triangulated(shapes::grid(40, 40))), kith::sqrt3{}, 6));
     // New faces of vertices and edges; columns that pick marked edges.
     static_assert(not has_patches<kith::doo_sabin> and not has_patches<kith::four_eight>);
+}
+
+TEST(refine_in_patches, tells_a_thin_tube_from_a_thick_one)
+{
+    // Fans are alike, but around the thin one a vertex is met from two sides: it must not be the model for the other.
+    const auto thin = shapes::torus(3, 9), thick = shapes::torus(9, 9);
+    EXPECT_TRUE(compare(native(shapes::shaken(shapes::both(thin, thick))), kith::catmull_clark{}, 3));
+    EXPECT_TRUE(compare(native(shapes::shaken(shapes::both(thick, thin))), kith::catmull_clark{}, 3));
+    const auto triangles = shapes::both(shapes::triangulated(thin), shapes::triangulated(thick));
+    EXPECT_TRUE(compare(native(shapes::shaken(triangles)), kith::loop{}, 3));
+    EXPECT_TRUE(compare(native(shapes::shaken(triangles)), kith::butterfly{}, 2));
 }
 
 TEST(refine_in_patches, does_not_look_at_more_faces_around_a_face_than_it_can_number)

@@ -73,7 +73,8 @@ public:
 
 private:
     /// A template pays when it saves more than a few evaluations of the faces that it is for.
-    static constexpr patch_costs costs{.in_patch = .2, .of_template = 400, .to_be_cheaper = .5, .least_faces = 1};
+    static constexpr patch_costs costs{
+        .in_patch = .2, .of_template = 100, .of_face_in_template = 5, .to_be_cheaper = .5, .least_faces = 1};
 
     void make_patches()
     {
@@ -82,15 +83,22 @@ private:
                 return;
             const connectivity<Index>& control = levels_[0].topology();
             const bool has_degree = control.degree == int(numbering_of<Scheme, Index>::common_degree);
-            const auto plan = plan_patches(count(control), has_degree, levels_.scheme(0), count_, generation_);
+            auto plan = plan_patches(count(control), has_degree, levels_.scheme(0), count_, generation_);
             if (not plan)
                 return;
-            levels_.refine(plan->begin);
-            face_classes<Index> classes(plan->rings);
-            const auto& begin = levels_.finest().topology();
-            classes.look_at(begin, {begin, levels_.scheme(plan->begin)});
-            patches_ = patched_level<Point, Index, Scheme>::make(
-                levels_.finest(), classes, levels_.scheme(plan->begin), *plan, costs);
+            const auto look = [&] {
+                levels_.refine(plan->begin - levels_.depth());
+                const auto& mesh = levels_.finest();
+                const auto& scheme = levels_.scheme(plan->begin);
+                const face_classes<Index> classes(
+                    mesh.topology(), plan->rings, state_marks<Index>(mesh.topology(), scheme));
+                patches_ = patched_level<Point, Index, Scheme>::make(mesh, classes, scheme, *plan, costs);
+            };
+            look();
+            if (not patches_ and plan->begin + 1 < count_) { // faces of the next level are more alike
+                plan->begin_at(plan->begin + 1, levels_.scheme(0), generation_);
+                look();
+            }
             last_vertices_ = plan->last().vertices;
         }
     }

@@ -156,8 +156,7 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
         return control;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels);
-            patches.is_worth_looking(control, options.last_level))
+        if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
             return patches.refine(std::move(control), options.last_level);
 #endif
     if constexpr (orderable_scheme<Scheme, Index>)

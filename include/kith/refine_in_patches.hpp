@@ -5,7 +5,7 @@
 
 #include <kith/patch/patched_level.hpp>
 
-#include <cmath>
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -22,25 +22,25 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patch_refinement {
 public:
-    /// `levels` steps from a control mesh that has its edges. Cost: O(levels).
+    /// `levels` steps from a control mesh that has its edges. Cost: O(levels), and that of a look at some of its faces.
     patch_refinement(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                      const patch_costs& costs = {})
         : scheme_(scheme)
         , costs_(costs)
         , levels_(levels)
+        , generation_(control.generation())
         , plan_(plan_patches(count(control.topology()), control.topology().degree == int(degree), scheme, levels,
                              control.generation()))
     {
+        if (is_worth_looking())
+            look_at(control.topology());
     }
 
-    /// Whether there are so many faces that it may be worth while on any mesh.
-    [[nodiscard]] bool is_worth_looking() const { return is_large() and share_of_walks() <= costs_.share_of_walks; }
-    /// Whether it may be on this control mesh, for which this was made: face lists gain so much that walks may cost more where they will
-    /// not be in vain. Cost: O(1), or O(elements) and that of some of the walks.
-    [[nodiscard]] bool is_worth_looking(const basic_mesh<Point, Index>& control, connect last_level) const
+    /// Whether there are so many faces that it may be worth while. Cost: O(1).
+    [[nodiscard]] bool is_worth_looking() const
     {
-        return is_worth_looking() or (last_level == connect::faces and is_large() and
-                                      share_of_walks() <= costs_.share_if_alike and is_alike(control));
+        return has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces and
+               costs_.of_look * plan_->rings <= costs_.most_of_looks * plan_->faces_of_patch();
     }
 
     /// What refining level by level makes, to the bit; of the last level what is asked for. Precondition: is_worth_looking().
@@ -62,7 +62,7 @@ public:
             const counts& last = plan_->last();
             fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
             made->fill(mesh, {.points = fine.points(), .writer = &fine});
-            return fine.finish(mesh.generation() + levels_ - plan_->begin);
+            return fine.finish(generation_ + levels_);
         }
         mesh = before_last(std::move(mesh), scheme);
         numbering ids;
@@ -74,30 +74,19 @@ private:
     using patches = patched_level<Point, Index, Scheme>;
     static constexpr std::size_t degree = numbering::common_degree;
 
-    [[nodiscard]] bool is_large() const
+    /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a kind of its own. After as
+    /// many steps as there are rings around a patch there are many of most kinds, if the mesh is large; patches begin there.
+    void look_at(const connectivity<Index>& control)
     {
-        return has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces;
-    }
-    /// What all walks cost of what refining level by level does.
-    [[nodiscard]] double share_of_walks() const
-    {
-        const auto faces = double(plan_->levels[std::size_t(plan_->first)].faces);
-        return costs_.of_walk * double(plan_->faces_of_walk(degree)) * faces / double(plan_->last().faces);
-    }
-    /// Whether so many creases are different that walks around the faces beside them cost too much: with each level there are about twice
-    /// as many such faces.
-    [[nodiscard]] bool is_in_vain(const face_classes<Index>& classes, int level) const
-    {
-        const double walks = std::ldexp(double(classes.count()), plan_->begin - level);
-        return costs_.of_walk * double(plan_->faces_of_walk(degree)) * walks >
-               costs_.share_of_walks * double(plan_->last().faces);
-    }
-    /// Whether the faces of a mesh that lie close together mostly look alike.
-    [[nodiscard]] bool is_alike(const basic_mesh<Point, Index>& control) const
-    {
-        const connectivity<Index>& mesh = control.topology();
-        return plan_->first == 0 and not is_scattered(mesh) and
-               face_classes<Index>(plan_->rings).share_of_alike(mesh, {mesh, scheme_}) >= costs_.alike;
+        const double share = share_of_kinds(control, plan_->rings);
+        if (share <= costs_.share_if_alike)
+            return;
+        if (plan_->rings < levels_)
+            plan_->begin_at(std::max(plan_->begin, plan_->rings), scheme_, generation_);
+        const double kinds = std::min(costs_.most_kinds, share * double(control.corners()));
+        if (plan_->begin < plan_->rings or plan_->faces_of_patch() < costs_.least_patch_if_unlike or
+            double(plan_->of_begin().faces) < costs_.least_of_kind * kinds)
+            plan_.reset();
     }
     /// A step with all connectivity, and the scheme becomes that of the next level.
     static basic_mesh<Point, Index> next(const basic_mesh<Point, Index>& mesh, Scheme& scheme, numbering& ids)
@@ -110,30 +99,17 @@ private:
     [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, Scheme& scheme,
                                                        connect last_level) const
     {
-        face_classes<Index> classes(plan_->rings);
         numbering ids;
-        bool gives_up = false;
-        for (int level = 0; level < plan_->begin; ++level) {
-            if (level == plan_->first)
-                classes.look_at(mesh.topology(), {mesh.topology(), scheme});
-            auto fine = next(mesh, scheme, ids);
-            state_marks<Index> marks(fine.topology(), scheme);
-            gives_up = gives_up or (level >= plan_->first and not marks.empty() and is_in_vain(classes, level));
-            if (level >= plan_->first and not gives_up)
-                classes.follow(ids, degree, fine.topology(), std::move(marks));
-            mesh = std::move(fine);
-        }
-        if (gives_up)
-            return {};
-        if (plan_->begin == plan_->first)
-            classes.look_at(mesh.topology(), {mesh.topology(), scheme});
+        for (int level = 0; level < plan_->begin; ++level)
+            mesh = next(mesh, scheme, ids);
+        const face_classes<Index> classes(mesh.topology(), plan_->rings, state_marks<Index>(mesh.topology(), scheme));
         return patches::make(mesh, classes, scheme, *plan_, costs_, last_level == connect::everything);
     }
-    /// Where patches are no gain: from there the level before the last one, level by level.
+    /// Where patches are no gain: the level before the last one, level by level.
     [[nodiscard]] basic_mesh<Point, Index> before_last(basic_mesh<Point, Index> mesh, Scheme& scheme) const
     {
         numbering ids;
-        for (int level = plan_->begin; level + 1 < levels_; ++level)
+        while (mesh.generation() + 1 < generation_ + levels_)
             mesh = next(mesh, scheme, ids);
         return mesh;
     }
@@ -156,13 +132,12 @@ private:
                    fine.corner_halfedge.data(),
                    fine.halfedge_corner.data(),
                    fine.vertex_corner.data()});
-        const int generation = mesh.generation() + levels_ - plan_->begin;
-        return basic_mesh<Point, Index>(std::move(points), std::move(fine), generation);
+        return basic_mesh<Point, Index>(std::move(points), std::move(fine), generation_ + levels_);
     }
 
     Scheme scheme_;
     patch_costs costs_;
-    int levels_;
+    int levels_, generation_; // of the control mesh
     std::optional<patch_plan> plan_;
 };
 

@@ -53,6 +53,11 @@ public:
     /// The slots of the outputs.
     [[nodiscard]] std::span<const slot> outputs() const { return outputs_; }
     [[nodiscard]] std::size_t slots() const { return slots_; }
+    [[nodiscard]] std::size_t bytes() const
+    {
+        return values_.size() * sizeof(value) + terms_.size() * sizeof(term) +
+               (operands_.size() + outputs_.size()) * sizeof(slot) + inputs_.size() * sizeof(inputs_[0]);
+    }
     /// More slots were needed than there are numbers for: it must not run.
     [[nodiscard]] bool is_too_long() const { return slots_ > std::numeric_limits<slot>::max(); }
 

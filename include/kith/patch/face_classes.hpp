@@ -1,103 +1,117 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "face_walk.hpp"
 #include "placed_state.hpp"
 
-#include <kith/association/numbering.hpp>
+#include <kith/base/for_parts.hpp>
+#include <kith/base/sequence_numbers.hpp>
+#include <kith/base/storage.hpp>
+#include <kith/mesh/connectivity.hpp>
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <string>
-#include <unordered_map>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace kith {
 
-/// Which faces of a mesh have alike neighbourhoods, with what the state of the scheme says there, level by level. Around the
-/// control faces one walks; from there on the class of a face follows from that of its parent and its place in it, so that one
-/// child of each class is looked at.
+/// Which faces of a mesh have alike neighbourhoods, with what the state of the scheme says there. Nobody walks around each face for
+/// it: two vertices are of one kind where their fans are alike from start to end, two faces are of one class where their corners have
+/// the same places in fans of the same kinds, and each round over vertices and faces adds a ring (the colour refinement of Weisfeiler &
+/// Leman 1968; what lies around an element of a surface is in order, so that it tells apart all but neighbourhoods that meet
+/// themselves again from behind, for which see `face_walk::is_disk`).
 template <std::unsigned_integral Index>
 class face_classes {
 public:
-    using number = std::uint32_t;
-    /// Of faces whose neighbourhood is too large to compare.
-    static constexpr number unlike = std::numeric_limits<number>::max();
+    using number = sequence_numbers::number;
+    static constexpr std::size_t most_corners = std::size_t(1) << 30;
 
-    explicit face_classes(int rings) : rings_(rings) {}
-
-    [[nodiscard]] std::size_t count() const { return key_.size(); }
-    /// The class of each face of the level at hand.
-    [[nodiscard]] const storage<number>& of_faces() const { return of_face_; }
-    [[nodiscard]] int rings() const { return rings_; }
-
-    /// The share of some faces of the mesh that have alike others among them. Precondition: as look_at. Cost: O(elements), an
-    /// eighth of the walks.
-    [[nodiscard]] double share_of_alike(const connectivity<Index>& mesh, state_marks<Index> marks) const
+    /// Preconditions: the mesh has its edges, faces of one degree and at most `most_corners`. Cost: O(corners) per ring, on all threads.
+    face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks)
+        : class_(mesh.faces, 0), place_in_fan_(mesh.corners())
     {
-        const std::size_t some = std::max(std::size_t(256), mesh.faces / 8);
-        face_walk<Index> walk(mesh, rings_);
-        std::unordered_map<std::u16string, std::size_t> count;
-        std::size_t looked_at = 0, alone = 0;
-        const std::size_t step = mesh.faces / some | 1; // odd: of the four children of a face not always the same one
-        for (std::size_t f = 0; f < mesh.faces; f += step, ++looked_at) {
-            walk.around(f);
-            ++count[marks.key(walk)];
+        for (std::size_t f = 0; not marks.empty() and f < mesh.faces; ++f)
+            class_[f] = number(mesh.degree) * marks.number_of_face(f);
+        for (int ring = 0; ring < rings; ++ring) {
+            look_at_fans(mesh);
+            look_at_faces(mesh, ring + 1 == rings);
         }
-        for (const auto& [key, members] : count)
-            alone += members == 1;
-        return looked_at == 0 ? 0. : 1 - double(alone) / double(looked_at);
     }
 
-    /// Of the faces of a mesh of one degree, which has its edges. Cost: O(faces), that of a walk for each.
-    void look_at(const connectivity<Index>& mesh, state_marks<Index> marks)
-    {
-        face_walk<Index> walk(mesh, rings_);
-        of_face_ = storage<number>(mesh.faces);
-        for (std::size_t f = 0; f < mesh.faces; ++f)
-            of_face_[f] = look_at(walk, marks, f);
-    }
-    /// Of the next level, which a step has made of the one at hand, whose faces have this degree. Precondition: the faces of a
-    /// level give birth to those of the next. Cost: O(faces), and a walk for each kind of child.
-    template <level_numbering Numbering>
-    void follow(const Numbering& ids, std::size_t degree, const connectivity<Index>& fine, state_marks<Index> marks)
-    {
-        face_walk<Index> walk(fine, rings_);
-        storage<number> next(fine.faces);
-        constexpr std::size_t kinds = 7;
-        const std::size_t of_kind = 2 * degree, places = kinds * of_kind;
-        constexpr number unknown = unlike - 1;
-        std::vector<number> child(key_.size() * places, unknown);
-        for (std::size_t f = 0; f < fine.faces; ++f) {
-            const auto [kind, tuple] = ids.faces.origin(f);
-            const std::size_t each = tuples_per_element(kind) * (kind == tuple_kind::f ? 1 : degree);
-            const number parent = of_face_[tuple / each];
-            if (parent == unlike) {
-                next[f] = look_at(walk, marks, f);
-                continue;
-            }
-            number& known = child[places * parent + of_kind * std::size_t(kind) + tuple % each];
-            if (known == unknown)
-                known = look_at(walk, marks, f);
-            next[f] = known;
-        }
-        of_face_ = std::move(next);
-    }
+    [[nodiscard]] std::size_t count() const { return count_; }
+    /// The class of each face.
+    [[nodiscard]] const storage<number>& of_faces() const { return class_; }
 
 private:
-    number look_at(face_walk<Index>& walk, state_marks<Index>& marks, std::size_t face)
+    void look_at_fans(const connectivity<Index>& mesh)
     {
-        walk.around(face);
-        const std::u16string& key = marks.key(walk);
-        return key.empty() ? unlike : key_.try_emplace(key, number(key_.size())).first->second;
+        sequence_numbers kinds;
+        const auto degree = Index(mesh.degree);
+        detail::for_parts(mesh.vertices, true, [&](std::size_t begin, std::size_t end) {
+            sequence_numbers::reader kind(kinds);
+            std::u32string fan;
+            std::vector<Index> corners;
+            for (std::size_t v = begin; v < end; ++v) {
+                fan.clear();
+                corners.clear();
+                const Index start = mesh.vertex_corner[v];
+                Index c = start;
+                do {
+                    const Index h = mesh.corner_halfedge[c];
+                    // With divisors that the compiler knows.
+                    const Index face = degree == 4 ? c / 4 : degree == 3 ? c / 3 : Index(c / degree);
+                    const bool is_boundary = mesh.halfedge_corner[h ^ 1] == mesh.none;
+                    fan += char32_t(4 * (class_[face] + number(c - degree * face)) + 2 * (h % 2) + is_boundary);
+                    corners.push_back(c);
+                    c = mesh.next_in_fan(c);
+                } while (c != mesh.none and c != start);
+                number place = kind(fan).first_item;
+                for (const Index corner : corners)
+                    place_in_fan_[corner] = char32_t(place++);
+            }
+        });
+    }
+    void look_at_faces(const connectivity<Index>& mesh, bool is_last)
+    {
+        sequence_numbers classes;
+        const auto degree = std::size_t(mesh.degree);
+        detail::for_parts(mesh.faces, true, [&](std::size_t begin, std::size_t end) {
+            sequence_numbers::reader class_of(classes);
+            for (std::size_t f = begin; f < end; ++f) {
+                const auto made = class_of(std::u32string_view(place_in_fan_.data() + degree * f, degree));
+                class_[f] = is_last ? made.sequence : made.first_item;
+            }
+        });
+        count_ = classes.count();
     }
 
-    int rings_;
-    std::unordered_map<std::u16string, number> key_;
-    storage<number> of_face_;
+    std::size_t count_ = 0;
+    storage<number>
+        class_; // before the last round the number of the first item of the class, which are as many as corners
+    storage<char32_t> place_in_fan_; // of corners: which place in which kind of fan
 };
+
+/// How many kinds of neighbourhoods a sample of faces has, divided by its faces; 1 where faces have several degrees. Preconditions: the
+/// mesh has its edges and faces. Cost: that of one or two thousand walks at most.
+template <std::unsigned_integral Index>
+double share_of_kinds(const connectivity<Index>& mesh, int rings)
+{
+    constexpr std::size_t most_looks = 1024, enough = 128;
+    if (mesh.degree == 0)
+        return 1;
+    face_walk<Index> walk(mesh, rings);
+    std::unordered_set<std::u16string> kinds;
+    const std::size_t step = mesh.faces / most_looks | 1; // odd: of four children of a face not always the same one
+    std::size_t looks = 0;
+    for (std::size_t f = 0; f < mesh.faces; f += step) {
+        walk.around(f);
+        kinds.insert(walk.key());
+        if (++looks == enough and kinds.size() == looks)
+            return 1;
+    }
+    return double(kinds.size()) / double(looks);
+}
 
 } // namespace kith

@@ -4,9 +4,11 @@
 #include <kith/base/storage.hpp>
 #include <kith/mesh/connectivity.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,8 +56,14 @@ public:
             for (const std::size_t end = faces_.size(); ring < end and faces_.size() <= most_faces; ++ring)
                 for (std::size_t i = 0; i < degree_; ++i)
                     turn_around(Index(degree_ * faces_[ring] + i));
-        if (faces_.size() <= most_faces)
-            make_key(ring);
+        if (faces_.size() <= most_faces) {
+            const std::size_t complete = number_vertices(ring);
+            make_key(complete);
+            is_disk_ = meets_no_other_side(complete);
+            for (const Index v : vertices_)
+                vertex_[v] = none;
+            vertices_.clear();
+        }
         for (const Index f : faces_)
             face_[f] = none;
     }
@@ -66,6 +74,10 @@ public:
     [[nodiscard]] std::span<const walk_step> steps() const { return steps_; }
     /// Empty where there are too many faces.
     [[nodiscard]] const std::u16string& key() const { return key_; }
+    /// Whether the neighbourhood is a disk that touches itself nowhere else than around the vertices whose whole fans are in it. Then what
+    /// is found by its steps around any face of its class (`face_classes`) is all that there is to tell apart. Not so around a thin
+    /// tube, where a vertex is met from both sides. Only where there is a key.
+    [[nodiscard]] bool is_disk() const { return is_disk_; }
 
 private:
     static constexpr Index none = connectivity<Index>::none;
@@ -114,11 +126,10 @@ private:
             c = mesh_.next(across);
         }
     }
-    /// Of the first `inner` faces all fans are there.
-    void make_key(std::size_t inner)
+    /// In the order in which they are met. Of the first `inner` faces all fans are there: these vertices come first, so many.
+    std::size_t number_vertices(std::size_t inner)
     {
-        constexpr char16_t boundary = 0, outside = 1, first_corner = 2;
-        std::size_t complete = 0; // vertices whose whole fan is there come first
+        std::size_t complete = 0;
         for (std::size_t f = 0; f < faces_.size(); ++f) {
             if (f == inner)
                 complete = vertices_.size();
@@ -130,8 +141,48 @@ private:
                 }
             }
         }
-        if (inner >= faces_.size())
-            complete = vertices_.size();
+        return inner >= faces_.size() ? vertices_.size() : complete;
+    }
+    /// Glues the faces along the edges at vertices whose fans are whole, as a plane would be laid with them: a disk, by its Euler
+    /// characteristic, in which no vertex lies at two places.
+    [[nodiscard]] bool meets_no_other_side(std::size_t complete)
+    {
+        std::size_t sides = 0; // of edges that are glued
+        place_.resize(degree_ * faces_.size());
+        std::iota(place_.begin(), place_.end(), std::uint16_t(0));
+        for (std::size_t f = 0; f < faces_.size(); ++f)
+            for (std::size_t i = 0; i < degree_; ++i) {
+                const Index c = Index(degree_ * faces_[f] + i), next = mesh_.next(c), across = mesh_.across(c);
+                if (across == none or face_[face_of(across)] == none or
+                    (vertex_[mesh_.corner_vertex[c]] >= complete and vertex_[mesh_.corner_vertex[next]] >= complete))
+                    continue;
+                ++sides;
+                join(c, mesh_.next(across));
+                join(next, across);
+            }
+        std::size_t places = 0, within = 0;
+        for (std::size_t i = 0; i < place_.size(); ++i)
+            places += place_[i] == i;
+        for (std::size_t v = 0; v < complete; ++v)
+            within += mesh_.across(mesh_.vertex_corner[vertices_[v]]) != none;
+        return places == vertices_.size() and faces_.size() + within == 1 + sides / 2;
+    }
+    /// Says of two corners that they lie at one place.
+    void join(Index a, Index b)
+    {
+        const auto root = [&](Index corner) {
+            const auto [face, at] = walked(corner);
+            auto place = std::uint16_t(degree_ * face + at);
+            while (place_[place] != place)
+                place = place_[place] = place_[place_[place]];
+            return place;
+        };
+        const std::uint16_t ra = root(a), rb = root(b);
+        place_[std::max(ra, rb)] = std::min(ra, rb);
+    }
+    void make_key(std::size_t complete)
+    {
+        constexpr char16_t boundary = 0, outside = 1, first_corner = 2;
         key_.resize(2 * degree_ * faces_.size());
         char16_t* to = key_.data();
         for (const Index f : faces_)
@@ -141,7 +192,9 @@ private:
                 const bool starts = vertex_[v] < complete and mesh_.vertex_corner[v] == c;
                 *to++ = char16_t(2 * vertex_[v] + starts);
                 if (across == none) {
-                    *to++ = boundary;
+                    const bool matters = vertex_[v] < complete or
+                                         vertex_[mesh_.corner_vertex[mesh_.next(c)]] < complete;
+                    *to++ = matters ? boundary : outside; // all is cut off there
                     continue;
                 }
                 const Index other = face_of(across), at = face_[other];
@@ -149,9 +202,6 @@ private:
                             ? outside
                             : char16_t(first_corner + 2 * (degree_ * at + across - degree_ * other) + halfedge % 2);
             }
-        for (const Index v : vertices_)
-            vertex_[v] = none;
-        vertices_.clear();
     }
 
     const connectivity<Index>& mesh_;
@@ -161,6 +211,8 @@ private:
     std::vector<Index> faces_, vertices_;
     std::vector<walk_step> steps_;
     std::u16string key_;
+    bool is_disk_ = false;
+    std::vector<std::uint16_t> place_; // of corners: another one at the same place, in the end the first of them
 };
 
 } // namespace kith

@@ -35,13 +35,13 @@ concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable
 
 /// Templates of a scheme without its state for levels of one size, by the neighbourhoods and the state there that they are
 /// for. Those of the last size are kept for the process, one list for each type of scheme and point, so that who refines again
-/// is spared making them; schemes that cannot be told apart have a list of their own each time. At most `most` templates, of some
-/// 10 to 30 KB each. Safe on several threads.
+/// is spared making them; schemes that cannot be told apart have a list of their own each time. A template takes some 5 to 30 KB, a
+/// list about `most_bytes` at most. Safe on several threads.
 template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:
     using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
-    static constexpr std::size_t most = 256;
+    static constexpr std::size_t most_bytes = std::size_t(16) << 20;
 
     /// For the steps that begin at a level of this generation and have these bases.
     static std::shared_ptr<kept_templates> of(const Scheme& scheme, int generation, int rings,
@@ -77,8 +77,8 @@ public:
     {
         pointer shared = std::make_shared<const patch_template<Scalar, Index>>(std::move(made));
         const std::lock_guard lock(mutex_);
-        if (of_key_.size() < most)
-            of_key_.try_emplace(key, shared);
+        if (bytes_ < most_bytes and of_key_.try_emplace(key, shared).second)
+            bytes_ += shared->bytes();
         return shared;
     }
 
@@ -98,6 +98,7 @@ private:
     std::vector<column_bases> bases_;
     mutable std::mutex mutex_;
     std::unordered_map<std::u16string, pointer> of_key_;
+    std::size_t bytes_ = 0;
 };
 
 } // namespace kith

@@ -6,6 +6,7 @@
 #include <kith/base/storage.hpp>
 #include <kith/mesh/level_sink.hpp>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -43,8 +44,10 @@ class patch_filler {
 public:
     using patch = patch_template<scalar, Index>;
 
-    /// How many faces are filled at a time.
+    /// How many faces are computed side by side.
     static constexpr std::size_t width = lanes<scalar>::count;
+    /// How many are best filled in one call.
+    static constexpr std::size_t at_once = 4 * width;
 
     /// For faces of a mesh that all have this degree, as have those of the level that is written: past the caches if that is too
     /// large to be in them when it is read.
@@ -53,17 +56,53 @@ public:
     {
     }
 
-    /// Preconditions: has_lanes(), and the template is of the class of these faces, 1 to `width`. Cost: that of the program.
+    /// Preconditions: has_lanes(), and the template is of the class of these faces, 1 to `at_once`. Cost: that of the program.
     KITH_LANES void fill(const patch& t, std::span<const Index> faces)
     {
         make_room(slots_, t.program.slots() * size * width);
-        make_room(first_corners_, t.steps.size() + 1);
+        make_room(first_corners_, (t.steps.size() + 1) * at_once);
         make_room(sources_, t.sources.size() * width);
         make_room(multiples_, t.multiples.size() * width);
+        walk(t, faces);
+        for (std::size_t begin = 0; begin < faces.size(); begin += width)
+            fill_lanes(t, begin, std::min(width, faces.size() - begin));
+    }
+
+private:
+    template <class T>
+    static void make_room(storage<T>& array, std::size_t size)
+    {
+        if (array.size() < size)
+            array = storage<T>(size);
+    }
+    /// Finds the faces of all neighbourhoods, step by step around all of them: what one waits for from the memory, the others do, too.
+    [[gnu::always_inline]] void walk(const patch& t, std::span<const Index> faces)
+    {
+        const connectivity<Index>& mesh = coarse_->topology();
+        Index* to = first_corners_.data();
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            to[i] = Index(Degree * faces[i]);
+        for (const walk_step& step : t.steps) {
+            to += at_once;
+            for (std::size_t i = 0; i < faces.size(); ++i)
+                to[i] = Index(mesh.across(corner(step.from, i)) - step.rotation);
+        }
+        for (const walked_corner& input : t.inputs)
+            for (std::size_t i = 0; i < faces.size(); ++i)
+                __builtin_prefetch(&coarse_->point(mesh.corner_vertex[corner(input, i)]));
+    }
+    [[nodiscard]] Index corner(const walked_corner& c, std::size_t i) const
+    {
+        return Index(first_corners_[at_once * c.face + i] + c.corner);
+    }
+
+    /// Of some of these faces, at most as many as there are lanes. A function of its own: in the loop g++ 12 makes slower code of it.
+    KITH_LANES void fill_lanes(const patch& t, std::size_t begin, std::size_t count)
+    {
         for (std::size_t lane = 0; lane < width; ++lane) { // where there are fewer faces the first stands for them
-            walk(t, faces[lane < faces.size() ? lane : 0]);
-            load(t, lane);
-            look_up(t, lane);
+            const std::size_t i = begin + (lane < count ? lane : 0);
+            load(t, i, lane);
+            look_up(t, i, lane);
         }
         multiply(t);
         call_for(to_.points, t.vertices);
@@ -85,45 +124,27 @@ public:
         }
         if (to_.writer != nullptr) {
             write_faces(*to_.writer, t);
-            write_starts(*to_.writer, t, faces.size());
+            write_starts(*to_.writer, t, count);
         }
     }
 
-private:
-    template <class T>
-    static void make_room(storage<T>& array, std::size_t size)
-    {
-        if (array.size() < size)
-            array = storage<T>(size);
-    }
-    /// Finds the faces of the neighbourhood.
-    [[gnu::always_inline]] void walk(const patch& t, Index face)
-    {
-        const connectivity<Index>& mesh = coarse_->topology();
-        Index* first = first_corners_.data();
-        *first = Index(Degree * face);
-        for (const walk_step& step : t.steps)
-            *++first = Index(mesh.across(corner(step.from)) - step.rotation);
-    }
-    [[nodiscard]] Index corner(const walked_corner& c) const { return Index(first_corners_[c.face] + c.corner); }
-
-    /// The points of the neighbourhood into a lane.
-    [[gnu::always_inline]] void load(const patch& t, std::size_t lane)
+    /// The points of a neighbourhood into a lane.
+    [[gnu::always_inline]] void load(const patch& t, std::size_t face, std::size_t lane)
     {
         scalar* to = slots_.data() + lane;
         for (const walked_corner& input : t.inputs) {
-            const Point& point = coarse_->point(coarse_->topology().corner_vertex[corner(input)]);
+            const Point& point = coarse_->point(coarse_->topology().corner_vertex[corner(input, face)]);
             for (std::size_t i = 0; i < size; ++i, to += width)
                 *to = point[i];
         }
     }
     /// The numbers that others follow from.
-    [[gnu::always_inline]] void look_up(const patch& t, std::size_t lane)
+    [[gnu::always_inline]] void look_up(const patch& t, std::size_t face, std::size_t lane)
     {
         const connectivity<Index>& mesh = coarse_->topology();
         Index* to = sources_.data() + lane;
         for (const auto& [kind, place] : t.sources) {
-            const Index at = corner(place);
+            const Index at = corner(place, face);
             *to = kind == tuple_kind::v   ? mesh.corner_vertex[at]
                   : kind == tuple_kind::e ? Index(mesh.corner_halfedge[at] / 2)
                                           : Index(at / Degree);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "child_numbers.hpp"
+#include "face_classes.hpp"
 #include "refine_part.hpp"
 
 #include <kith/lane/lanes.hpp>
@@ -40,25 +41,31 @@ concept patchable_scheme = fits_lanes<Point> and reaching_scheme<Scheme> and ord
 
 /// Which steps of a refinement are made patch by patch.
 struct patch_plan {
-    int first; ///< the first level whose faces all have the degree of refined ones
-    int begin; ///< the level whose faces own patches of the last one
-    int rings; ///< by which the class of a face says all of its patch, and of the classes of the next level
+    int first;                       ///< the first level whose faces all have the degree of refined ones
+    int begin;                       ///< the level whose faces own patches of the last one
+    int rings;                       ///< by which the class of a face says all of its patch
     std::vector<counts> levels;      ///< from the control mesh to the last one
     std::vector<column_bases> bases; ///< of the steps from `begin` on
 
     [[nodiscard]] const counts& of_begin() const { return levels[std::size_t(begin)]; }
     [[nodiscard]] const counts& last() const { return levels.back(); }
-    /// The faces within the rings around one, where the mesh of faces of this degree is regular.
-    [[nodiscard]] std::size_t faces_of_walk(std::size_t degree) const
+    [[nodiscard]] double faces_of_patch() const { return double(last().faces) / double(of_begin().faces); }
+
+    /// Begins at a level. Precondition: it lies before the last one. Cost: O(levels).
+    template <reaching_scheme Scheme>
+    void begin_at(int level, const Scheme& scheme, int generation)
     {
-        const auto r = std::size_t(rings);
-        return degree == 3 ? 1 + 6 * r * (r + 1) : (2 * r + 1) * (2 * r + 1);
+        begin = level;
+        bases.clear();
+        for (std::size_t i = std::size_t(begin); i + 1 < levels.size(); ++i)
+            bases.push_back(bases_of_columns(scheme, levels[i], generation + int(i)));
+        rings = rings_before_steps(scheme, bases.size()).front();
     }
 };
 
 /// A patch has at most some hundred faces. Nothing for a mesh on which the numbers of the scheme do not follow in one way, whose
-/// order it does not ignore even where its state says nothing, or where there is no step to make. Precondition: the levels can be counted.
-/// Cost: O(levels).
+/// order it does not ignore even where its state says nothing, which is too large, or where there is no step to make. Precondition: the
+/// levels can be counted. Cost: O(levels).
 template <reaching_scheme Scheme>
 std::optional<patch_plan> plan_patches(const counts& control, bool has_degree, const Scheme& scheme, int levels,
                                        int generation)
@@ -73,13 +80,9 @@ std::optional<patch_plan> plan_patches(const counts& control, bool has_degree, c
     while (plan.begin > plan.first and
            plan.last().faces / plan.levels[std::size_t(plan.begin) - 1].faces <= most_faces_of_patch)
         --plan.begin;
-    if (plan.begin == levels)
+    if (plan.begin == levels or 2 * plan.of_begin().edges > face_classes<std::uint32_t>::most_corners)
         return {};
-    for (int level = plan.begin; level < levels; ++level)
-        plan.bases.push_back(bases_of_columns(scheme, plan.levels[std::size_t(level)], generation + level));
-    plan.rings = rings_before_steps(scheme, plan.bases.size()).front();
-    while (reach_of(scheme, plan.rings) > plan.rings)
-        plan.rings = reach_of(scheme, plan.rings);
+    plan.begin_at(plan.begin, scheme, generation);
     return plan;
 }
 

@@ -47,6 +47,14 @@ struct patch_template {
     std::vector<typename numbers::run> vertices, corners, halfedges; ///< the places that are written
     typename numbers::list vertex_corner, vertex_halfedge, corner_vertex, corner_halfedge,
         halfedge_corner; ///< what is written, run after run
+
+    [[nodiscard]] std::size_t bytes() const
+    {
+        const auto of = [](const auto&... list) { return ((list.size() * sizeof(list[0])) + ...); };
+        const auto of_numbers = [&](const auto&... list) { return (of(list.offset, list.of) + ...); };
+        return program.bytes() + of(steps, inputs, sources, multiples, vertices, corners, halfedges) +
+               of_numbers(vertex_corner, vertex_halfedge, corner_vertex, corner_halfedge, halfedge_corner);
+    }
 };
 
 /// Makes templates of a scheme for the faces of one level.

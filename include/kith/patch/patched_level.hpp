@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,17 +20,22 @@
 namespace kith {
 
 /// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1. Measured
-/// with the schemes of the library; a template takes 2500 (Butterfly) to 9300 (sqrt(3)) final faces.
+/// with the schemes of the library.
 struct patch_costs {
-    double in_patch = .5;            ///< .3 (Butterfly) to .6
-    double in_patch_with_edges = .6; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
+    double in_patch = .45;           ///< .3 (Butterfly) to .6
+    double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
     double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
-    double of_template = 3000;       ///< of making one, in final faces
-    double of_walk = 3;          ///< of each face that is met in a walk around one of the first level to find its class
-    double share_of_walks = .05; ///< nobody looks where all walks cost more than this share of the whole
-    double share_if_alike = .15; ///< the same for face lists, where most faces of a sample are alike
-    double alike = .85;          ///< so many of them
-    double to_be_cheaper = .9;   ///< patches must come to less than so much
+    double of_template = 400;        ///< of making one, in final faces: half of what it takes, since templates are kept
+    double of_face_in_template = 18; ///< the same for each face of its patch; it takes up to four times as much
+    double of_look = 5;              ///< of finding the class of a face, per ring, in final faces
+    double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
+    double share_if_alike =
+        .3; ///< so few kinds has a sample of faces of a control mesh whose faces are alike; else ...
+    double least_patch_if_unlike = 32; ///< ... patches are this large or nobody looks for them,
+    double most_kinds =
+        2000; ///< ... there are as many kinds of faces as of corners in the control mesh, up to so many,
+    double least_of_kind = 32;      ///< ... and so many faces must there be of each
+    double to_be_cheaper = .9;      ///< patches must come to less than so much
     std::size_t least_faces = 4096; ///< of the level whose faces own patches; for fewer nobody looks
 };
 
@@ -47,8 +53,8 @@ class patched_level {
 public:
     using output = patch_output<Point, Index>;
 
-    /// Of a mesh whose faces have these classes and the scheme of its level, to make faces or all connectivity; nothing where it is
-    /// no gain. Cost: that of the templates.
+    /// Of the level that the plan begins with, with its classes by the rings of the plan and the scheme there, to make faces or all
+    /// connectivity; nothing where it is no gain. Cost: O(faces), and that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
                                              bool with_edges = false)
@@ -56,30 +62,35 @@ public:
         const double in_patch = with_edges ? costs.in_patch_with_edges : costs.in_patch;
         std::vector<std::size_t> members(classes.count(), 0);
         for (const class_number c : classes.of_faces())
-            if (c != classes.unlike)
-                ++members[c];
-        const double faces_of_patch = double(plan.last().faces) / double(mesh.face_count());
-        const auto gains = [&](std::size_t count) {
-            return double(count) * faces_of_patch * (costs.among_few - in_patch) > costs.of_template;
+            ++members[c];
+        const double of_template = costs.of_template + costs.of_face_in_template * plan.faces_of_patch();
+        const auto gains = [&](class_number c) {
+            return double(members[c]) * plan.faces_of_patch() * (costs.among_few - in_patch) > of_template;
         };
-        double cost = 0;
-        std::size_t in_templates = 0;
-        for (const std::size_t count : members)
-            if (gains(count)) {
-                cost += costs.of_template + double(count) * faces_of_patch * in_patch;
-                in_templates += count;
-            }
-        cost += double(mesh.face_count() - in_templates) * faces_of_patch * costs.among_few;
-        if (cost > costs.to_be_cheaper * double(plan.last().faces))
+        const auto is_gain = [&](const auto& has_template) {
+            double cost = 0;
+            std::size_t in_templates = 0;
+            for (class_number c = 0; c < members.size(); ++c)
+                if (has_template(c)) {
+                    cost += of_template + double(members[c]) * plan.faces_of_patch() * in_patch;
+                    in_templates += members[c];
+                }
+            cost += double(mesh.face_count() - in_templates) * plan.faces_of_patch() * costs.among_few;
+            return cost <= costs.to_be_cheaper * double(plan.last().faces);
+        };
+        if (not is_gain(gains))
             return {};
-        return patched_level(mesh, classes, scheme, plan, [&](class_number c) { return gains(members[c]); });
+        const auto models = models_of(classes, mesh.topology(), plan.rings, gains);
+        if (not is_gain([&](class_number c) { return models[c] != no_face; }))
+            return {};
+        return patched_level(mesh, classes, models, scheme, plan);
     }
 
     /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`, or one with other
     /// points. Cost: that of the programs, and of refining the faces that have no template.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
-        constexpr std::size_t width = patch_filler<Point, Index, degree>::width;
+        constexpr std::size_t at_once = patch_filler<Point, Index, degree>::at_once;
         constexpr std::size_t cached_bytes = std::size_t(8) << 20;
         const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
         detail::for_parts(
@@ -87,18 +98,18 @@ public:
             true,
             [&](std::size_t begin, std::size_t end) {
                 patch_filler<Point, Index, degree> filler(mesh, to, past_caches);
-                std::vector<Index> waiting(templates_.size() * width);
+                std::vector<Index> waiting(templates_.size() * at_once);
                 std::vector<std::uint8_t> count(templates_.size(), 0);
                 const auto flush = [&](std::size_t c) {
-                    filler.fill(*templates_[c], std::span(waiting).subspan(c * width, count[c]));
+                    filler.fill(*templates_[c], std::span(waiting).subspan(c * at_once, count[c]));
                     count[c] = 0;
                 };
                 for (std::size_t f = begin; f < end; ++f) {
                     const class_number c = template_of_face_[f];
                     if (c == none)
                         continue;
-                    waiting[c * width + count[c]++] = Index(f);
-                    if (count[c] == width)
+                    waiting[c * at_once + count[c]++] = Index(f);
+                    if (count[c] == at_once)
                         flush(c);
                 }
                 for (std::size_t c = 0; c < count.size(); ++c)
@@ -115,30 +126,47 @@ private:
     using numbering = numbering_of<Scheme, Index>;
     using templates = kept_templates<Scheme, scalar_of<Point>, Index>;
     using class_number = typename face_classes<Index>::number;
-    static constexpr class_number none = face_classes<Index>::unlike;
+    static constexpr class_number none = std::numeric_limits<class_number>::max();
+    static constexpr Index no_face = std::numeric_limits<Index>::max();
     static constexpr std::size_t degree = numbering::common_degree;
 
+    /// For each class that gains by a template a face for which it can be made: one of the first faces of the class, if the
+    /// neighbourhood of one of them is a disk.
     template <class Gains>
-    patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
-                  const patch_plan& plan, const Gains& gains)
+    static std::vector<Index> models_of(const face_classes<Index>& classes, const connectivity<Index>& mesh, int rings,
+                                        const Gains& gains)
+    {
+        constexpr unsigned char most_looks = 8;
+        face_walk<Index> walk(mesh, rings);
+        std::vector<Index> models(classes.count(), no_face);
+        std::vector<unsigned char> looks(classes.count(), 0);
+        for (std::size_t f = 0; f < mesh.faces; ++f)
+            if (const class_number c = classes.of_faces()[f];
+                models[c] == no_face and looks[c] < most_looks and gains(c)) {
+                ++looks[c];
+                walk.around(f);
+                if (walk.is_disk())
+                    models[c] = Index(f);
+            }
+        return models;
+    }
+
+    patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
+                  const std::vector<Index>& models, const Scheme& scheme, const patch_plan& plan)
         : vertices_(plan.last().vertices), template_of_face_(mesh.face_count())
     {
         const auto kept = templates::of(without_state(scheme), mesh.generation(), plan.rings, plan.bases);
         template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
         state_marks<Index> marks(mesh.topology(), scheme);
-        face_walk<Index> walk(mesh.topology(), classes.rings());
-        constexpr class_number unknown = none - 1;
+        face_walk<Index> walk(mesh.topology(), plan.rings);
+        std::vector<class_number> template_of_class(classes.count(), none);
+        for (std::size_t c = 0; c < models.size(); ++c)
+            if (models[c] != no_face)
+                template_of_class[c] = find_template(*kept, maker, walk, marks, models[c]);
         std::vector<Index> without_template;
-        std::vector<class_number> template_of_class(classes.count(), unknown);
         for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-            class_number made = none;
-            if (const class_number c = classes.of_faces()[f]; c != classes.unlike) {
-                if (template_of_class[c] == unknown)
-                    template_of_class[c] = gains(c) ? find_template(*kept, maker, walk, marks, f) : none;
-                made = template_of_class[c];
-            }
-            template_of_face_[f] = made;
-            if (made == none)
+            template_of_face_[f] = template_of_class[classes.of_faces()[f]];
+            if (template_of_face_[f] == none)
                 without_template.push_back(Index(f));
         }
         if (not without_template.empty())

@@ -18,6 +18,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -107,14 +108,19 @@ public:
             std::ranges::none_of(walk.faces(), [&](Index f) { return bool(is_marked_[f]); }))
             return walk.key();
         key_.assign(1, no_walk);
-        for (const Index f : walk.faces()) {
-            append(of_face_[f]);
-            for (Index c = mesh_.first_corner(f); c < mesh_.first_corner(f + std::size_t(1)); ++c) {
-                append(of_vertex_[mesh_.corner_vertex[c]]);
-                append(of_edge_[mesh_.corner_halfedge[c] / 2]);
-            }
-        }
+        for (const Index f : walk.faces())
+            append_all_of(f);
         return key_ += walk.key();
+    }
+    /// What the state says of a face, its corners' vertices and its edges, as a number that is the same for the same words; 0 where it
+    /// says nothing. Precondition: there is state. Cost: O(1), or O(corners) at elements of which it speaks.
+    [[nodiscard]] std::uint32_t number_of_face(std::size_t face)
+    {
+        if (not is_marked_[face])
+            return 0;
+        key_.clear();
+        append_all_of(Index(face));
+        return number_.try_emplace(key_, std::uint32_t(number_.size() + 1)).first->second;
     }
 
 private:
@@ -168,6 +174,14 @@ private:
             is_marked_[element] = true;
         }
     }
+    void append_all_of(Index face)
+    {
+        append(of_face_[face]);
+        for (Index c = mesh_.first_corner(face); c < mesh_.first_corner(face + std::size_t(1)); ++c) {
+            append(of_vertex_[mesh_.corner_vertex[c]]);
+            append(of_edge_[mesh_.corner_halfedge[c] / 2]);
+        }
+    }
     /// How long a text is comes before it, so that keys are read in one way.
     void append(Index place)
     {
@@ -184,6 +198,7 @@ private:
     storage<unsigned char> is_marked_;             // of faces: whether there is a text of it, a vertex or an edge of it
     std::vector<std::u16string> texts_;
     std::u16string key_;
+    std::unordered_map<std::u16string, std::uint32_t> number_; // of what is said of a face and around it
 };
 
 } // namespace kith
