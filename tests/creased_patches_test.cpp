@@ -8,6 +8,7 @@
 #include "all_shapes.hpp"
 #include "error_text.hpp"
 #include "native_shape.hpp"
+#include "patch_templates.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
 #include "under_sanitizers.hpp"
@@ -18,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -29,22 +29,6 @@ namespace {
 using kith::connect;
 using kith::crease_method;
 using kith::infinitely_sharp;
-
-constexpr double never = std::numeric_limits<double>::infinity();
-/// A template for every class; one for those that have some members.
-constexpr kith::patch_costs all_templates{.in_patch = 0,
-                                          .among_few = 1,
-                                          .of_template = 0,
-                                          .of_face_in_template = 0,
-                                          .of_look = 0,
-                                          .share_if_alike = 1, // whatever the control mesh looks like
-                                          .to_be_cheaper = never,
-                                          .least_faces = 1};
-constexpr kith::patch_costs some_templates = [] {
-    auto costs = all_templates;
-    costs.of_template = 300;
-    return costs;
-}();
 
 template <class Scheme>
 using patches_of = kith::patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;

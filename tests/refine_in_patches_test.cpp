@@ -6,6 +6,7 @@
 #include <kith/step/rules.hpp>
 
 #include "every_scheme.hpp"
+#include "patch_templates.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
 #include "under_sanitizers.hpp"
@@ -37,24 +38,7 @@ kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mes
                                         : kith::refine_mesh<connect::everything>(mesh, scheme, ids);
 }
 
-constexpr double never = std::numeric_limits<double>::infinity();
-/// A template for every class; none at all; one for those that have some members.
-constexpr kith::patch_costs all_templates{.in_patch = 0,
-                                          .among_few = 1,
-                                          .of_template = 0,
-                                          .of_face_in_template = 0,
-                                          .of_look = 0,
-                                          .share_if_alike = 1, // whatever the control mesh looks like
-                                          .to_be_cheaper = never,
-                                          .least_faces = 1};
-constexpr kith::patch_costs with_cost_of_template(double cost)
-{
-    auto costs = all_templates;
-    costs.of_template = cost;
-    return costs;
-}
-constexpr kith::patch_costs no_templates = with_cost_of_template(never);
-constexpr kith::patch_costs some_templates = with_cost_of_template(300);
+constexpr kith::patch_costs no_templates = with_cost_of_template(std::numeric_limits<double>::infinity());
 
 template <class Scheme>
 constexpr bool has_patches = kith::patchable_scheme<Scheme, std::array<double, 3>, std::uint32_t>;

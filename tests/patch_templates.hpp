@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/refine_in_patches.hpp>
+
+#include <limits>
+
+/// So that there are patches wherever there can be, with a template for every class of faces.
+inline constexpr kith::patch_costs all_templates{.in_patch = 0,
+                                                 .among_few = 1,
+                                                 .of_template = 0,
+                                                 .of_face_in_template = 0,
+                                                 .of_look = 0,
+                                                 .share_if_alike = 1, // whatever the control mesh looks like
+                                                 .to_be_cheaper = std::numeric_limits<double>::infinity(),
+                                                 .least_faces = 1};
+
+/// The same with templates for classes that have some members, or for none.
+constexpr kith::patch_costs with_cost_of_template(double cost)
+{
+    auto costs = all_templates;
+    costs.of_template = cost;
+    return costs;
+}
+inline constexpr kith::patch_costs some_templates = with_cost_of_template(300);
