@@ -247,6 +247,9 @@ TEST(refine_in_patches, does_not_look_at_more_faces_around_a_face_than_it_can_nu
 {
     const auto mesh = native(shapes::umbrella(1000)); // around whose apex all faces lie
     EXPECT_TRUE(compare(mesh, kith::loop{}, 2));
+    // Nor where it has just looked at others.
+    const auto torus = shapes::triangulated(shapes::torus(9, 9));
+    EXPECT_TRUE(compare(native(shapes::shaken(shapes::both(torus, shapes::umbrella(1000)))), kith::loop{}, 2));
 }
 
 } // namespace

@@ -50,6 +50,7 @@ public:
         faces_.clear();
         steps_.clear();
         key_.clear();
+        is_disk_ = false;
         add(Index(face));
         std::size_t ring = 0;
         for (int r = 0; r < rings_ and faces_.size() <= most_faces; ++r)
