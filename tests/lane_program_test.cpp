@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/lane/lane_program.hpp>
+#include <kith/lane/lane_program_maker.hpp>
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ void expect_outputs(const twins& t, const std::vector<std::uint32_t>& outputs)
 {
     if (not kith::has_lanes())
         GTEST_SKIP() << "this processor has no lanes";
-    const kith::lane_program<double> program(t.tape, outputs);
+    const auto program = kith::lane_program_maker<double>().make(t.tape, outputs);
     constexpr std::size_t width = kith::lanes<double>::count;
     alignas(64) std::array<double, 64 * width> slots{};
     ASSERT_LE(program.slots(), 64U);
@@ -112,11 +112,29 @@ TEST(lane_program, knows_copies_and_leaves_out_what_nobody_needs)
     const auto copy = v.store(v[1]);
     const auto a = v.store(.3 * v[copy] + .7 * v[0]);
     v.store(v[unused] + v[a]);
-    const kith::lane_program<double> program(v.tape, std::vector<std::uint32_t>{a, copy});
+    const auto program = kith::lane_program_maker<double>().make(v.tape, std::vector<std::uint32_t>{a, copy});
     EXPECT_EQ(std::vector<std::uint32_t>(program.inputs().begin(), program.inputs().end()),
               (std::vector<std::uint32_t>{0, 1}));
     EXPECT_EQ(program.slots(), 2U); // the first operand makes room for the result
     expect_outputs(v, {a, copy});
+}
+
+TEST(lane_program, does_not_depend_on_what_its_maker_has_made_before)
+{
+    kith::lane_program_maker<double> maker;
+    twins v(4);
+    const auto a = v.store(.25 * (v[0] + v[1] + v[2]) + .75 * v[3]);
+    twins w(3);
+    const auto b = w.store(.5 * (w[1] + w[2]));
+    const std::vector<std::uint32_t> of_v{a}, of_w{b};
+    const auto first = maker.make(v.tape, of_v);
+    const auto second = maker.make(w.tape, of_w);
+    const auto alone = kith::lane_program_maker<double>().make(w.tape, of_w);
+    EXPECT_EQ(first.inputs().size(), 4U);
+    EXPECT_EQ(std::vector<std::uint32_t>(second.inputs().begin(), second.inputs().end()),
+              (std::vector<std::uint32_t>{1, 2}));
+    EXPECT_EQ(second.slots(), alone.slots());
+    EXPECT_EQ(second.bytes(), alone.bytes());
 }
 
 TEST(lane_program, shares_slots_of_values_that_nobody_reads_any_more)
@@ -128,7 +146,7 @@ TEST(lane_program, shares_slots_of_values_that_nobody_reads_any_more)
         a = b;
         b = c;
     }
-    EXPECT_LE(kith::lane_program<double>(v.tape, std::vector<std::uint32_t>{b}).slots(), 3U);
+    EXPECT_LE(kith::lane_program_maker<double>().make(v.tape, std::vector<std::uint32_t>{b}).slots(), 3U);
     expect_outputs(v, {b});
 }
 

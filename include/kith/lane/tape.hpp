@@ -33,6 +33,12 @@ struct tape {
         nodes.push_back(n);
         return std::uint32_t(nodes.size() - 1);
     }
+    /// Begins anew, in the same memory, with values that are there before.
+    void restart(std::size_t inputs)
+    {
+        nodes.clear();
+        values.assign(inputs, none);
+    }
 };
 
 namespace detail {

@@ -111,13 +111,12 @@ private:
     {
         storage<Number> result(ids.total());
         [&]<std::size_t... I>(std::index_sequence<I...>) {
-            (add_column<Ids::kinds[I]>(ids, I, bases[std::size_t(Ids::kinds[I])], result), ...);
+            (add_column<Ids::kinds[I]>(ids, bases[std::size_t(Ids::kinds[I])], result), ...);
         }(std::make_index_sequence<Ids::size>());
         return result;
     }
-    /// Where all tuples of a column give birth they are met in the order of their elements.
     template <tuple_kind Kind, element_ids Ids>
-    void add_column(const Ids& ids, std::size_t column, std::uint64_t base, storage<Number>& result) const
+    void add_column(const Ids& ids, std::uint64_t base, storage<Number>& result) const
     {
         constexpr bool of_corners = Kind != tuple_kind::v and Kind != tuple_kind::e and Kind != tuple_kind::ve and
                                     Kind != tuple_kind::f;
@@ -125,17 +124,11 @@ private:
         const storage<Number>& parents = Kind == tuple_kind::v                             ? vertices
                                          : Kind == tuple_kind::e or Kind == tuple_kind::ve ? edges
                                                                                            : faces;
-        std::size_t id = ids.base(column);
-        if constexpr (Ids::template is_full<Kind>) {
-            for (const Number& parent : parents)
-                for (std::size_t rest = 0; rest < each; ++rest)
-                    result[id++] = parent.child(base + rest, each);
-        } else {
-            for (const std::size_t end = id + ids.count(column); id < end; ++id) {
-                const std::size_t tuple = ids.origin(id).second;
-                result[id] = parents[tuple / each].child(base + tuple % each, each);
-            }
-        }
+        std::size_t tuple = 0;
+        for (const Number& parent : parents)
+            for (std::size_t rest = 0; rest < each; ++rest, ++tuple)
+                if (const auto id = ids.template id<Kind>(tuple); id != Ids::none)
+                    result[id] = parent.child(base + rest, each);
     }
 };
 

@@ -37,8 +37,14 @@ public:
         std::uint32_t count;
     };
 
-    /// Of sources with numbers below `sources`.
-    explicit patch_numbers(std::size_t sources) : of_source_(sources) {}
+    /// Begins anew, in the same memory, with sources with numbers below `sources`.
+    void restart(std::size_t sources)
+    {
+        multiples_.clear();
+        sources_.clear();
+        next_of_source_.clear();
+        first_of_source_.assign(sources, none);
+    }
 
     [[nodiscard]] const std::vector<multiple>& multiples() const { return multiples_; }
     /// Those that multiples are of.
@@ -49,6 +55,8 @@ public:
     [[nodiscard]] list all(std::span<const affine_number<Index>> numbers)
     {
         list result;
+        result.offset.reserve(numbers.size());
+        result.of.reserve(numbers.size());
         for (const auto& n : numbers) {
             result.offset.push_back(n.offset);
             result.of.push_back(find(n));
@@ -78,22 +86,23 @@ private:
     }
     place find(const affine_number<Index>& n)
     {
-        for (const auto& [factor, made] : of_source_[n.source])
-            if (factor == n.factor)
-                return made;
-        auto& known = of_source_[n.source];
-        const std::uint32_t source = known.empty() ? std::uint32_t(sources_.size())
-                                                   : multiples_[known.front().second].source;
-        if (known.empty())
+        std::uint32_t& first = first_of_source_[n.source];
+        for (std::uint32_t known = first; known != none; known = next_of_source_[known])
+            if (multiples_[known].factor == n.factor)
+                return place(known);
+        const std::uint32_t source = first == none ? std::uint32_t(sources_.size()) : multiples_[first].source;
+        if (first == none)
             sources_.push_back(n.source);
-        known.emplace_back(n.factor, place(multiples_.size()));
+        next_of_source_.push_back(std::exchange(first, std::uint32_t(multiples_.size())));
         multiples_.push_back({source, n.factor});
-        return known.back().second;
+        return place(first);
     }
+
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
     std::vector<multiple> multiples_;
     std::vector<std::uint32_t> sources_;
-    std::vector<std::vector<std::pair<Index, place>>> of_source_;
+    std::vector<std::uint32_t> first_of_source_, next_of_source_; // multiples of the same source, one after the other
 };
 
 } // namespace kith

@@ -6,7 +6,7 @@
 #include "patch_numbers.hpp"
 #include "refine_part.hpp"
 
-#include <kith/lane/lane_program.hpp>
+#include <kith/lane/lane_program_maker.hpp>
 #include <kith/lane/tape.hpp>
 #include <kith/level/native_level.hpp>
 #include <kith/step/step.hpp>
@@ -88,13 +88,12 @@ public:
         const auto part = cutter_.cut(faces);
         const sources_of_part sources(part, walk.faces());
 
-        tape<scalar> tape;
-        const recording<scalar> here(tape);
         auto numbers = sources.numbers();
         storage<value> points(part.mesh.vertex_count());
         for (std::size_t v = 0; v < points.size(); ++v)
             points[v] = value(std::uint32_t(v));
-        tape.values.assign(points.size(), tape.none);
+        tape_.restart(points.size());
+        const recording<scalar> here(tape_);
         const auto refine = [&](const basic_mesh<value, Index>& mesh, const Scheme& of_level, numbering& ids) {
             const level_elements<native_level<value, Index, degree>> level(mesh);
             return refine_level<connect::everything>(level, of_level, mesh.generation(), ids);
@@ -113,7 +112,7 @@ public:
         numbering ids;
         const auto fine = refine(before_last, scheme, ids);
         numbers = numbers.next(ids, bases_.back());
-        return assemble(walk, sources, numbers, fine, tape);
+        return assemble(walk, sources, numbers, fine);
     }
 
 private:
@@ -208,29 +207,27 @@ private:
     }
 
     std::optional<result> assemble(const face_walk<Index>& walk, const sources_of_part& sources,
-                                   const affine_numbers& numbers, const basic_mesh<value, Index>& fine,
-                                   const tape<scalar>& tape) const
+                                   const affine_numbers& numbers, const basic_mesh<value, Index>& fine)
     {
         result made;
         made.steps.assign(walk.steps().begin(), walk.steps().end());
-        patch_numbers<Index> listed(sources.size());
+        listed_.restart(sources.size());
         const auto owned = in_order(numbers.vertices, [&](const number& n) { return sources.is_owned(n.source); });
-        list_vertices(owned, numbers, fine.topology(), listed, made);
+        list_vertices(owned, numbers, fine.topology(), made);
         list_faces(in_order(numbers.faces, [&](const number& n) { return n.source == sources.centre(); }),
                    numbers,
                    fine.topology(),
-                   listed,
                    made);
-        if (listed.is_too_long())
+        if (listed_.is_too_long())
             return {};
-        made.multiples = listed.multiples();
-        for (const std::uint32_t source : listed.sources())
+        made.multiples = listed_.multiples();
+        for (const std::uint32_t source : listed_.sources())
             made.sources.push_back(sources.source(source));
 
         std::vector<std::uint32_t> outputs;
         for (const std::uint32_t v : owned)
             outputs.push_back(fine.point(v).value);
-        made.program = lane_program<scalar>(tape, outputs);
+        made.program = programs_.make(tape_, outputs);
         if (made.program.is_too_long())
             return {};
         for (const std::uint32_t v : made.program.inputs())
@@ -238,8 +235,8 @@ private:
         return made;
     }
 
-    static void list_vertices(std::span<const std::uint32_t> owned, const affine_numbers& numbers,
-                              const connectivity<Index>& fine, patch_numbers<Index>& listed, result& made)
+    void list_vertices(std::span<const std::uint32_t> owned, const affine_numbers& numbers,
+                       const connectivity<Index>& fine, result& made)
     {
         std::vector<number> vertices, starts, leaving;
         for (const std::uint32_t v : owned) {
@@ -249,13 +246,13 @@ private:
             leaving.push_back(numbers.edges[h / 2].child(h % 2, 2));
             starts.push_back(corner_of(numbers.faces[start / degree], start % degree));
         }
-        made.vertices = listed.runs(vertices);
-        made.vertex_halfedge = listed.all(leaving);
-        made.vertex_corner = listed.all(starts);
+        made.vertices = listed_.runs(vertices);
+        made.vertex_halfedge = listed_.all(leaving);
+        made.vertex_corner = listed_.all(starts);
     }
 
-    static void list_faces(std::span<const std::uint32_t> own, const affine_numbers& numbers,
-                           const connectivity<Index>& fine, patch_numbers<Index>& listed, result& made)
+    void list_faces(std::span<const std::uint32_t> own, const affine_numbers& numbers, const connectivity<Index>& fine,
+                    result& made)
     {
         std::vector<number> corners, vertices, halfedges;
         std::vector<std::pair<number, number>> sides;
@@ -271,9 +268,9 @@ private:
                 if (fine.is_boundary(h / 2))
                     sides.emplace_back(edge.child(1, 2), number{fine.none, 0, edge.source});
             }
-        made.corners = listed.runs(corners);
-        made.corner_vertex = listed.all(vertices);
-        made.corner_halfedge = listed.all(halfedges);
+        made.corners = listed_.runs(corners);
+        made.corner_vertex = listed_.all(vertices);
+        made.corner_halfedge = listed_.all(halfedges);
 
         std::ranges::sort(sides, {}, [](const auto& side) { return order_of(side.first); });
         std::vector<number> at, across;
@@ -281,8 +278,8 @@ private:
             at.push_back(halfedge);
             across.push_back(corner);
         }
-        made.halfedges = listed.runs(at);
-        made.halfedge_corner = listed.all(across);
+        made.halfedges = listed_.runs(at);
+        made.halfedge_corner = listed_.all(across);
     }
 
     const basic_mesh<Point, Index>& mesh_;
@@ -291,6 +288,10 @@ private:
     std::span<const column_bases> bases_;
     std::vector<int> rings_;
     submesh_cutter<Point, Index> cutter_;
+    // What every template needs room for:
+    tape<scalar> tape_;
+    lane_program_maker<scalar> programs_;
+    patch_numbers<Index> listed_;
 };
 
 } // namespace kith

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lane_program.hpp"
+#include "tape.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace kith {
+
+/// Makes programs of tapes, one after the other in the same memory.
+template <std::floating_point Scalar>
+class lane_program_maker {
+public:
+    /// What makes some values of a tape, the outputs. Cost: O(tape).
+    [[nodiscard]] lane_program<Scalar> make(const tape<Scalar>& from, std::span<const std::uint32_t> outputs)
+    {
+        tape_ = &from;
+        places_ = 0;
+        for (auto* list : {&inputs_, &places_read_, &made_})
+            list->clear();
+        values_.clear();
+        terms_.clear();
+        mark_needed(outputs);
+        place_.resize(from.values.size());
+        place_of_node_.resize(from.nodes.size());
+        for (std::uint32_t v = 0; v < from.values.size(); ++v) {
+            if (not is_value_needed_[v])
+                continue;
+            if (from.values[v] == tape<Scalar>::none) {
+                inputs_.push_back(v);
+                place_[v] = places_++;
+            } else if (const node& root = from.nodes[from.values[v]]; root.kind == operation::load) {
+                place_[v] = place_[root.a];
+            } else {
+                place_[v] = make_node(from.values[v]);
+            }
+        }
+        return with_slots(outputs);
+    }
+
+private:
+    using program = lane_program<Scalar>;
+    using slot = typename program::slot;
+    using node = typename tape<Scalar>::node;
+    using operation = typename tape<Scalar>::operation;
+    using place = std::uint32_t; ///< a slot of its own for each value; several share one in the end
+
+    /// What was written down later reads what was written down before.
+    void mark_needed(std::span<const std::uint32_t> outputs)
+    {
+        is_value_needed_.assign(tape_->values.size(), false);
+        is_node_needed_.assign(tape_->nodes.size(), false);
+        const auto need = [&](std::uint32_t value) {
+            is_value_needed_[value] = true;
+            if (const std::uint32_t root = tape_->values[value]; root != tape<Scalar>::none)
+                is_node_needed_[root] = true;
+        };
+        for (const std::uint32_t v : outputs)
+            need(v);
+        for (std::size_t n = tape_->nodes.size(); n-- > 0;) {
+            if (not is_node_needed_[n])
+                continue;
+            const node& of = tape_->nodes[n];
+            if (of.kind == operation::load) {
+                need(of.a);
+                continue;
+            }
+            is_node_needed_[of.a] = true;
+            if (of.kind == operation::add)
+                is_node_needed_[of.b] = true;
+        }
+    }
+
+    /// f(summand) for what is added up in a node, from the left; a node that is no sum is one summand.
+    template <class F>
+    void for_summands(std::uint32_t n, const F& f) const
+    {
+        const node& sum = tape_->nodes[n];
+        if (sum.kind != operation::add)
+            return f(n);
+        for_summands(sum.a, f);
+        f(sum.b);
+    }
+    [[nodiscard]] bool is_sum_of_values(std::uint32_t n) const
+    {
+        const node& sum = tape_->nodes[n];
+        return sum.kind == operation::load or
+               (sum.kind == operation::add and tape_->nodes[sum.b].kind == operation::load and is_sum_of_values(sum.a));
+    }
+
+    /// The place of an operand. Precondition: what is no value has been made.
+    [[nodiscard]] place operand(std::uint32_t n) const
+    {
+        const node& o = tape_->nodes[n];
+        return o.kind == operation::load ? place_[o.a] : place_of_node_[n];
+    }
+    void make_operand(std::uint32_t n)
+    {
+        if (tape_->nodes[n].kind != operation::load)
+            place_of_node_[n] = make_node(n);
+    }
+
+    /// Appends what makes a node, and before it what that needs and is no value; its place.
+    place make_node(std::uint32_t n)
+    {
+        const node& root = tape_->nodes[n];
+        const bool is_scaled = root.kind == operation::scale and not is_sum_of_values(root.a);
+        const std::uint32_t sum = is_scaled ? root.a : n;
+        for_summands(sum, [&](std::uint32_t summand) {
+            if (const node& s = tape_->nodes[summand]; s.kind == operation::scale)
+                for_summands(s.a, [&](std::uint32_t o) { make_operand(o); });
+            else
+                make_operand(summand);
+        });
+        const std::size_t first = terms_.size();
+        const auto append = [&](std::uint32_t o) {
+            places_read_.push_back(operand(o));
+            ++terms_.back().count;
+        };
+        for_summands(sum, [&](std::uint32_t summand) {
+            if (const node& s = tape_->nodes[summand]; s.kind == operation::scale) {
+                terms_.push_back({s.weight, 0, true});
+                for_summands(s.a, append);
+            } else {
+                if (terms_.size() == first or terms_.back().is_scaled)
+                    terms_.push_back({0, 0, false});
+                append(summand);
+            }
+        });
+        values_.push_back({is_scaled ? root.weight : 0, std::uint16_t(terms_.size() - first), 0, is_scaled});
+        made_.push_back(places_);
+        return places_++;
+    }
+
+    /// Gives places slots, one to several that do not live at the same time, so that they fit the nearest cache.
+    [[nodiscard]] program with_slots(std::span<const std::uint32_t> outputs)
+    {
+        constexpr std::uint32_t never = 0, always = std::numeric_limits<std::uint32_t>::max();
+        last_read_.assign(places_, never); // by which value, counted from 1
+        const auto for_operands = [&](const auto& f) {
+            std::size_t next = 0, t = 0;
+            for (std::size_t i = 0; i < values_.size(); ++i) {
+                const std::size_t begin = next;
+                for (unsigned more = 0; more < values_[i].terms; ++more, ++t)
+                    next += terms_[t].count;
+                f(i, std::span(places_read_).subspan(begin, next - begin));
+            }
+        };
+        for_operands([&](std::size_t i, std::span<const place> read) {
+            for (const place p : read)
+                last_read_[p] = std::uint32_t(i + 1);
+        });
+        for (const std::uint32_t v : outputs)
+            last_read_[place_[v]] = always;
+
+        program made;
+        made.inputs_.assign(inputs_.begin(), inputs_.end());
+        made.operands_.reserve(places_read_.size());
+        slot_of_.resize(places_);
+        for (; made.slots_ < inputs_.size(); ++made.slots_)
+            slot_of_[made.slots_] = std::uint32_t(made.slots_);
+        free_.clear();
+        for_operands([&](std::size_t i, std::span<const place> read) {
+            for (const place p : read) {
+                made.operands_.push_back(slot(slot_of_[p]));
+                if (last_read_[p] == i + 1) {
+                    free_.push_back(slot_of_[p]);
+                    last_read_[p] = always; // once
+                }
+            }
+            if (free_.empty())
+                free_.push_back(std::uint32_t(made.slots_++));
+            slot_of_[made_[i]] = free_.back();
+            free_.pop_back();
+            values_[i].target = slot(slot_of_[made_[i]]);
+        });
+        made.outputs_.reserve(outputs.size());
+        for (const std::uint32_t v : outputs)
+            made.outputs_.push_back(slot(slot_of_[place_[v]]));
+        made.values_.assign(values_.begin(), values_.end());
+        made.terms_.assign(terms_.begin(), terms_.end());
+        return made;
+    }
+
+    const tape<Scalar>* tape_ = nullptr;
+    std::vector<unsigned char> is_value_needed_, is_node_needed_;
+    std::vector<typename program::value> values_;
+    std::vector<typename program::term> terms_;
+    std::vector<std::uint32_t> inputs_;
+    std::vector<place> place_, place_of_node_;              // of values, of nodes
+    std::vector<place> places_read_, made_;                 // operand by operand, value by value of the program
+    std::vector<std::uint32_t> last_read_, slot_of_, free_; // by place; slots
+    place places_ = 0;
+};
+
+} // namespace kith
