@@ -76,7 +76,6 @@ public:
         , plain_(without_state(scheme))
         , bases_(bases)
         , rings_(rings_before_steps(scheme, bases.size()))
-        , cutter_(mesh)
     {
     }
 
@@ -85,7 +84,9 @@ public:
     {
         std::vector<Index> faces(walk.faces().begin(), walk.faces().end());
         std::ranges::sort(faces);
-        const auto part = cutter_.cut(faces);
+        if (not cutter_)
+            cutter_.emplace(mesh_);
+        const auto part = cutter_->cut(faces);
         const sources_of_part sources(part, walk.faces());
 
         auto numbers = sources.numbers();
@@ -287,7 +288,7 @@ private:
     Scheme plain_; // without its state
     std::span<const column_bases> bases_;
     std::vector<int> rings_;
-    submesh_cutter<Point, Index> cutter_;
+    std::optional<submesh_cutter<Point, Index>> cutter_; // from the first template on: often all are kept ones
     // What every template needs room for:
     tape<scalar> tape_;
     lane_program_maker<scalar> programs_;

@@ -80,10 +80,11 @@ public:
         };
         if (not is_gain(gains))
             return {};
-        const auto models = models_of(classes, mesh.topology(), plan.rings, gains);
+        face_walk<Index> walk(mesh.topology(), plan.rings);
+        const auto models = models_of(classes, walk, gains);
         if (not is_gain([&](class_number c) { return models[c] != no_face; }))
             return {};
-        return patched_level(mesh, classes, models, scheme, plan);
+        return patched_level(mesh, classes, models, walk, scheme, plan);
     }
 
     /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`, or one with other
@@ -133,14 +134,12 @@ private:
     /// For each class that gains by a template a face for which it can be made: one of the first faces of the class, if the
     /// neighbourhood of one of them is a disk.
     template <class Gains>
-    static std::vector<Index> models_of(const face_classes<Index>& classes, const connectivity<Index>& mesh, int rings,
-                                        const Gains& gains)
+    static std::vector<Index> models_of(const face_classes<Index>& classes, face_walk<Index>& walk, const Gains& gains)
     {
         constexpr unsigned char most_looks = 8;
-        face_walk<Index> walk(mesh, rings);
         std::vector<Index> models(classes.count(), no_face);
         std::vector<unsigned char> looks(classes.count(), 0);
-        for (std::size_t f = 0; f < mesh.faces; ++f)
+        for (std::size_t f = 0; f < classes.of_faces().size(); ++f)
             if (const class_number c = classes.of_faces()[f];
                 models[c] == no_face and looks[c] < most_looks and gains(c)) {
                 ++looks[c];
@@ -152,13 +151,13 @@ private:
     }
 
     patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                  const std::vector<Index>& models, const Scheme& scheme, const patch_plan& plan)
+                  const std::vector<Index>& models, face_walk<Index>& walk, const Scheme& scheme,
+                  const patch_plan& plan)
         : vertices_(plan.last().vertices), template_of_face_(mesh.face_count())
     {
         const auto kept = templates::of(without_state(scheme), mesh.generation(), plan.rings, plan.bases);
         template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
         state_marks<Index> marks(mesh.topology(), scheme);
-        face_walk<Index> walk(mesh.topology(), plan.rings);
         std::vector<class_number> template_of_class(classes.count(), none);
         for (std::size_t c = 0; c < models.size(); ++c)
             if (models[c] != no_face)
