@@ -45,9 +45,9 @@ public:
     using patch = patch_template<scalar, Index>;
 
     /// How many faces are computed side by side.
-    static constexpr std::size_t width = lanes<scalar>::count;
+    static constexpr std::size_t width = 2 * lanes<scalar>::count;
     /// How many are best filled in one call.
-    static constexpr std::size_t at_once = 4 * width;
+    static constexpr std::size_t at_once = 2 * width;
 
     /// For faces of a mesh that all have this degree, as have those of the level that is written: past the caches if that is too
     /// large to be in them when it is read.
@@ -113,7 +113,7 @@ private:
             call_for(to_.halfedge_corner, t.halfedges);
             call_for(to_.vertex_corner, t.vertices);
         }
-        t.program.template run<size>(reinterpret_cast<pack*>(slots_.data()));
+        t.program.template run<2 * size>(reinterpret_cast<pack*>(slots_.data()));
         store(t);
         if (to_.has_faces())
             write(to_.corner_vertex, t.corners, t.corner_vertex);
@@ -184,24 +184,25 @@ private:
     /// The points of the owned vertices.
     [[gnu::always_inline]] void store(const patch& t) const
     {
-        const std::uint16_t* slot = t.program.outputs().data();
+        const std::uint16_t* slots = t.program.outputs().data();
         for (const run& r : t.vertices) {
-            Point* to[width];
-            for (std::size_t lane = 0; lane < width; ++lane)
-                to[lane] = to_.points + Index(r.offset + multiple(r.of, lane));
+            const std::size_t count = r.count, step = r.step * size;
             const auto all = [&](const auto& store) __attribute__((always_inline)) {
-                for (std::size_t v = 0; v < r.count; ++v) {
-                    const scalar* const from = slots_.data() + slot[v] * (size * width);
-                    for (std::size_t lane = 0; lane < width; ++lane)
+                for (std::size_t lane = 0; lane < width; ++lane) {
+                    scalar* to = to_.points[Index(r.offset + multiple(r.of, lane))].data();
+                    const scalar* const in_lane = slots_.data() + lane;
+                    for (std::size_t v = 0; v < count; ++v, to += step) {
+                        const scalar* const from = in_lane + slots[v] * (size * width);
                         for (std::size_t i = 0; i < size; ++i)
-                            store(&to[lane][r.step * v][i], from[i * width + lane]);
+                            store(to + i, from[i * width]);
+                    }
                 }
             };
             if (goes_past_caches(r, sizeof(Point)))
                 all([](scalar* at, scalar x) __attribute__((always_inline)) { store_past_caches(at, x); });
             else
                 all([](scalar* at, scalar x) __attribute__((always_inline)) { *at = x; });
-            slot += r.count;
+            slots += count;
         }
     }
 

@@ -92,7 +92,7 @@ public:
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
         constexpr std::size_t at_once = patch_filler<Point, Index, degree>::at_once;
-        constexpr std::size_t cached_bytes = std::size_t(8) << 20;
+        constexpr std::size_t cached_bytes = std::size_t(4) << 20;
         const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
         detail::for_parts(
             mesh.face_count(),
