@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/patch/face_classes.hpp>
+#include <kith/neighbourhood/face_classes.hpp>
 
 #include <kith/base/sequence_numbers.hpp>
 #include <kith/catmull_clark.hpp>

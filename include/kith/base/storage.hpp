@@ -99,4 +99,12 @@ private:
     std::size_t size_ = 0;
 };
 
+/// Has an array that is used again have at least so many elements; their values are lost where it grows.
+template <class T>
+void ensure_size(storage<T>& array, std::size_t size)
+{
+    if (array.size() < size)
+        array = storage<T>(size);
+}
+
 } // namespace kith

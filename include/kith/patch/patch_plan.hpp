@@ -2,10 +2,10 @@
 #pragma once
 
 #include "child_numbers.hpp"
-#include "face_classes.hpp"
 #include "refine_part.hpp"
 
 #include <kith/lane/lanes.hpp>
+#include <kith/neighbourhood/face_classes.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "face_classes.hpp"
 #include "face_clusters.hpp"
 #include "kept_templates.hpp"
 #include "patch_filler.hpp"
 #include "patch_plan.hpp"
+#include "template_maker.hpp"
+
+#include <kith/neighbourhood/face_classes.hpp>
 
 #include <concepts>
 #include <cstddef>

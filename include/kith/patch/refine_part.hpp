@@ -2,8 +2,8 @@
 #pragma once
 
 #include "child_numbers.hpp"
-#include "placed_state.hpp"
 
+#include <kith/neighbourhood/placed_state.hpp>
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
 

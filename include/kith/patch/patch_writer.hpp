@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "patch_template.hpp"
+
+#include <kith/base/storage.hpp>
+#include <kith/lane/lanes.hpp>
+#include <kith/mesh/level_sink.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace kith {
+
+#ifdef KITH_HAS_LANES
+
+/// Where a level is written: its points, and the arrays of its connectivity or nothing.
+template <class Point, std::unsigned_integral Index>
+struct patch_output {
+    Point* points;
+    Index* corner_vertex = nullptr;
+    Index* corner_halfedge = nullptr; ///< nothing: neither the others
+    Index* halfedge_corner = nullptr;
+    Index* vertex_corner = nullptr;
+    level_writer<Point, Index>* writer = nullptr; ///< of a mesh of another library, in place of these arrays
+
+    [[nodiscard]] bool has_faces() const { return corner_vertex != nullptr; }
+    [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
+};
+
+/// Writes what faces of one class own, as many side by side as there are lanes, to the places that follow from their numbers: to
+/// arrays that are larger than the caches past these.
+template <class Point, std::unsigned_integral Index, std::size_t Degree>
+    requires fits_lanes<Point>
+class patch_writer {
+    using scalar = scalar_of<Point>;
+    static constexpr std::size_t size = std::tuple_size_v<Point>;
+
+public:
+    using patch = patch_template<scalar, Index>;
+
+    /// How many faces lie side by side. As many as fit two registers: what finds an operand or a place is done once for all.
+    static constexpr std::size_t width = 2 * lanes<scalar>::count;
+
+    patch_writer(const patch_output<Point, Index>& to, bool past_caches) : to_(to), past_caches_(past_caches) {}
+
+    /// Begins with faces that have these numbers, source by source and lane by lane, and calls for the places that are written.
+    [[gnu::always_inline]] void begin(const patch& t, const Index* sources)
+    {
+        multiply(t, sources);
+        call_for(to_.points, t.vertices);
+        if (to_.has_faces())
+            call_for(to_.corner_vertex, t.corners);
+        if (to_.has_edges()) {
+            call_for(to_.corner_halfedge, t.corners);
+            call_for(to_.halfedge_corner, t.halfedges);
+            call_for(to_.vertex_corner, t.vertices);
+        }
+    }
+    /// Writes points from the slots of the program, coordinate by coordinate and lane by lane, and numbers; those of the first
+    /// `count` lanes where a call is made for each.
+    [[gnu::always_inline]] void write(const patch& t, const scalar* slots, std::size_t count)
+    {
+        write_points(t, slots);
+        if (to_.has_faces())
+            write(to_.corner_vertex, t.corners, t.corner_vertex);
+        if (to_.has_edges()) {
+            write(to_.corner_halfedge, t.corners, t.corner_halfedge);
+            write(to_.halfedge_corner, t.halfedges, t.halfedge_corner);
+            write(to_.vertex_corner, t.vertices, t.vertex_corner);
+        }
+        if (to_.writer != nullptr) {
+            write_faces(*to_.writer, t);
+            write_starts(*to_.writer, t, count);
+        }
+    }
+
+private:
+    [[gnu::always_inline]] void multiply(const patch& t, const Index* sources)
+    {
+        ensure_size(multiples_, t.multiples.size() * width);
+        Index* to = multiples_.data();
+        for (const auto& [source, factor] : t.multiples)
+            for (std::size_t lane = 0; lane < width; ++lane)
+                *to++ = Index(factor * sources[source * width + lane]);
+    }
+    [[nodiscard]] Index multiple(std::size_t which, std::size_t lane) const { return multiples_[which * width + lane]; }
+
+    using run = typename patch_numbers<Index>::run;
+    using list = typename patch_numbers<Index>::list;
+
+    [[nodiscard]] bool goes_past_caches(const run& r, std::size_t bytes) const
+    {
+        return past_caches_ and r.step == 1 and r.count * bytes >= 128;
+    }
+    /// Calls for what will be written: it is here when the program has run.
+    template <class T>
+    [[gnu::always_inline]] void call_for(T* array, const std::vector<run>& places) const
+    {
+        for (const run& r : places)
+            if (not goes_past_caches(r, sizeof(T)))
+                for (std::size_t lane = 0; lane < width; ++lane) {
+                    const auto* const first = reinterpret_cast<const char*>(array +
+                                                                            Index(r.offset + multiple(r.of, lane)));
+                    for (std::size_t i = 0; i < r.step * r.count * sizeof(T); i += 64)
+                        __builtin_prefetch(first + i, 1);
+                }
+    }
+
+    /// The points of the owned vertices.
+    [[gnu::always_inline]] void write_points(const patch& t, const scalar* slots) const
+    {
+        const std::uint16_t* slot = t.program.outputs().data();
+        for (const run& r : t.vertices) {
+            const std::size_t count = r.count, step = r.step * size;
+            const auto all = [&](const auto& store) __attribute__((always_inline)) {
+                for (std::size_t lane = 0; lane < width; ++lane) {
+                    scalar* to = to_.points[Index(r.offset + multiple(r.of, lane))].data();
+                    const scalar* const in_lane = slots + lane;
+                    for (std::size_t v = 0; v < count; ++v, to += step) {
+                        const scalar* const from = in_lane + slot[v] * (size * width);
+                        for (std::size_t i = 0; i < size; ++i)
+                            store(to + i, from[i * width]);
+                    }
+                }
+            };
+            if (goes_past_caches(r, sizeof(Point)))
+                all([](scalar* at, scalar x) __attribute__((always_inline)) { store_past_caches(at, x); });
+            else
+                all([](scalar* at, scalar x) __attribute__((always_inline)) { *at = x; });
+            slot += count;
+        }
+    }
+
+    /// Lines of faces, run by run.
+    [[gnu::always_inline]] void write_faces(level_writer<Point, Index>& to, const patch& t)
+    {
+        using line = face_line<Index>;
+        std::size_t first = 0;
+        for (const run& r : t.corners) {
+            ensure_size(lines_, width * r.count);
+            for (std::size_t i = 0; i < r.count; ++i) {
+                const std::size_t c = first + i;
+                const Index* const vertex = multiples_.data() + t.corner_vertex.of[c] * width;
+                const Index* const halfedge = multiples_.data() + t.corner_halfedge.of[c] * width;
+                for (std::size_t lane = 0; lane < width; ++lane)
+                    lines_[r.count * lane + i] = line{Index(t.corner_vertex.offset[c] + vertex[lane]),
+                                                      Index(t.corner_halfedge.offset[c] + halfedge[lane])};
+            }
+            for (std::size_t lane = 0; lane < width; ++lane)
+                to.set_faces(Index(Index(r.offset + multiple(r.of, lane)) / Degree),
+                             Degree,
+                             std::span<const line>(lines_.data() + r.count * lane, r.count));
+            first += r.count;
+        }
+    }
+    [[gnu::always_inline]] void write_starts(level_writer<Point, Index>& to, const patch& t, std::size_t lanes)
+    {
+        std::size_t v = 0;
+        for (const run& r : t.vertices)
+            for (std::size_t i = 0; i < r.count; ++i, ++v)
+                for (std::size_t lane = 0; lane < lanes; ++lane)
+                    to.set_start(Index(r.offset + multiple(r.of, lane) + r.step * i),
+                                 Index(t.vertex_halfedge.offset[v] + multiple(t.vertex_halfedge.of[v], lane)));
+    }
+
+    /// Numbers into the places of an array.
+    [[gnu::always_inline]] void write(Index* array, const std::vector<run>& places, const list& numbers) const
+    {
+        const Index* offset = numbers.offset.data();
+        const auto* of = numbers.of.data();
+        for (const run& r : places) {
+            Index* to[width];
+            for (std::size_t lane = 0; lane < width; ++lane)
+                to[lane] = array + Index(r.offset + multiple(r.of, lane));
+            std::size_t i = 0;
+            if constexpr (4 * sizeof(Index) == sizeof(quad) and width % 4 == 0)
+                if (r.step == 1 and r.count >= 4) {
+                    i = r.count / 4 * 4;
+                    for (std::size_t lane = 0; lane < width; lane += 4)
+                        write_quads(to + lane, i, goes_past_caches(r, sizeof(Index)), offset, of, lane);
+                }
+            for (; i < r.count; ++i)
+                for (std::size_t lane = 0; lane < width; ++lane)
+                    to[lane][r.step * i] = Index(offset[i] + multiple(of[i], lane));
+            offset += r.count;
+            of += r.count;
+        }
+    }
+
+    typedef std::uint32_t quad __attribute__((vector_size(16), may_alias));
+
+    /// The same for four lanes, four numbers at a time, which are turned from lanes into rows.
+    [[gnu::always_inline]] void write_quads(Index* const* to, std::size_t count, bool past_caches, const Index* offset,
+                                            const typename patch_numbers<Index>::place* of, std::size_t lane) const
+    {
+        bool is_aligned = past_caches;
+        for (std::size_t i = 0; i < 4; ++i)
+            is_aligned = is_aligned and reinterpret_cast<std::uintptr_t>(to[i]) % 64 == 0;
+        const Index* const multiples = multiples_.data() + lane;
+        const auto number = [&](std::size_t i) __attribute__((always_inline)) {
+            return *reinterpret_cast<const quad*>(multiples + of[i] * width) + offset[i];
+        };
+        const auto turn = [&](std::size_t i, const auto& store) __attribute__((always_inline)) {
+            const quad a = number(i), b = number(i + 1), c = number(i + 2), d = number(i + 3);
+            const quad ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+            const quad ef = __builtin_shufflevector(a, b, 2, 6, 3, 7), gh = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+            store(to[0] + i, quad(__builtin_shufflevector(ab, cd, 0, 1, 4, 5)));
+            store(to[1] + i, quad(__builtin_shufflevector(ab, cd, 2, 3, 6, 7)));
+            store(to[2] + i, quad(__builtin_shufflevector(ef, gh, 0, 1, 4, 5)));
+            store(to[3] + i, quad(__builtin_shufflevector(ef, gh, 2, 3, 6, 7)));
+        };
+        std::size_t i = 0;
+        // Each line of the cache at once: a processor has few buffers for what goes past the caches, and what leaves them half full
+        // is slow.
+        if (is_aligned)
+            for (; i + 16 <= count; i += 16) {
+                quad lines[4][4];
+                for (std::size_t part = 0; part < 4; ++part) {
+                    quad* line = &lines[0][part];
+                    turn(i + 4 * part, [&](Index*, quad q) __attribute__((always_inline)) {
+                        *line = q;
+                        line += 4;
+                    });
+                }
+                for (std::size_t row = 0; row < 4; ++row)
+                    for (std::size_t part = 0; part < 4; ++part)
+                        store_past_caches(reinterpret_cast<quad*>(to[row] + i) + part, lines[row][part]);
+            }
+        for (; i < count; i += 4)
+            turn(i, [](Index* at, quad q) __attribute__((always_inline)) { __builtin_memcpy(at, &q, sizeof(q)); });
+    }
+
+    patch_output<Point, Index> to_;
+    bool past_caches_;
+    storage<Index> multiples_;
+    storage<face_line<Index>> lines_;
+};
+
+#endif
+
+} // namespace kith

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "child_numbers.hpp"
+#include "patch_numbers.hpp"
+#include "patch_template.hpp"
+
+#include <kith/lane/lane_program_maker.hpp>
+#include <kith/lane/tape.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// Elements of a part of the coarse level by corners of the walk, and which the first face owns.
+template <std::unsigned_integral Index>
+class sources_of_part {
+public:
+    /// Of the connectivity of a part, which must outlive this and whose faces have one degree, where its faces come from, increasing,
+    /// and those that were walked around, the first of them the one that owns.
+    sources_of_part(const connectivity<Index>& part, std::span<const Index> face_from,
+                    std::span<const unsigned char> edge_is_turned, std::span<const Index> walked)
+        : topology_(part)
+        , degree_(std::size_t(part.degree))
+        , at_(topology_.vertices + topology_.edges() + topology_.faces, nowhere)
+        , centre_(position(face_from, walked[0]))
+        , turned_(edge_is_turned.begin(), edge_is_turned.end())
+    {
+        for (std::size_t f = 0; f < walked.size(); ++f) {
+            const std::size_t face = position(face_from, walked[f]);
+            for (std::size_t i = 0; i < degree_; ++i) {
+                const std::size_t c = degree_ * face + i;
+                const walked_corner corner{std::uint16_t(f), std::uint16_t(i)};
+                for (const std::size_t id :
+                     {vertex(topology_.corner_vertex[c]), edge(topology_.corner_halfedge[c] / 2), of_face(face)})
+                    if (at_[id].face == nowhere.face)
+                        at_[id] = corner;
+            }
+        }
+    }
+
+    /// Each element is a source of its own number.
+    [[nodiscard]] part_of_whole<affine_number<Index>> numbers() const
+    {
+        std::uint32_t id = 0;
+        const auto in_turn = [&](std::size_t count) {
+            storage<affine_number<Index>> result(count);
+            for (auto& number : result)
+                number = {0, 1, id++};
+            return result;
+        };
+        part_of_whole<affine_number<Index>> result{{}, {}, {}, degree_};
+        result.vertices = in_turn(topology_.vertices);
+        result.edges = in_turn(topology_.edges());
+        result.faces = in_turn(topology_.faces);
+        return result;
+    }
+    [[nodiscard]] template_source source(std::uint32_t id) const
+    {
+        return {id < edge(0) ? tuple_kind::v : id < of_face(0) ? tuple_kind::e : tuple_kind::f, at_[id]};
+    }
+    [[nodiscard]] std::size_t size() const { return at_.size(); }
+    [[nodiscard]] std::uint32_t centre() const { return std::uint32_t(of_face(centre_)); }
+    [[nodiscard]] bool is_owned(std::uint32_t id) const
+    {
+        if (id < edge(0))
+            return topology_.vertex_corner[id] / degree_ == centre_;
+        if (id < of_face(0))
+            return topology_.halfedge_corner[2 * (id - edge(0))] / degree_ == centre_ and not turned_[id - edge(0)];
+        return id == centre();
+    }
+    [[nodiscard]] walked_corner corner_of_vertex(std::size_t v) const { return at_[v]; }
+
+private:
+    static constexpr walked_corner nowhere{std::numeric_limits<std::uint16_t>::max(), 0};
+
+    static std::size_t position(std::span<const Index> face_from, Index face)
+    {
+        return std::size_t(std::ranges::lower_bound(face_from, face) - face_from.begin());
+    }
+    [[nodiscard]] std::size_t vertex(std::size_t v) const { return v; }
+    [[nodiscard]] std::size_t edge(std::size_t e) const { return topology_.vertices + e; }
+    [[nodiscard]] std::size_t of_face(std::size_t f) const { return topology_.vertices + topology_.edges() + f; }
+
+    const connectivity<Index>& topology_;
+    std::size_t degree_;
+    std::vector<walked_corner> at_; // by source: vertices, edges, faces
+    std::size_t centre_;
+    std::vector<bool> turned_;
+};
+
+/// Makes a template of what some steps have made of a neighbourhood; knows no scheme.
+template <std::floating_point Scalar, std::unsigned_integral Index, std::size_t Degree>
+class template_assembler {
+    using result = patch_template<Scalar, Index>;
+    using number = affine_number<Index>;
+    using affine_numbers = part_of_whole<number>;
+
+public:
+    /// Of the face that was walked around last, with the last level of its part, the numbers of that and its tape; nothing where it is
+    /// too large to be numbered. Cost: that of the program, and of sorting numbers.
+    [[nodiscard]] std::optional<result> assemble(const face_walk<Index>& walk, const sources_of_part<Index>& sources,
+                                                 const affine_numbers& numbers,
+                                                 const basic_mesh<recorded<Scalar>, Index>& fine,
+                                                 const tape<Scalar>& tape)
+    {
+        result made;
+        made.steps.assign(walk.steps().begin(), walk.steps().end());
+        listed_.restart(sources.size());
+        const auto owned = in_order(numbers.vertices, [&](const number& n) { return sources.is_owned(n.source); });
+        list_vertices(owned, numbers, fine.topology(), made);
+        list_faces(in_order(numbers.faces, [&](const number& n) { return n.source == sources.centre(); }),
+                   numbers,
+                   fine.topology(),
+                   made);
+        if (listed_.is_too_long())
+            return {};
+        made.multiples = listed_.multiples();
+        for (const std::uint32_t source : listed_.sources())
+            made.sources.push_back(sources.source(source));
+
+        std::vector<std::uint32_t> outputs;
+        for (const std::uint32_t v : owned)
+            outputs.push_back(fine.point(v).value);
+        made.program = programs_.make(tape, outputs);
+        if (made.program.is_too_long())
+            return {};
+        for (const std::uint32_t v : made.program.inputs())
+            made.inputs.push_back(sources.corner_of_vertex(v));
+        return made;
+    }
+
+private:
+    static number corner_of(const number& face, std::size_t corner) { return face.child(corner, Degree); }
+
+    static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.offset); }
+
+    /// Those of some elements, in the order of their numbers.
+    template <class IsOne>
+    static std::vector<std::uint32_t> in_order(const storage<number>& numbers, const IsOne& is_one)
+    {
+        std::vector<std::uint32_t> result;
+        for (std::uint32_t i = 0; i < numbers.size(); ++i)
+            if (is_one(numbers[i]))
+                result.push_back(i);
+        std::ranges::sort(result, {}, [&](std::uint32_t i) { return order_of(numbers[i]); });
+        return result;
+    }
+
+    void list_vertices(std::span<const std::uint32_t> owned, const affine_numbers& numbers,
+                       const connectivity<Index>& fine, result& made)
+    {
+        std::vector<number> vertices, starts, leaving;
+        for (const std::uint32_t v : owned) {
+            const Index start = fine.vertex_corner[v];
+            vertices.push_back(numbers.vertices[v]);
+            const Index h = fine.corner_halfedge[start];
+            leaving.push_back(numbers.edges[h / 2].child(h % 2, 2));
+            starts.push_back(corner_of(numbers.faces[start / Degree], start % Degree));
+        }
+        made.vertices = listed_.runs(vertices);
+        made.vertex_halfedge = listed_.all(leaving);
+        made.vertex_corner = listed_.all(starts);
+    }
+
+    void list_faces(std::span<const std::uint32_t> own, const affine_numbers& numbers, const connectivity<Index>& fine,
+                    result& made)
+    {
+        std::vector<number> corners, vertices, halfedges;
+        std::vector<std::pair<number, number>> sides;
+        for (const std::uint32_t f : own)
+            for (std::size_t i = 0; i < Degree; ++i) {
+                const std::size_t c = Degree * f + i;
+                const Index h = fine.corner_halfedge[c];
+                const number& edge = numbers.edges[h / 2];
+                corners.push_back(corner_of(numbers.faces[f], i));
+                vertices.push_back(numbers.vertices[fine.corner_vertex[c]]);
+                halfedges.push_back(edge.child(h % 2, 2));
+                sides.emplace_back(halfedges.back(), corners.back());
+                if (fine.is_boundary(h / 2))
+                    sides.emplace_back(edge.child(1, 2), number{fine.none, 0, edge.source});
+            }
+        made.corners = listed_.runs(corners);
+        made.corner_vertex = listed_.all(vertices);
+        made.corner_halfedge = listed_.all(halfedges);
+
+        std::ranges::sort(sides, {}, [](const auto& side) { return order_of(side.first); });
+        std::vector<number> at, across;
+        for (const auto& [halfedge, corner] : sides) {
+            at.push_back(halfedge);
+            across.push_back(corner);
+        }
+        made.halfedges = listed_.runs(at);
+        made.halfedge_corner = listed_.all(across);
+    }
+
+    // Of one template after the other:
+    lane_program_maker<Scalar> programs_;
+    patch_numbers<Index> listed_;
+};
+
+} // namespace kith
