@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -13,37 +14,63 @@
 
 namespace shapes {
 
-/// Flips the first edge of a triangle, unless it lies at the boundary or the flipped one is there already.
-inline bool flip(shape& s, std::size_t face)
-{
-    const auto face_of = [&](std::size_t a, std::size_t b) { // the triangle with half-edge a -> b, turned to start so
-        for (auto& f : s.faces)
+/// Flips edges of triangles. It looks their half-edges up, so that the shapes of many flips may be large.
+class edge_flips {
+public:
+    explicit edge_flips(shape& s) : shape_(s)
+    {
+        for (std::size_t f = 0; f < s.faces.size(); ++f)
             for (std::size_t i = 0; i < 3; ++i)
-                if (f[i] == a and f[(i + 1) % 3] == b) {
-                    std::ranges::rotate(f, f.begin() + std::ptrdiff_t(i));
-                    return &f;
-                }
-        return static_cast<std::vector<std::size_t>*>(nullptr);
-    };
-    auto* const left = &s.faces[face];
-    const std::size_t a = (*left)[0], b = (*left)[1], p = (*left)[2];
-    auto* const right = face_of(b, a);
-    if (right == nullptr)
-        return false;
-    const std::size_t q = (*right)[2];
-    if (p == q or face_of(p, q) != nullptr or face_of(q, p) != nullptr)
-        return false;
-    *left = {q, p, a}; // of the diamond a q b p
-    *right = {p, q, b};
-    return true;
-}
+                face_of_.emplace(std::pair(s.faces[f][i], s.faces[f][(i + 1) % 3]), f);
+    }
+
+    /// Flips the first edge of a triangle, unless it lies at the boundary or the flipped one is there already.
+    bool flip(std::size_t face)
+    {
+        const std::size_t a = shape_.faces[face][0], b = shape_.faces[face][1], p = shape_.faces[face][2];
+        auto* const right = turned_to(b, a);
+        if (right == nullptr)
+            return false;
+        const std::size_t q = (*right)[2];
+        if (p == q or turned_to(p, q) != nullptr or turned_to(q, p) != nullptr)
+            return false;
+        const std::size_t other = face_of_.at({b, a});
+        face_of_.erase({a, b});
+        face_of_.erase({b, a});
+        set(face, {q, p, a}); // of the diamond a q b p
+        set(other, {p, q, b});
+        return true;
+    }
+
+private:
+    /// The triangle with half-edge a -> b, turned to start so.
+    std::vector<std::size_t>* turned_to(std::size_t a, std::size_t b)
+    {
+        const auto found = face_of_.find({a, b});
+        if (found == face_of_.end())
+            return nullptr;
+        auto& f = shape_.faces[found->second];
+        std::ranges::rotate(f, std::ranges::find(f, a));
+        return &f;
+    }
+    void set(std::size_t face, std::vector<std::size_t> vertices)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            face_of_[{vertices[i], vertices[(i + 1) % 3]}] = face;
+        shape_.faces[face] = std::move(vertices);
+    }
+
+    shape& shape_;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of_;
+};
 
 /// Triangles whose edges have been flipped at random: all kinds of valences, the same for the same seed.
 inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
 {
     std::minstd_rand random(seed);
+    edge_flips edges(s);
     for (int i = 0; i < flips; ++i)
-        flip(s, random() % s.faces.size());
+        edges.flip(random() % s.faces.size());
     return s;
 }
 
@@ -51,6 +78,7 @@ inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
 inline shape torus_of_all_valences()
 {
     shape s = triangulated(torus(20, 20));
+    edge_flips edges(s);
     const auto faces_at = [&s](std::size_t v, std::size_t place) { // and v is brought to this place in them
         std::vector<std::size_t> result;
         for (std::size_t f = 0; f < s.faces.size(); ++f)
@@ -65,7 +93,7 @@ inline shape torus_of_all_valences()
         const std::size_t i = valence - 2, v = 100 * (i / 4) + 5 * (i % 4); // five edges from the next one
         for (std::size_t now = faces_at(v, 0).size(), turn = 0; now != valence; ++turn) {
             const auto faces = faces_at(v, now < valence ? 2 : 0); // flips what is opposite or ends there
-            flip(s, faces[5 * turn % faces.size()]);
+            edges.flip(faces[5 * turn % faces.size()]);
             now = faces_at(v, 0).size();
         }
     }

@@ -4,7 +4,7 @@
 #include <kith/mesh/make_mesh.hpp>
 
 #if defined(WITH_schemes) or defined(WITH_compiled_schemes)
-#include <kith/catmull_clark.hpp>
+#include <kith/linear.hpp>
 #include <kith/refine.hpp>
 #endif
 
@@ -70,7 +70,7 @@ int main()
     const auto square = kith::make_mesh(points, std::vector{std::array{0, 1, 2, 3}});
     bool is_right = square.edge_count() == 4;
 #if defined(WITH_schemes) or defined(WITH_compiled_schemes)
-    is_right &= kith::refine(square, kith::catmull_clark{}, 2).face_count() == 16;
+    is_right &= kith::refine(square, kith::linear{}, 2).face_count() == 16;
 #endif
 #if defined(WITH_distributed)
     is_right &= kith::block_partition(square, 1).part_of.size() == 1;
