@@ -7,8 +7,10 @@
 #include "patch_plan.hpp"
 #include "template_maker.hpp"
 
+#include <kith/base/for_parts.hpp>
 #include <kith/neighbourhood/face_classes.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -140,14 +142,22 @@ private:
     {
         constexpr unsigned char most_looks = 8;
         std::vector<Index> models(classes.count(), no_face);
-        std::vector<unsigned char> looks(classes.count(), 0);
-        for (std::size_t f = 0; f < classes.of_faces().size(); ++f)
-            if (const class_number c = classes.of_faces()[f];
-                models[c] == no_face and looks[c] < most_looks and gains(c)) {
-                ++looks[c];
+        std::vector<unsigned char> looks_left(classes.count(), most_looks);
+        std::size_t left = classes.count(); // of which a face is looked for
+        for (class_number c = 0; c < classes.count(); ++c)
+            if (not gains(c)) {
+                looks_left[c] = 0;
+                --left;
+            }
+        for (std::size_t f = 0; left != 0 and f < classes.of_faces().size(); ++f)
+            if (const class_number c = classes.of_faces()[f]; looks_left[c] != 0) {
+                --looks_left[c];
                 walk.around(f);
-                if (walk.is_disk())
+                if (walk.is_disk()) {
                     models[c] = Index(f);
+                    looks_left[c] = 0;
+                }
+                left -= looks_left[c] == 0;
             }
         return models;
     }
@@ -164,14 +174,17 @@ private:
         for (std::size_t c = 0; c < models.size(); ++c)
             if (models[c] != no_face)
                 template_of_class[c] = find_template(*kept, maker, walk, marks, models[c]);
+        detail::for_parts(mesh.face_count(), true, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f)
+                template_of_face_[f] = template_of_class[classes.of_faces()[f]];
+        });
+        if (std::ranges::find(template_of_class, none) == template_of_class.end())
+            return;
         std::vector<Index> without_template;
-        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-            template_of_face_[f] = template_of_class[classes.of_faces()[f]];
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
             if (template_of_face_[f] == none)
                 without_template.push_back(Index(f));
-        }
-        if (not without_template.empty())
-            clusters_.emplace(scheme, plan.bases, std::move(without_template));
+        clusters_.emplace(scheme, plan.bases, std::move(without_template));
     }
 
     /// Its number; none for a face around which there is too much to be numbered.
