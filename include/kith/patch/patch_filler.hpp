@@ -4,6 +4,8 @@
 #include "patch_writer.hpp"
 
 #include <kith/base/storage.hpp>
+#include <kith/lane/lanes.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 
 #include <algorithm>
 #include <concepts>

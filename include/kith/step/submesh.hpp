@@ -3,7 +3,6 @@
 
 #include "level_state.hpp"
 
-#include <kith/base/storage.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 
 #include <concepts>
@@ -189,7 +188,7 @@ private:
         return corner != none and face_[mesh_.topology().face_of(corner)] != none;
     }
     /// Sorts what is marked: by looking at all marks where that is cheaper.
-    static void put_in_order(std::vector<Index>& members, const storage<Index>& marks)
+    static void put_in_order(std::vector<Index>& members, const std::vector<Index>& marks)
     {
         if (members.size() < marks.size() / 16) {
             std::sort(members.begin(), members.end());
@@ -224,7 +223,7 @@ private:
     }
 
     const basic_mesh<Point, Index>& mesh_;
-    storage<Index> vertex_, edge_, face_; // the numbers in the submesh at work; none outside of it
+    std::vector<Index> vertex_, edge_, face_; // the numbers in the submesh at work; none outside of it
 };
 
 } // namespace kith
