@@ -18,7 +18,7 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// Writes what some faces of a level own, after templates, as many faces at a time as there are lanes.
+/// Writes what some faces of a level own, after templates, as many faces at a time as two registers have lanes.
 template <class Point, std::unsigned_integral Index, std::size_t Degree>
     requires fits_lanes<Point>
 class patch_filler {

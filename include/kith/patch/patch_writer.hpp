@@ -32,8 +32,8 @@ struct patch_output {
     [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
 };
 
-/// Writes what faces of one class own, as many side by side as there are lanes, to the places that follow from their numbers: to
-/// arrays that are larger than the caches past these.
+/// Writes what faces of one class own, `width` of them side by side, each in a lane, to the places that follow from their numbers:
+/// where a level is larger than the caches, past these.
 template <class Point, std::unsigned_integral Index, std::size_t Degree>
     requires fits_lanes<Point>
 class patch_writer {
