@@ -47,11 +47,14 @@ void expect_same_bits(const mesh3d& mesh, const Scheme& scheme, int levels, cons
     const patches_of<Scheme> patches(mesh, scheme, levels, all_templates);
     ASSERT_TRUE(patches.is_worth_looking());
     const auto expected = level_by_level(mesh, scheme, levels, connect::everything);
-    EXPECT_TRUE(same_bits(patches.refine(mesh, connect::everything), expected));
-    EXPECT_TRUE(same_bits(patches.refine(mesh, connect::faces), level_by_level(mesh, scheme, levels, connect::faces)));
+    EXPECT_TRUE(same_bits(made_by(patches, mesh, scheme, connect::everything), expected));
+    EXPECT_TRUE(same_bits(made_by(patches, mesh, scheme, connect::faces),
+                          level_by_level(mesh, scheme, levels, connect::faces)));
     const thread_count one(1);
     written_level<std::array<double, 3>, std::uint32_t> written;
-    patches.refine_into(written, mesh);
+    auto coarse = mesh;
+    auto of_level = scheme;
+    EXPECT_TRUE(patches.refine_into(written, coarse, of_level));
     EXPECT_TRUE(same_bits(written.take(), expected));
 }
 
@@ -104,6 +107,28 @@ TEST(creased_patches, makes_the_bits_of_loop)
     expect_same_bits_with_creases(grid, kith::loop{.weights = kith::loop_weights::warren, .sharpness = {}}, 3, "grid");
 }
 
+TEST(creased_patches, hand_back_the_level_that_they_have_looked_at_where_they_are_no_gain)
+{
+    const auto mesh = native(shapes::shaken(shapes::torus(20, 30)));
+    kith::catmull_clark scheme;
+    scheme.sharpness = sharpened(mesh, 7, 2.5, crease_method::uniform);
+    auto never = all_templates;
+    never.to_be_cheaper = -1;
+    const patches_of<kith::catmull_clark> patches(mesh, scheme, 4, never);
+    ASSERT_TRUE(patches.is_worth_looking());
+    auto coarse = mesh;
+    auto of_level = scheme;
+    EXPECT_FALSE(patches.refine(coarse, of_level, connect::faces));
+    EXPECT_EQ(coarse.generation(), 1);
+    EXPECT_TRUE(same_bits(level_by_level(coarse, of_level, 3, connect::everything),
+                          level_by_level(mesh, scheme, 4, connect::everything)));
+    coarse = mesh;
+    of_level = scheme;
+    written_level<std::array<double, 3>, std::uint32_t> written;
+    EXPECT_FALSE(patches.refine_into(written, coarse, of_level));
+    EXPECT_EQ(coarse.generation(), 1);
+}
+
 TEST(creased_patches, makes_them_on_any_number_of_threads)
 {
     const auto mesh = native(shapes::shaken(shapes::torus(20, 30)));
@@ -113,8 +138,9 @@ TEST(creased_patches, makes_them_on_any_number_of_threads)
         const auto expected = level_by_level(mesh, scheme, 4, last);
         for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 4, 7}) {
             const thread_count count(threads);
-            EXPECT_TRUE(same_bits(patches_of<kith::catmull_clark>(mesh, scheme, 4, some_templates).refine(mesh, last),
-                                  expected))
+            EXPECT_TRUE(
+                same_bits(made_by(patches_of<kith::catmull_clark>(mesh, scheme, 4, some_templates), mesh, scheme, last),
+                          expected))
                 << threads;
         }
     }

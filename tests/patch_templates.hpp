@@ -3,7 +3,10 @@
 
 #include <kith/refine_in_patches.hpp>
 
+#include <gtest/gtest.h>
+
 #include <limits>
+#include <utility>
 
 /// So that there are patches wherever there can be, with a template for every class of faces.
 inline constexpr kith::patch_costs all_templates{.in_patch = 0,
@@ -23,3 +26,13 @@ constexpr kith::patch_costs with_cost_of_template(double cost)
     return costs;
 }
 inline constexpr kith::patch_costs some_templates = with_cost_of_template(300);
+
+/// What patches make, where they are a gain.
+template <class Point, class Index, class Scheme>
+kith::basic_mesh<Point, Index> made_by(const kith::patch_refinement<Point, Index, Scheme>& patches,
+                                       kith::basic_mesh<Point, Index> mesh, Scheme scheme, kith::connect last)
+{
+    auto made = patches.refine(mesh, scheme, last);
+    EXPECT_TRUE(made);
+    return made ? std::move(*made) : std::move(mesh);
+}

@@ -39,11 +39,11 @@ mesh3d refined_as_given(mesh3d mesh, Scheme scheme, int levels)
 /// Large enough to be scattered.
 mesh3d scattered_torus()
 {
-    return native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::torus(40, 40)), 7)));
+    return native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::torus(64, 64)), 7)));
 }
 mesh3d scattered_grid()
 {
-    return native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(40, 40)), 7)));
+    return native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(64, 64)), 7)));
 }
 
 TEST(refine_in_surface_order, makes_the_same_bits)

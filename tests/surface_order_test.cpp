@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/step/surface_order.hpp>
 
+#include <kith/loop.hpp>
+#include <kith/refine.hpp>
+
 #include "all_shapes.hpp"
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
@@ -96,6 +99,9 @@ TEST(surface_order, brings_together_what_is_scattered)
         EXPECT_FALSE(is_scattered(in_surface_order(mesh).mesh.topology()));
     }
     EXPECT_FALSE(is_scattered(native(shapes::shuffled(shapes::torus(30, 30), 7)).topology())); // all near in 900 faces
+    // Children of scattered faces lie far from their neighbours, but follow one another.
+    const auto scattered = native(shapes::shuffled(shapes::triangulated(shapes::torus(60, 60)), 7));
+    EXPECT_FALSE(is_scattered(refine(scattered, kith::loop{}, 2).topology()));
 }
 
 } // namespace

@@ -71,19 +71,6 @@ std::uint64_t bytes_of_numbers(const counts& control, const Scheme& scheme, int 
     return (coarse.vertices + coarse.edges + coarse.faces) * sizeof(Index);
 }
 
-/// Refines with all connectivity and makes the scheme that of the last level.
-template <scheme Scheme, class Point, std::unsigned_integral Index>
-basic_mesh<Point, Index> refine_on(basic_mesh<Point, Index> mesh, Scheme& scheme, int levels)
-{
-    numbering_of<Scheme, Index> ids;
-    for (int level = 1; level <= levels; ++level) {
-        auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
-        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation(), ids, fine);
-        mesh = std::move(fine);
-    }
-    return mesh;
-}
-
 /// Refuses what `refine` cannot do with a valid mesh and returns how many bytes are left.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
@@ -114,12 +101,14 @@ void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Inde
     require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
     if (levels == 0)
         return write_level(fine, control);
+    const int last_generation = control.generation() + levels;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
         if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
-            return patches.refine_into(fine, std::move(control));
+            if (patches.refine_into(fine, control, scheme))
+                return;
 #endif
-    const auto coarse = refine_on(std::move(control), scheme, levels - 1);
+    const auto coarse = refine_on(std::move(control), scheme, last_generation - control.generation() - 1);
     numbering_of<Scheme, Index> ids;
     refine_mesh_into(fine, coarse, scheme, ids);
 }
@@ -150,21 +139,29 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
                                 const refine_options& options = {})
 {
     validate(mesh).require_ok();
-    auto control = detail::with_edges(mesh);
-    const std::uint64_t bytes_left = detail::require_refinable(control, scheme, levels, options);
+    auto coarse = detail::with_edges(mesh);
+    const std::uint64_t bytes_left = detail::require_refinable(coarse, scheme, levels, options);
     if (levels == 0)
-        return control;
+        return coarse;
+    bool is_ordering_worth_it =
+        false; // asked of the control mesh: the next level is as scattered, if less so at a look
+    if constexpr (orderable_scheme<Scheme, Index>)
+        is_ordering_worth_it = options.last_level == connect::faces and
+                               is_worth_ordering(coarse.topology(), scheme, levels);
+    Scheme of_level = scheme;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
-            return patches.refine(std::move(control), options.last_level);
+        if (patch_refinement<Point, Index, Scheme> patches(coarse, scheme, levels); patches.is_worth_looking())
+            if (auto fine = patches.refine(coarse, of_level, options.last_level))
+                return std::move(*fine);
 #endif
+    const int levels_left = mesh.generation() + levels - coarse.generation();
     if constexpr (orderable_scheme<Scheme, Index>)
-        if (options.last_level == connect::faces and is_worth_ordering(control.topology(), scheme, levels) and
-            detail::bytes_of_numbers<Index>(count(control.topology()), scheme, levels, control.generation()) <=
+        if (is_ordering_worth_it and levels_left > 1 and
+            detail::bytes_of_numbers<Index>(count(coarse.topology()), of_level, levels_left, coarse.generation()) <=
                 bytes_left)
-            return refine_in_surface_order(control, scheme, levels);
-    return detail::refine_levels(std::move(control), scheme, levels, options.last_level);
+            return refine_in_surface_order(std::move(coarse), std::move(of_level), levels_left);
+    return detail::refine_levels(std::move(coarse), std::move(of_level), levels_left, options.last_level);
 }
 
 template <refinable_mesh M, scheme Scheme>

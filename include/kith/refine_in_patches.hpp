@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "refine_in_surface_order.hpp"
-
 #include <kith/patch/patched_level.hpp>
+#include <kith/step/step.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -25,48 +24,47 @@ public:
     /// `levels` steps from a control mesh that has its edges. Cost: O(levels), and that of a look at some of its faces.
     patch_refinement(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                      const patch_costs& costs = {})
-        : scheme_(scheme)
-        , costs_(costs)
-        , levels_(levels)
-        , generation_(control.generation())
+        : costs_(costs)
+        , last_generation_(control.generation() + levels)
         , plan_(plan_patches(count(control.topology()), control.topology().degree == int(degree), scheme, levels,
                              control.generation()))
     {
-        if (is_worth_looking())
-            look_at(control.topology());
+        if (not is_worth_looking())
+            return;
+        const std::size_t looks = std::clamp<std::size_t>(plan_->last().faces / 1024, 128, 1024);
+        if (share_of_kinds(control.topology(), 1, looks) > costs_.share_if_alike) // one ring tells
+            begin_where_faces_are_alike(scheme, levels);
     }
 
     /// Whether there are so many faces that it may be worth while. Cost: O(1).
     [[nodiscard]] bool is_worth_looking() const
     {
-        return has_lanes() and plan_ and plan_->of_begin().faces >= costs_.least_faces and
+        return has_lanes() and plan_ and double(plan_->last().faces) * plan_->faces_of_patch() >= costs_.least_faces and
                costs_.of_look * plan_->rings <= costs_.most_of_looks * plan_->faces_of_patch();
     }
 
-    /// What refining level by level makes, to the bit; of the last level what is asked for. Precondition: is_worth_looking().
-    [[nodiscard]] basic_mesh<Point, Index> refine(basic_mesh<Point, Index> mesh, connect last_level) const
+    /// What refining level by level makes, to the bit; of the last level what is asked for. Nothing where it is no gain. The mesh, the control
+    /// mesh, and its scheme become the level whose faces own patches. Precondition: is_worth_looking().
+    [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine(basic_mesh<Point, Index>& mesh, Scheme& scheme,
+                                                                 connect last_level) const
     {
-        Scheme scheme = scheme_;
-        if (const auto made = patches_after(mesh, scheme, last_level))
-            return filled(mesh, *made, last_level);
-        mesh = before_last(std::move(mesh), scheme);
-        numbering ids;
-        return last_level == connect::faces ? refine_mesh<connect::faces>(mesh, scheme, ids)
-                                            : refine_mesh<connect::everything>(mesh, scheme, ids);
+        const auto made = patches_after(mesh, scheme, last_level);
+        if (not made)
+            return {};
+        return filled(mesh, *made, last_level);
     }
-    /// The same into a mesh of another library. Precondition: is_worth_looking(). Errors: those of `make_room`.
-    void refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index> mesh) const
+    /// The same into a mesh of another library; false where it is no gain. Precondition: is_worth_looking(). Errors: those of `make_room`.
+    [[nodiscard]] bool refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index>& mesh,
+                                   Scheme& scheme) const
     {
-        Scheme scheme = scheme_;
-        if (const auto made = patches_after(mesh, scheme, connect::everything)) {
-            const counts& last = plan_->last();
-            fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
-            made->fill(mesh, {.points = fine.points(), .writer = &fine});
-            return fine.finish(generation_ + levels_);
-        }
-        mesh = before_last(std::move(mesh), scheme);
-        numbering ids;
-        refine_mesh_into(fine, mesh, scheme, ids);
+        const auto made = patches_after(mesh, scheme, connect::everything);
+        if (not made)
+            return false;
+        const counts& last = plan_->last();
+        fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
+        made->fill(mesh, {.points = fine.points(), .writer = &fine});
+        fine.finish(last_generation_);
+        return true;
     }
 
 private:
@@ -75,43 +73,22 @@ private:
     static constexpr std::size_t degree = numbering::common_degree;
 
     /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a kind of its own. After as
-    /// many steps as there are rings around a patch there are many of most kinds, if the mesh is large; patches begin there.
-    void look_at(const connectivity<Index>& control)
+    /// many steps as there are rings around a patch there are few kinds; patches begin there.
+    void begin_where_faces_are_alike(const Scheme& scheme, int levels)
     {
-        const double share = share_of_kinds(control, plan_->rings);
-        if (share <= costs_.share_if_alike)
-            return;
-        if (plan_->rings < levels_)
-            plan_->begin_at(std::max(plan_->begin, plan_->rings), scheme_, generation_);
-        const double kinds = std::min(costs_.most_kinds, share * double(control.corners()));
-        if (plan_->begin < plan_->rings or plan_->faces_of_patch() < costs_.least_patch_if_unlike or
-            double(plan_->of_begin().faces) < costs_.least_of_kind * kinds)
+        costs_ = costs_.if_unlike();
+        if (plan_->begin < plan_->rings and plan_->rings < levels)
+            plan_->begin_at(plan_->rings, scheme, last_generation_ - levels);
+        if (plan_->begin < plan_->rings)
             plan_.reset();
-    }
-    /// A step with all connectivity, and the scheme becomes that of the next level.
-    static basic_mesh<Point, Index> next(const basic_mesh<Point, Index>& mesh, Scheme& scheme, numbering& ids)
-    {
-        auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
-        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation(), ids, fine);
-        return fine;
     }
     /// Makes of the mesh the level whose faces own patches, and of the scheme that of this level; nothing where they are no gain.
     [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, Scheme& scheme,
                                                        connect last_level) const
     {
-        numbering ids;
-        for (int level = 0; level < plan_->begin; ++level)
-            mesh = next(mesh, scheme, ids);
+        mesh = detail::refine_on(std::move(mesh), scheme, plan_->begin);
         const face_classes<Index> classes(mesh.topology(), plan_->rings, state_marks<Index>(mesh.topology(), scheme));
         return patches::make(mesh, classes, scheme, *plan_, costs_, last_level == connect::everything);
-    }
-    /// Where patches are no gain: the level before the last one, level by level.
-    [[nodiscard]] basic_mesh<Point, Index> before_last(basic_mesh<Point, Index> mesh, Scheme& scheme) const
-    {
-        numbering ids;
-        while (mesh.generation() + 1 < generation_ + levels_)
-            mesh = next(mesh, scheme, ids);
-        return mesh;
     }
     [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh, const patches& made,
                                                   connect last_level) const
@@ -132,12 +109,11 @@ private:
                    fine.corner_halfedge.data(),
                    fine.halfedge_corner.data(),
                    fine.vertex_corner.data()});
-        return basic_mesh<Point, Index>(std::move(points), std::move(fine), generation_ + levels_);
+        return basic_mesh<Point, Index>(std::move(points), std::move(fine), last_generation_);
     }
 
-    Scheme scheme_;
     patch_costs costs_;
-    int levels_, generation_; // of the control mesh
+    int last_generation_;
     std::optional<patch_plan> plan_;
 };
 

@@ -27,9 +27,9 @@ bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme,
 /// Cost: that of the levels, and for each element of the last but one its number.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>
-basic_mesh<Point, Index> refine_in_surface_order(const basic_mesh<Point, Index>& control, Scheme scheme, int levels)
+basic_mesh<Point, Index> refine_in_surface_order(basic_mesh<Point, Index> control, Scheme scheme, int levels)
 {
-    auto [mesh, numbers] = in_surface_order(control);
+    auto [mesh, numbers] = in_surface_order(std::exchange(control, {}));
     numbering_of<Scheme, Index> ids;
     for (int level = 1; level < levels; ++level) {
         auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);

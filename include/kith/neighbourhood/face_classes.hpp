@@ -94,11 +94,11 @@ private:
 };
 
 /// How many kinds of neighbourhoods a sample of faces has, divided by its faces; 1 where faces have several degrees. Preconditions: the
-/// mesh has its edges and faces. Cost: that of one or two thousand walks at most.
+/// mesh has its edges and faces. Cost: that of one to two times `most_looks` walks at most.
 template <std::unsigned_integral Index>
-double share_of_kinds(const connectivity<Index>& mesh, int rings)
+double share_of_kinds(const connectivity<Index>& mesh, int rings, std::size_t most_looks = 1024)
 {
-    constexpr std::size_t most_looks = 1024, enough = 128;
+    constexpr std::size_t enough = 128;
     if (mesh.degree == 0)
         return 1;
     face_walk<Index> walk(mesh, rings);

@@ -41,7 +41,7 @@ template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Inde
 class kept_templates {
 public:
     using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
-    static constexpr std::size_t most_bytes = std::size_t(16) << 20;
+    static constexpr std::size_t most_bytes = std::size_t(32) << 20;
 
     /// For the steps that begin at a level of this generation and have these bases.
     static std::shared_ptr<kept_templates> of(const Scheme& scheme, int generation, int rings,

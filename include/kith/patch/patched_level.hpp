@@ -30,17 +30,23 @@ struct patch_costs {
     double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
     double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
     double of_template = 400;        ///< of making one, in final faces: half of what it takes, since templates are kept
-    double of_face_in_template = 18; ///< the same for each face of its patch; it takes up to four times as much
-    double of_look = 5;              ///< of finding the class of a face, per ring, in final faces
+    double of_face_in_template = 25; ///< the same for each face of its patch: 15 (Butterfly) to 50 (sqrt(3))
+    double of_look = 3;              ///< of finding the class of a face, per ring, in final faces
     double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
-    double share_if_alike =
-        .3; ///< so few kinds has a sample of faces of a control mesh whose faces are alike; else ...
-    double least_patch_if_unlike = 32; ///< ... patches are this large or nobody looks for them,
-    double most_kinds =
-        2000; ///< ... there are as many kinds of faces as of corners in the control mesh, up to so many,
-    double least_of_kind = 32;      ///< ... and so many faces must there be of each
-    double to_be_cheaper = .9;      ///< patches must come to less than so much
-    std::size_t least_faces = 4096; ///< of the level whose faces own patches; for fewer nobody looks
+    double share_if_alike = .3;      ///< so few kinds has a sample of faces of a control mesh whose faces are alike
+    double to_be_cheaper = .9;       ///< patches must come to less than so much
+    double least_faces = 16e6;       ///< of the last level times those of a patch; for fewer nobody looks
+
+    /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three times
+    /// as long there, making a template does not, and who looks reads from all over the memory.
+    [[nodiscard]] patch_costs if_unlike() const
+    {
+        patch_costs costs = *this;
+        costs.of_template /= 2;
+        costs.of_face_in_template /= 2;
+        costs.most_of_looks /= 3;
+        return costs;
+    }
 };
 
 template <class Point, std::unsigned_integral Index, scheme Scheme>

@@ -157,4 +157,21 @@ M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const 
     }
 }
 
+namespace detail {
+
+/// Refines with all connectivity and makes the scheme that of the last level.
+template <scheme Scheme, class Point, std::unsigned_integral Index>
+basic_mesh<Point, Index> refine_on(basic_mesh<Point, Index> mesh, Scheme& scheme, int levels)
+{
+    numbering_of<Scheme, Index> ids;
+    for (int level = 1; level <= levels; ++level) {
+        auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
+        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation(), ids, fine);
+        mesh = std::move(fine);
+    }
+    return mesh;
+}
+
+} // namespace detail
+
 } // namespace kith
