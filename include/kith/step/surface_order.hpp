@@ -57,12 +57,12 @@ struct ordered_mesh {
 /// remeshing: across more than a third of the sides lies a face further than 1024 away, and not near one that lies across from one of
 /// the two faces before. Then most of what a step reads around a vertex comes from outside the caches. Faces that lie far away but
 /// follow one another, as where a mesh has been refined, are fetched ahead. Precondition: the mesh has its edges. Cost: that of a look
-/// at some thousand faces.
+/// at one or two thousand faces.
 template <std::unsigned_integral Index>
 bool is_scattered(const connectivity<Index>& mesh)
 {
     constexpr std::size_t faces_in_cache = 1024; // with what a step reads and writes of them
-    constexpr std::size_t faces_ahead = 256, looks = 4096;
+    constexpr std::size_t faces_ahead = 256, looks = 1024;
     const auto distance = [](std::size_t a, std::size_t b) { return std::max(a, b) - std::min(a, b); };
     const auto for_across = [&](std::size_t face, const auto& f) {
         for (Index c = mesh.first_corner(face); c < mesh.first_corner(face + 1); ++c)
