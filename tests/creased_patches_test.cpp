@@ -279,9 +279,9 @@ TEST(creased_patches, shares_templates_with_the_scheme_without_creases)
     const auto mesh = native(shapes::shaken(shapes::torus(9, 12)));
     kith::catmull_clark creased;
     creased.sharpness = sharpened(mesh, 17, 2, crease_method::uniform);
-    const auto plain = templates::of(without_state(creased), 0, 2, {});
-    EXPECT_EQ(templates::of(kith::catmull_clark{}, 0, 2, {}), plain);
-    EXPECT_NE(templates::of(kith::catmull_clark{.corners = kith::boundary_corner::smoothed, .sharpness = {}}, 0, 2, {}),
+    const auto plain = templates::of(without_state(creased), 0, 2, 3);
+    EXPECT_EQ(templates::of(kith::catmull_clark{}, 0, 2, 3), plain);
+    EXPECT_NE(templates::of(kith::catmull_clark{.corners = kith::boundary_corner::smoothed, .sharpness = {}}, 0, 2, 3),
               plain);
 }
 

@@ -5,6 +5,7 @@
 #include <kith/step/scheme.hpp>
 
 #include <array>
+#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +19,26 @@ struct column_bases {
     using by_kind = std::array<std::uint64_t, 7>;
     by_kind vertices{}, edges{}, faces{};
 
-    friend bool operator==(const column_bases&, const column_bases&) = default;
+    /// Of the columns that make vertices, edges or faces: v, e or f.
+    [[nodiscard]] const by_kind& of(tuple_kind made) const
+    {
+        return made == tuple_kind::v ? vertices : made == tuple_kind::e ? edges : faces;
+    }
 };
+
+/// The elements from whose numbers those of tuples follow: v, e or f.
+constexpr tuple_kind numbered_elements(tuple_kind kind)
+{
+    return kind == tuple_kind::v                             ? tuple_kind::v
+           : kind == tuple_kind::e or kind == tuple_kind::ve ? tuple_kind::e
+                                                             : tuple_kind::f;
+}
+/// How many tuples there are of each of these elements, where faces have this degree.
+constexpr std::size_t tuples_of_each(tuple_kind kind, std::size_t degree)
+{
+    const bool of_corners = numbered_elements(kind) == tuple_kind::f and kind != tuple_kind::f;
+    return tuples_per_element(kind) * (of_corners ? degree : 1);
+}
 
 namespace detail {
 
@@ -45,21 +64,72 @@ column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int ge
             detail::bases_of(columns.faces, coarse, generation)};
 }
 
-/// What is known of the number of an element of a part in the whole mesh, and becomes that of its children: number * each + base.
-template <class N>
-concept inherited_number = requires(const N& n, std::uint64_t i) {
-    { n.child(i, i) } -> std::same_as<N>;
+/// A column of a step of a whole mesh: of which tuples it is, and where it begins.
+struct whole_column {
+    tuple_kind kind;
+    std::uint64_t base;
 };
 
-/// A number in the whole mesh as a function of that of an element of an earlier level: offset + factor * its number.
+/// What is known of the number of an element of a part in the whole mesh, and becomes that of one of its `each` children in a column:
+/// base + number * each + which.
+template <class N>
+concept inherited_number = requires(const N& n, const whole_column& column, std::uint64_t i) {
+    { n.child(column, i, i) } -> std::same_as<N>;
+};
+
+/// The columns that have led to an element, one after the other. Where they begin is another number in each mesh.
+class column_path {
+public:
+    [[nodiscard]] column_path then(tuple_kind kind) const
+    {
+        column_path result;
+        result.kinds_ = kinds_ << bits | (std::uint32_t(kind) + 1);
+        return result;
+    }
+    /// What the number of the element is if that of its ancestor is 0 and it is the first of its siblings, and so all between, in a mesh whose steps have these
+    /// bases; `last`: whether it is a vertex, an edge or a face, v, e or f. 0 for no columns at all. Precondition: a column for each of the steps.
+    [[nodiscard]] std::uint64_t base(tuple_kind last, std::span<const column_bases> bases, std::size_t degree) const
+    {
+        if (kinds_ == 0)
+            return 0;
+        std::uint64_t number = 0;
+        for (std::size_t step = 0; step < bases.size(); ++step) {
+            const std::size_t steps_left = bases.size() - step - 1;
+            const tuple_kind made = steps_left == 0 ? last : numbered_elements(kind_before(steps_left - 1));
+            const tuple_kind kind = kind_before(steps_left);
+            number = bases[step].of(made)[std::size_t(kind)] + tuples_of_each(kind, degree) * number;
+        }
+        return number;
+    }
+
+    friend auto operator<=>(const column_path&, const column_path&) = default;
+
+private:
+    static constexpr int bits = 3;
+
+    [[nodiscard]] tuple_kind kind_before(std::size_t columns) const
+    {
+        return tuple_kind((kinds_ >> bits * columns & ((1U << bits) - 1)) - 1);
+    }
+
+    std::uint32_t kinds_ = 0; // the last one lowest: room for ten, more steps than a patch of a hundred faces has
+};
+
+/// A number in the whole mesh as a function of that of an element of an earlier level: what the path makes of 0 + offset + factor * its number.
 template <std::unsigned_integral Index>
 struct affine_number {
     Index offset, factor;
     std::uint32_t source; ///< which element
+    column_path path{};
 
-    [[nodiscard]] affine_number child(std::uint64_t base, std::uint64_t each) const
+    [[nodiscard]] affine_number child(const whole_column& column, std::uint64_t which, std::uint64_t each) const
     {
-        return {Index(base + each * offset), Index(each * factor), source};
+        return {Index(which + each * offset), Index(each * factor), source, path.then(column.kind)};
+    }
+    /// Of what there is `each` times of each element: a corner of a face, a side of an edge. What the path makes of 0 is multiplied, too.
+    [[nodiscard]] affine_number part(std::uint64_t which, std::uint64_t each) const
+    {
+        return {Index(which + each * offset), Index(each * factor), source, path};
     }
 };
 
@@ -69,9 +139,9 @@ struct owned_number {
     Index number;
     bool owned;
 
-    [[nodiscard]] owned_number child(std::uint64_t base, std::uint64_t each) const
+    [[nodiscard]] owned_number child(const whole_column& column, std::uint64_t which, std::uint64_t each) const
     {
-        return {Index(base + each * number), owned};
+        return {Index(column.base + which + each * number), owned};
     }
 };
 
@@ -118,17 +188,14 @@ private:
     template <tuple_kind Kind, element_ids Ids>
     void add_column(const Ids& ids, std::uint64_t base, storage<Number>& result) const
     {
-        constexpr bool of_corners = Kind != tuple_kind::v and Kind != tuple_kind::e and Kind != tuple_kind::ve and
-                                    Kind != tuple_kind::f;
-        const std::size_t each = tuples_per_element(Kind) * (of_corners ? degree : 1);
-        const storage<Number>& parents = Kind == tuple_kind::v                             ? vertices
-                                         : Kind == tuple_kind::e or Kind == tuple_kind::ve ? edges
-                                                                                           : faces;
+        constexpr tuple_kind of = numbered_elements(Kind);
+        const std::size_t each = tuples_of_each(Kind, degree);
+        const storage<Number>& parents = of == tuple_kind::v ? vertices : of == tuple_kind::e ? edges : faces;
         std::size_t tuple = 0;
         for (const Number& parent : parents)
-            for (std::size_t rest = 0; rest < each; ++rest, ++tuple)
+            for (std::size_t which = 0; which < each; ++which, ++tuple)
                 if (const auto id = ids.template id<Kind>(tuple); id != Ids::none)
-                    result[id] = parent.child(base + rest, each);
+                    result[id] = parent.child({Kind, base}, which, each);
     }
 };
 

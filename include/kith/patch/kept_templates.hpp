@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "child_numbers.hpp"
 #include "patch_template.hpp"
 
 #include <concepts>
@@ -33,21 +32,20 @@ template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
 
-/// Templates of a scheme without its state for levels of one size, by the neighbourhoods and the state there that they are
-/// for. Those of the last size are kept for the process, one list for each type of scheme and point, so that who refines again
-/// is spared making them; schemes that cannot be told apart have a list of their own each time. A template takes some 5 to 30 KB, a
-/// list about `most_bytes` at most. Safe on several threads.
+/// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there that they are
+/// for. Those of the last number of steps are kept for the process, one list for each type of scheme and point, so that who refines this mesh
+/// again, or another one, is spared making them; schemes that cannot be told apart have a list of their own each time. A template takes some
+/// 5 to 30 KB, a list about `most_bytes` at most. Safe on several threads.
 template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:
     using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
     static constexpr std::size_t most_bytes = std::size_t(32) << 20;
 
-    /// For the steps that begin at a level of this generation and have these bases.
-    static std::shared_ptr<kept_templates> of(const Scheme& scheme, int generation, int rings,
-                                              const std::vector<column_bases>& bases)
+    /// For so many steps that begin at a level of this generation.
+    static std::shared_ptr<kept_templates> of(const Scheme& scheme, int generation, int rings, std::size_t steps)
     {
-        const auto made = std::make_shared<kept_templates>(scheme, generation, rings, bases);
+        const auto made = std::make_shared<kept_templates>(scheme, generation, rings, steps);
         if constexpr (comparable_scheme<Scheme>) {
             static std::mutex mutex;
             static std::shared_ptr<kept_templates> last;
@@ -60,8 +58,8 @@ public:
         }
     }
 
-    kept_templates(const Scheme& scheme, int generation, int rings, std::vector<column_bases> bases)
-        : scheme_(scheme), generation_(generation), rings_(rings), bases_(std::move(bases))
+    kept_templates(const Scheme& scheme, int generation, int rings, std::size_t steps)
+        : scheme_(scheme), generation_(generation), rings_(rings), steps_(steps)
     {
     }
 
@@ -85,7 +83,7 @@ public:
 private:
     [[nodiscard]] bool is_for_what(const kept_templates& other) const
     {
-        if (generation_ != other.generation_ or rings_ != other.rings_ or bases_ != other.bases_)
+        if (generation_ != other.generation_ or rings_ != other.rings_ or steps_ != other.steps_)
             return false;
         if constexpr (std::is_empty_v<Scheme>)
             return true;
@@ -95,7 +93,7 @@ private:
 
     Scheme scheme_;
     int generation_, rings_;
-    std::vector<column_bases> bases_;
+    std::size_t steps_;
     mutable std::mutex mutex_;
     std::unordered_map<std::u16string, pointer> of_key_;
     std::size_t bytes_ = 0;

@@ -42,15 +42,16 @@ public:
     {
     }
 
-    /// Preconditions: has_lanes(), and the template is of the class of these faces, 1 to `at_once`. Cost: that of the program.
-    KITH_LANES void fill(const patch& t, std::span<const Index> faces)
+    /// `bases`: what is added to each multiple in this mesh. Preconditions: has_lanes(), and the template is of the class of these faces, 1 to
+    /// `at_once`. Cost: that of the program.
+    KITH_LANES void fill(const patch& t, std::span<const Index> bases, std::span<const Index> faces)
     {
         ensure_size(slots_, t.program.slots() * size * width);
         ensure_size(first_corners_, (t.steps.size() + 1) * at_once);
         ensure_size(sources_, t.sources.size() * width);
         walk(t, faces);
         for (std::size_t begin = 0; begin < faces.size(); begin += width)
-            fill_lanes(t, begin, std::min(width, faces.size() - begin));
+            fill_lanes(t, bases, begin, std::min(width, faces.size() - begin));
     }
 
 private:
@@ -76,14 +77,14 @@ private:
     }
 
     /// Of some of these faces, at most as many as there are lanes. A function of its own: in the loop g++ 12 makes slower code of it.
-    KITH_LANES void fill_lanes(const patch& t, std::size_t begin, std::size_t count)
+    KITH_LANES void fill_lanes(const patch& t, std::span<const Index> bases, std::size_t begin, std::size_t count)
     {
         for (std::size_t lane = 0; lane < width; ++lane) { // where there are fewer faces the first stands for them
             const std::size_t i = begin + (lane < count ? lane : 0);
             load(t, i, lane);
             look_up(t, i, lane);
         }
-        writer_.begin(t, sources_.data());
+        writer_.begin(t, bases.data(), sources_.data());
         t.program.template run<packs>(reinterpret_cast<pack*>(slots_.data()));
         writer_.write(t, slots_.data(), count);
     }

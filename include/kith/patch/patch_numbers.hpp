@@ -13,8 +13,12 @@
 
 namespace kith {
 
+/// What is numbered: vertices, two sides of each edge, corners of faces.
+enum class number_kind : unsigned char { vertex, side, corner };
+
 /// The numbers that a patch writes and those of the places where it does, which all follow from the numbers of few coarse
-/// elements: a number is an offset plus a multiple, which is a factor times the number of a source.
+/// elements: a number is an offset plus a multiple, which is a factor times the number of a source, plus where the columns begin
+/// that have led there.
 template <std::unsigned_integral Index>
 class patch_numbers {
 public:
@@ -23,6 +27,8 @@ public:
     struct multiple {
         std::uint32_t source; ///< its place in the list of sources
         Index factor;
+        column_path path;
+        number_kind kind;
     };
     /// Numbers one by one.
     struct list {
@@ -36,6 +42,16 @@ public:
         std::uint16_t step;
         std::uint32_t count;
     };
+
+    /// What is added to a multiple of the number of a source in a mesh whose steps have these bases and whose faces have this degree.
+    static Index base(const multiple& m, std::span<const column_bases> bases, std::size_t degree)
+    {
+        switch (m.kind) {
+        case number_kind::vertex: return Index(m.path.base(tuple_kind::v, bases, degree));
+        case number_kind::side: return Index(2 * m.path.base(tuple_kind::e, bases, degree));
+        default: return Index(degree * m.path.base(tuple_kind::f, bases, degree));
+        }
+    }
 
     /// Begins anew, in the same memory, with sources with numbers below `sources`.
     void restart(std::size_t sources)
@@ -52,22 +68,22 @@ public:
     /// There are more than places are for: it must not be used.
     [[nodiscard]] bool is_too_long() const { return multiples_.size() > std::numeric_limits<place>::max(); }
 
-    [[nodiscard]] list all(std::span<const affine_number<Index>> numbers)
+    [[nodiscard]] list all(number_kind kind, std::span<const affine_number<Index>> numbers)
     {
         list result;
         result.offset.reserve(numbers.size());
         result.of.reserve(numbers.size());
         for (const auto& n : numbers) {
             result.offset.push_back(n.offset);
-            result.of.push_back(find(n));
+            result.of.push_back(find(kind, n));
         }
         return result;
     }
-    [[nodiscard]] std::vector<run> runs(std::span<const affine_number<Index>> numbers)
+    [[nodiscard]] std::vector<run> runs(number_kind kind, std::span<const affine_number<Index>> numbers)
     {
         std::vector<run> result;
         for (const auto& n : numbers) {
-            const place of = find(n);
+            const place of = find(kind, n);
             if (result.empty() or not follows(result.back(), n.offset, of))
                 result.push_back({n.offset, of, 1, 0});
             run& last = result.back();
@@ -84,17 +100,17 @@ private:
         const Index step = Index(offset - last.offset);
         return of == last.of and (last.count == 1 ? step == 1 or step == 2 : step == Index(last.step * last.count));
     }
-    place find(const affine_number<Index>& n)
+    place find(number_kind kind, const affine_number<Index>& n)
     {
         std::uint32_t& first = first_of_source_[n.source];
         for (std::uint32_t known = first; known != none; known = next_of_source_[known])
-            if (multiples_[known].factor == n.factor)
+            if (const multiple& m = multiples_[known]; m.factor == n.factor and m.path == n.path and m.kind == kind)
                 return place(known);
         const std::uint32_t source = first == none ? std::uint32_t(sources_.size()) : multiples_[first].source;
         if (first == none)
             sources_.push_back(n.source);
         next_of_source_.push_back(std::exchange(first, std::uint32_t(multiples_.size())));
-        multiples_.push_back({source, n.factor});
+        multiples_.push_back({source, n.factor, n.path, kind});
         return place(first);
     }
 

@@ -49,9 +49,10 @@ public:
     patch_writer(const patch_output<Point, Index>& to, bool past_caches) : to_(to), past_caches_(past_caches) {}
 
     /// Begins with faces that have these numbers, source by source and lane by lane, and calls for the places that are written.
-    [[gnu::always_inline]] void begin(const patch& t, const Index* sources)
+    /// `bases`: what is added to each multiple in this mesh.
+    [[gnu::always_inline]] void begin(const patch& t, const Index* bases, const Index* sources)
     {
-        multiply(t, sources);
+        multiply(t, bases, sources);
         call_for(to_.points, t.vertices);
         if (to_.has_faces())
             call_for(to_.corner_vertex, t.corners);
@@ -80,13 +81,15 @@ public:
     }
 
 private:
-    [[gnu::always_inline]] void multiply(const patch& t, const Index* sources)
+    [[gnu::always_inline]] void multiply(const patch& t, const Index* bases, const Index* sources)
     {
         ensure_size(multiples_, t.multiples.size() * width);
         Index* to = multiples_.data();
-        for (const auto& [source, factor] : t.multiples)
+        for (const auto& m : t.multiples) {
+            const Index base = *bases++;
             for (std::size_t lane = 0; lane < width; ++lane)
-                *to++ = Index(factor * sources[source * width + lane]);
+                *to++ = Index(base + m.factor * sources[m.source * width + lane]);
+        }
     }
     [[nodiscard]] Index multiple(std::size_t which, std::size_t lane) const { return multiples_[which * width + lane]; }
 

@@ -112,7 +112,7 @@ public:
                 std::vector<Index> waiting(templates_.size() * at_once);
                 std::vector<std::uint8_t> count(templates_.size(), 0);
                 const auto flush = [&](std::size_t c) {
-                    filler.fill(*templates_[c], std::span(waiting).subspan(c * at_once, count[c]));
+                    filler.fill(*templates_[c], bases_[c], std::span(waiting).subspan(c * at_once, count[c]));
                     count[c] = 0;
                 };
                 for (std::size_t f = begin; f < end; ++f) {
@@ -173,13 +173,13 @@ private:
                   const patch_plan& plan)
         : vertices_(plan.last().vertices), template_of_face_(mesh.face_count())
     {
-        const auto kept = templates::of(without_state(scheme), mesh.generation(), plan.rings, plan.bases);
+        const auto kept = templates::of(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size());
         template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
         state_marks<Index> marks(mesh.topology(), scheme);
         std::vector<class_number> template_of_class(classes.count(), none);
         for (std::size_t c = 0; c < models.size(); ++c)
             if (models[c] != no_face)
-                template_of_class[c] = find_template(*kept, maker, walk, marks, models[c]);
+                template_of_class[c] = find_template(*kept, maker, walk, marks, plan.bases, models[c]);
         detail::for_parts(mesh.face_count(), true, [&](std::size_t begin, std::size_t end) {
             for (std::size_t f = begin; f < end; ++f)
                 template_of_face_[f] = template_of_class[classes.of_faces()[f]];
@@ -195,7 +195,7 @@ private:
 
     /// Its number; none for a face around which there is too much to be numbered.
     class_number find_template(templates& kept, template_maker<Scheme, Point, Index>& maker, face_walk<Index>& walk,
-                               state_marks<Index>& marks, std::size_t face)
+                               state_marks<Index>& marks, std::span<const column_bases> bases, std::size_t face)
     {
         walk.around(face);
         const std::u16string& key = marks.key(walk);
@@ -206,12 +206,16 @@ private:
                 return none;
             found = kept.keep(key, std::move(*made));
         }
+        std::vector<Index>& bases_here = bases_.emplace_back();
+        for (const auto& m : found->multiples)
+            bases_here.push_back(patch_numbers<Index>::base(m, bases, degree));
         templates_.push_back(std::move(found));
         return class_number(templates_.size() - 1);
     }
 
     std::size_t vertices_; // of the last level
     std::vector<typename templates::pointer> templates_;
+    std::vector<std::vector<Index>> bases_; // of the multiples of each
     storage<class_number> template_of_face_;
     std::optional<face_clusters<Point, Index, Scheme>> clusters_; // of the faces without a template
 };

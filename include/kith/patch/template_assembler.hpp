@@ -141,9 +141,9 @@ public:
     }
 
 private:
-    static number corner_of(const number& face, std::size_t corner) { return face.child(corner, Degree); }
+    static number corner_of(const number& face, std::size_t corner) { return face.part(corner, Degree); }
 
-    static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.offset); }
+    static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.path, n.offset); }
 
     /// Those of some elements, in the order of their numbers.
     template <class IsOne>
@@ -165,12 +165,12 @@ private:
             const Index start = fine.vertex_corner[v];
             vertices.push_back(numbers.vertices[v]);
             const Index h = fine.corner_halfedge[start];
-            leaving.push_back(numbers.edges[h / 2].child(h % 2, 2));
+            leaving.push_back(numbers.edges[h / 2].part(h % 2, 2));
             starts.push_back(corner_of(numbers.faces[start / Degree], start % Degree));
         }
-        made.vertices = listed_.runs(vertices);
-        made.vertex_halfedge = listed_.all(leaving);
-        made.vertex_corner = listed_.all(starts);
+        made.vertices = listed_.runs(number_kind::vertex, vertices);
+        made.vertex_halfedge = listed_.all(number_kind::side, leaving);
+        made.vertex_corner = listed_.all(number_kind::corner, starts);
     }
 
     void list_faces(std::span<const std::uint32_t> own, const affine_numbers& numbers, const connectivity<Index>& fine,
@@ -185,14 +185,14 @@ private:
                 const number& edge = numbers.edges[h / 2];
                 corners.push_back(corner_of(numbers.faces[f], i));
                 vertices.push_back(numbers.vertices[fine.corner_vertex[c]]);
-                halfedges.push_back(edge.child(h % 2, 2));
+                halfedges.push_back(edge.part(h % 2, 2));
                 sides.emplace_back(halfedges.back(), corners.back());
                 if (fine.is_boundary(h / 2))
-                    sides.emplace_back(edge.child(1, 2), number{fine.none, 0, edge.source});
+                    sides.emplace_back(edge.part(1, 2), number{fine.none, 0, edge.source});
             }
-        made.corners = listed_.runs(corners);
-        made.corner_vertex = listed_.all(vertices);
-        made.corner_halfedge = listed_.all(halfedges);
+        made.corners = listed_.runs(number_kind::corner, corners);
+        made.corner_vertex = listed_.all(number_kind::vertex, vertices);
+        made.corner_halfedge = listed_.all(number_kind::side, halfedges);
 
         std::ranges::sort(sides, {}, [](const auto& side) { return order_of(side.first); });
         std::vector<number> at, across;
@@ -200,8 +200,8 @@ private:
             at.push_back(halfedge);
             across.push_back(corner);
         }
-        made.halfedges = listed_.runs(at);
-        made.halfedge_corner = listed_.all(across);
+        made.halfedges = listed_.runs(number_kind::side, at);
+        made.halfedge_corner = listed_.all(number_kind::corner, across);
     }
 
     // Of one template after the other:
