@@ -279,10 +279,10 @@ TEST(creased_patches, shares_templates_with_the_scheme_without_creases)
     const auto mesh = native(shapes::shaken(shapes::torus(9, 12)));
     kith::catmull_clark creased;
     creased.sharpness = sharpened(mesh, 17, 2, crease_method::uniform);
-    const auto plain = templates::of(without_state(creased), 0, 2, 3);
-    EXPECT_EQ(templates::of(kith::catmull_clark{}, 0, 2, 3), plain);
-    EXPECT_NE(templates::of(kith::catmull_clark{.corners = kith::boundary_corner::smoothed, .sharpness = {}}, 0, 2, 3),
-              plain);
+    const auto made = templates(without_state(creased), 0, 2, 3).keep(u"around", {});
+    EXPECT_EQ(templates({}, 0, 2, 3).find(u"around"), made);
+    EXPECT_EQ(templates({.corners = kith::boundary_corner::smoothed, .sharpness = {}}, 0, 2, 3).find(u"around"),
+              nullptr);
 }
 
 } // namespace

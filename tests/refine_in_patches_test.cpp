@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -129,6 +130,51 @@ struct own_scheme {
     }
 };
 
+/// A scheme that only moves points: each face has one child, so that patches would have any number of steps.
+struct smoothing {
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "smoothing",
+                                   .faces = kith::face_shape::quads,
+                                   .closed_only = true,
+                                   .trusted = true,
+                                   .reach = [](int rings) { return rings + 1; },
+                                   .ignores_numbers = [] { return true; }};
+    }
+    static constexpr auto columns()
+    {
+        return kith::columns(kith::new_vertices(kith::per_vertex),
+                             kith::new_edges(kith::per_edge),
+                             kith::new_faces(quads(kith::per_face)));
+    }
+
+    template <kith::running_step R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.vertices(), [&](auto v) {
+            assoc(v, V) = .5 * v + .5 * average(v.corners().map([](auto c) { return c.next().v(); }));
+        });
+        for_each(coarse.faces(), [&](auto f) {
+            assoc(f, F) = polygon(
+                f.corners(), [&](auto c) { return assoc(c.v(), V) >> assoc(c.next_edge(), E).along(c.next_edge()); });
+        });
+        for_each_by_number(coarse.vertices(), [&](auto v) {
+            const auto c = v.first_corner();
+            const auto f = c.f();
+            const auto side = assoc(c.next_edge(), E).along(c.next_edge());
+            assoc(v, V).starts_at(assoc(f, F).corner(c.index() - f.first_corner().index()), side);
+        });
+    }
+};
+
+TEST(refine_in_patches, takes_more_steps_than_a_patch_has)
+{
+    static_assert(has_patches<smoothing>);
+    EXPECT_TRUE(compare(native(shapes::shaken(shapes::torus(8, 9))), smoothing(), 13));
+}
+
 TEST(refine_in_patches, takes_a_scheme_of_a_users_own)
 {
     static_assert(has_patches<own_scheme>);
@@ -149,11 +195,32 @@ TEST(refine_in_patches, keeps_templates_for_one_scheme_and_any_mesh)
         EXPECT_TRUE(compare(more, warren, 3));
         EXPECT_TRUE(compare(more, warren, 2));
     }
+    for (const std::size_t n : {8, 9, 12}) // the numbers of all columns begin elsewhere
+        EXPECT_TRUE(compare(native(shapes::shaken(shapes::torus(n, n + 1))), kith::catmull_clark{}, 3));
     using templates = kith::kept_templates<kith::loop, double, std::uint32_t>;
-    const auto first = templates::of(warren, 0, 2, 3);
-    EXPECT_EQ(templates::of(warren, 0, 2, 3), first);
-    EXPECT_NE(templates::of(kith::loop{}, 0, 2, 3), first);
-    EXPECT_EQ(templates::of(warren, 0, 2, 3)->find(u""), nullptr);
+    const auto made = templates(warren, 0, 2, 3).keep(u"around", {});
+    EXPECT_EQ(templates(warren, 0, 2, 3).find(u"around"), made);
+    EXPECT_EQ(templates(warren, 0, 2, 3).find(u""), nullptr);
+    EXPECT_EQ(templates(kith::loop{}, 0, 2, 3).find(u"around"), nullptr);
+    EXPECT_EQ(templates(warren, 1, 2, 3).find(u"around"), nullptr);
+    EXPECT_EQ(templates(warren, 0, 1, 3).find(u"around"), nullptr);
+    EXPECT_EQ(templates(warren, 0, 2, 2).find(u"around"), nullptr);
+}
+
+TEST(refine_in_patches, gives_up_templates_that_nobody_has_asked_for_longest)
+{
+    using templates = kith::kept_templates<kith::butterfly, double, std::uint32_t>;
+    const templates kept(kith::butterfly{}, 0, 2, 3);
+    kith::patch_template<double, std::uint32_t> large;
+    large.multiples.resize(templates::most_bytes / sizeof(large.multiples[0]) / 16);
+    const auto asked_for = kept.keep(u"asked for", large), other = kept.keep(u"other", large);
+    EXPECT_EQ(kept.find(u"other"), other);
+    for (char16_t i = 0; i < 40; ++i) {
+        const auto made = kept.keep(std::u16string(1, i), large);
+        EXPECT_EQ(kept.find(std::u16string(1, i)), made);
+        EXPECT_EQ(kept.find(u"asked for"), asked_for);
+    }
+    EXPECT_EQ(kept.find(u"other"), nullptr);
 }
 
 struct derived_scheme : kith::kobbelt {
@@ -169,7 +236,8 @@ TEST(refine_in_patches, tells_schemes_apart_by_all_their_members)
     static_assert(kith::comparable_scheme<empty_scheme>);
     static_assert(std::equality_comparable<derived_scheme> and not kith::comparable_scheme<derived_scheme>);
     using templates = kith::kept_templates<derived_scheme, double, std::uint32_t>;
-    EXPECT_NE(templates::of({}, 0, 4, 3), templates::of({}, 0, 4, 3));
+    templates({}, 0, 4, 3).keep(u"around", {});
+    EXPECT_EQ(templates({}, 0, 4, 3).find(u"around"), nullptr);
 }
 
 TEST(refine_in_patches, takes_other_numbers_and_indices)

@@ -143,8 +143,8 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
     const std::uint64_t bytes_left = detail::require_refinable(coarse, scheme, levels, options);
     if (levels == 0)
         return coarse;
-    bool is_ordering_worth_it =
-        false; // asked of the control mesh: the next level is as scattered, if less so at a look
+    // Asked of the control mesh: the levels after it are as scattered, but look less so.
+    bool is_ordering_worth_it = false;
     if constexpr (orderable_scheme<Scheme, Index>)
         is_ordering_worth_it = options.last_level == connect::faces and
                                is_worth_ordering(coarse.topology(), scheme, levels);

@@ -43,6 +43,14 @@ public:
     [[nodiscard]] std::size_t count() const { return count_; }
     /// The class of each face.
     [[nodiscard]] const storage<number>& of_faces() const { return class_; }
+    /// How many faces each class has. Cost: O(faces).
+    [[nodiscard]] std::vector<std::size_t> sizes() const
+    {
+        std::vector<std::size_t> result(count_, 0);
+        for (const number c : class_)
+            ++result[c];
+        return result;
+    }
 
 private:
     void look_at_fans(const connectivity<Index>& mesh)

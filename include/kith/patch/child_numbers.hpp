@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -79,15 +80,20 @@ concept inherited_number = requires(const N& n, const whole_column& column, std:
 
 /// The columns that have led to an element, one after the other. Where they begin is another number in each mesh.
 class column_path {
+    static constexpr int bits = 3;
+
 public:
+    static constexpr int most_columns = std::numeric_limits<std::uint32_t>::digits / bits;
+
+    /// Precondition: there are fewer than most_columns.
     [[nodiscard]] column_path then(tuple_kind kind) const
     {
         column_path result;
         result.kinds_ = kinds_ << bits | (std::uint32_t(kind) + 1);
         return result;
     }
-    /// What the number of the element is if that of its ancestor is 0 and it is the first of its siblings, and so all between, in a mesh whose steps have these
-    /// bases; `last`: whether it is a vertex, an edge or a face, v, e or f. 0 for no columns at all. Precondition: a column for each of the steps.
+    /// The number of the first child of the first child and so on of the ancestor with number 0, in a mesh whose steps have these bases;
+    /// `last`: whether it is a vertex, an edge or a face, v, e or f. 0 for no columns at all. Precondition: there is one for each step.
     [[nodiscard]] std::uint64_t base(tuple_kind last, std::span<const column_bases> bases, std::size_t degree) const
     {
         if (kinds_ == 0)
@@ -105,14 +111,12 @@ public:
     friend auto operator<=>(const column_path&, const column_path&) = default;
 
 private:
-    static constexpr int bits = 3;
-
     [[nodiscard]] tuple_kind kind_before(std::size_t columns) const
     {
         return tuple_kind((kinds_ >> bits * columns & ((1U << bits) - 1)) - 1);
     }
 
-    std::uint32_t kinds_ = 0; // the last one lowest: room for ten, more steps than a patch of a hundred faces has
+    std::uint32_t kinds_ = 0; // the last one lowest
 };
 
 /// A number in the whole mesh as a function of that of an element of an earlier level: what the path makes of 0 + offset + factor * its number.

@@ -3,6 +3,9 @@
 
 #include "patch_template.hpp"
 
+#include <kith/step/scheme.hpp>
+
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <memory>
@@ -33,70 +36,115 @@ concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
 
 /// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there that they are
-/// for. Those of the last number of steps are kept for the process, one list for each type of scheme and point, so that who refines this mesh
-/// again, or another one, is spared making them; schemes that cannot be told apart have a list of their own each time. A template takes some
-/// 5 to 30 KB, a list about `most_bytes` at most. Safe on several threads.
+/// for. They are kept for the process, for each type of scheme and point, so that who refines this mesh again, or another one, is spared
+/// making them; those of schemes that cannot be told apart are not. A template takes some 5 to 30 KB, all together `most_bytes` at most:
+/// those that nobody has asked for longest are given up. Safe on several threads.
 template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:
     using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
-    static constexpr std::size_t most_bytes = std::size_t(32) << 20;
+    static constexpr std::size_t most_bytes = std::size_t(64) << 20;
 
     /// For so many steps that begin at a level of this generation.
-    static std::shared_ptr<kept_templates> of(const Scheme& scheme, int generation, int rings, std::size_t steps)
-    {
-        const auto made = std::make_shared<kept_templates>(scheme, generation, rings, steps);
-        if constexpr (comparable_scheme<Scheme>) {
-            static std::mutex mutex;
-            static std::shared_ptr<kept_templates> last;
-            const std::lock_guard lock(mutex);
-            if (last == nullptr or not last->is_for_what(*made))
-                last = made;
-            return last;
-        } else {
-            return made;
-        }
-    }
-
     kept_templates(const Scheme& scheme, int generation, int rings, std::size_t steps)
-        : scheme_(scheme), generation_(generation), rings_(rings), steps_(steps)
     {
+        std::size_t number = 0;
+        if constexpr (comparable_scheme<Scheme>) {
+            static const auto of_all = std::make_shared<store>();
+            store_ = of_all;
+            number = store_->number_of(scheme);
+        } else {
+            store_ = std::make_shared<store>();
+        }
+        for (const std::size_t part : {number >> 16, number, std::size_t(generation), std::size_t(rings), steps})
+            purpose_ += char16_t(part);
     }
 
+    /// Nothing is kept for these steps.
+    [[nodiscard]] bool empty() const { return store_->empty(purpose_); }
     /// The template for the neighbourhoods that have this key of a walk and of the state there; nullptr where none is kept.
-    [[nodiscard]] pointer find(const std::u16string& key) const
+    [[nodiscard]] pointer find(const std::u16string& key) const { return store_->find(purpose_, key); }
+    /// Keeps a template and hands it back.
+    pointer keep(const std::u16string& key, patch_template<Scalar, Index> made) const
     {
-        const std::lock_guard lock(mutex_);
-        const auto place = of_key_.find(key);
-        return place == of_key_.end() ? nullptr : place->second;
-    }
-    /// Keeps a template, if there is room for it, and hands it back.
-    pointer keep(const std::u16string& key, patch_template<Scalar, Index> made)
-    {
-        pointer shared = std::make_shared<const patch_template<Scalar, Index>>(std::move(made));
-        const std::lock_guard lock(mutex_);
-        if (bytes_ < most_bytes and of_key_.try_emplace(key, shared).second)
-            bytes_ += shared->bytes();
+        auto shared = std::make_shared<const patch_template<Scalar, Index>>(std::move(made));
+        store_->keep(purpose_, key, shared);
         return shared;
     }
 
 private:
-    [[nodiscard]] bool is_for_what(const kept_templates& other) const
-    {
-        if (generation_ != other.generation_ or rings_ != other.rings_ or steps_ != other.steps_)
-            return false;
-        if constexpr (std::is_empty_v<Scheme>)
-            return true;
-        else
-            return scheme_ == other.scheme_;
-    }
+    /// Two generations of templates: those asked for since the younger one began, and those of the one before it.
+    class store {
+    public:
+        /// A number for each scheme that templates are kept of.
+        std::size_t number_of(const Scheme& scheme)
+        {
+            constexpr std::size_t most_schemes = 64;
+            if constexpr (std::is_empty_v<Scheme>) {
+                return 0;
+            } else {
+                const std::lock_guard lock(mutex_);
+                const auto place = std::ranges::find(schemes_, scheme, &std::pair<Scheme, std::size_t>::first);
+                if (place != schemes_.end())
+                    return place->second;
+                if (schemes_.size() == most_schemes)
+                    schemes_.erase(schemes_.begin());
+                schemes_.emplace_back(scheme, ++last_number_);
+                return last_number_;
+            }
+        }
+        bool empty(const std::u16string& purpose)
+        {
+            const std::lock_guard lock(mutex_);
+            return not young_.contains(purpose) and not old_.contains(purpose);
+        }
+        pointer find(const std::u16string& purpose, const std::u16string& key)
+        {
+            const std::lock_guard lock(mutex_);
+            if (const pointer found = in(young_, purpose, key))
+                return found;
+            const pointer found = in(old_, purpose, key);
+            if (found != nullptr)
+                add(purpose, key, found);
+            return found;
+        }
+        void keep(const std::u16string& purpose, const std::u16string& key, const pointer& made)
+        {
+            const std::lock_guard lock(mutex_);
+            add(purpose, key, made);
+        }
 
-    Scheme scheme_;
-    int generation_, rings_;
-    std::size_t steps_;
-    mutable std::mutex mutex_;
-    std::unordered_map<std::u16string, pointer> of_key_;
-    std::size_t bytes_ = 0;
+    private:
+        using lists = std::unordered_map<std::u16string, std::unordered_map<std::u16string, pointer>>; // by purpose
+
+        static pointer in(const lists& all, const std::u16string& purpose, const std::u16string& key)
+        {
+            const auto list = all.find(purpose);
+            if (list == all.end())
+                return nullptr;
+            const auto place = list->second.find(key);
+            return place == list->second.end() ? nullptr : place->second;
+        }
+        void add(const std::u16string& purpose, const std::u16string& key, const pointer& made)
+        {
+            const std::size_t bytes = made->bytes() + sizeof(char16_t) * key.size();
+            if (bytes_ + bytes > most_bytes / 2) {
+                old_ = std::exchange(young_, {});
+                bytes_ = 0;
+            }
+            if (young_[purpose].try_emplace(key, made).second)
+                bytes_ += bytes;
+        }
+
+        std::mutex mutex_;
+        std::vector<std::pair<Scheme, std::size_t>> schemes_; // and their numbers
+        std::size_t last_number_ = 0;
+        lists young_, old_;
+        std::size_t bytes_ = 0; // of the young ones
+    };
+
+    std::shared_ptr<store> store_;
+    std::u16string purpose_; // of which scheme, from which generation on, by how many rings and steps
 };
 
 } // namespace kith

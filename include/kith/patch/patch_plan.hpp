@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -77,7 +78,7 @@ std::optional<patch_plan> plan_patches(const counts& control, bool has_degree, c
     patch_plan plan{has_degree ? 0 : 1, levels, 0, {control}, {}};
     for (int level = 0; level < levels; ++level)
         plan.levels.push_back(next_counts(scheme, plan.last(), generation + level));
-    while (plan.begin > plan.first and
+    while (plan.begin > plan.first and levels - plan.begin < column_path::most_columns and
            plan.last().faces / plan.levels[std::size_t(plan.begin) - 1].faces <= most_faces_of_patch)
         --plan.begin;
     if (plan.begin == levels or 2 * plan.of_begin().edges > face_classes<std::uint32_t>::most_corners)
@@ -85,5 +86,80 @@ std::optional<patch_plan> plan_patches(const counts& control, bool has_degree, c
     plan.begin_at(plan.begin, scheme, generation);
     return plan;
 }
+
+/// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1. Measured
+/// with the schemes of the library.
+struct patch_costs {
+    double in_patch = .45;           ///< .3 (Butterfly) to .6
+    double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
+    double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
+    double of_template = 400;        ///< of making one, in final faces: half of what it takes, since templates are kept
+    double of_face_in_template = 25; ///< the same for each face of its patch: 15 (Butterfly) to 50 (sqrt(3))
+    double of_look = 3;              ///< of finding the class of a face, per ring, in final faces
+    double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
+    double share_if_alike = .3;      ///< so few kinds has a sample of faces of a control mesh whose faces are alike
+    double to_be_cheaper = .9;       ///< patches must come to less than so much
+    double least_faces = 16e6;       ///< of the last level times those of a patch; for fewer nobody looks
+
+    /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three times
+    /// as long there, making a template does not, and who looks reads from all over the memory.
+    [[nodiscard]] patch_costs if_unlike() const
+    {
+        patch_costs costs = *this;
+        costs.of_template /= 2;
+        costs.of_face_in_template /= 2;
+        costs.most_of_looks /= 3;
+        return costs;
+    }
+};
+
+/// Where the template of a class of faces comes from.
+enum class template_choice : unsigned char { none, made, kept };
+
+/// What a level costs patch by patch, in final faces level by level.
+class patch_estimate {
+public:
+    /// For classes with so many faces, which own patches with faces only or with all connectivity.
+    patch_estimate(const patch_costs& costs, const patch_plan& plan, std::vector<std::size_t> sizes, bool with_edges)
+        : costs_(costs)
+        , sizes_(std::move(sizes))
+        , of_patch_(plan.faces_of_patch())
+        , in_patch_(with_edges ? costs.in_patch_with_edges : costs.in_patch)
+        , of_template_(costs.of_template + costs.of_face_in_template * of_patch_)
+    {
+    }
+
+    /// Whether making a template costs less than its class does without.
+    [[nodiscard]] bool gains(std::size_t of_class) const
+    {
+        return double(sizes_[of_class]) * of_patch_ * (costs_.among_few - in_patch_) > of_template_;
+    }
+    /// Whether patches are cheaper than going level by level, if each class does what is best.
+    [[nodiscard]] bool is_gain_without_kept() const
+    {
+        std::vector<template_choice> choices(sizes_.size(), template_choice::none);
+        for (std::size_t c = 0; c < sizes_.size(); ++c)
+            if (gains(c))
+                choices[c] = template_choice::made;
+        return is_gain(choices);
+    }
+    /// The same with these choices.
+    [[nodiscard]] bool is_gain(std::span<const template_choice> choices) const
+    {
+        double cost = 0, faces = 0;
+        for (std::size_t c = 0; c < sizes_.size(); ++c) {
+            const bool is_alone = choices[c] == template_choice::none;
+            cost += double(sizes_[c]) * of_patch_ * (is_alone ? costs_.among_few : in_patch_);
+            cost += choices[c] == template_choice::made ? of_template_ : 0;
+            faces += double(sizes_[c]) * of_patch_;
+        }
+        return cost <= costs_.to_be_cheaper * faces;
+    }
+
+private:
+    patch_costs costs_;
+    std::vector<std::size_t> sizes_;
+    double of_patch_, in_patch_, of_template_;
+};
 
 } // namespace kith

@@ -17,37 +17,10 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace kith {
-
-/// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1. Measured
-/// with the schemes of the library.
-struct patch_costs {
-    double in_patch = .45;           ///< .3 (Butterfly) to .6
-    double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
-    double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
-    double of_template = 400;        ///< of making one, in final faces: half of what it takes, since templates are kept
-    double of_face_in_template = 25; ///< the same for each face of its patch: 15 (Butterfly) to 50 (sqrt(3))
-    double of_look = 3;              ///< of finding the class of a face, per ring, in final faces
-    double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
-    double share_if_alike = .3;      ///< so few kinds has a sample of faces of a control mesh whose faces are alike
-    double to_be_cheaper = .9;       ///< patches must come to less than so much
-    double least_faces = 16e6;       ///< of the last level times those of a patch; for fewer nobody looks
-
-    /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three times
-    /// as long there, making a template does not, and who looks reads from all over the memory.
-    [[nodiscard]] patch_costs if_unlike() const
-    {
-        patch_costs costs = *this;
-        costs.of_template /= 2;
-        costs.of_face_in_template /= 2;
-        costs.most_of_looks /= 3;
-        return costs;
-    }
-};
 
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
@@ -69,32 +42,35 @@ public:
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
                                              bool with_edges = false)
     {
-        const double in_patch = with_edges ? costs.in_patch_with_edges : costs.in_patch;
-        std::vector<std::size_t> members(classes.count(), 0);
-        for (const class_number c : classes.of_faces())
-            ++members[c];
-        const double of_template = costs.of_template + costs.of_face_in_template * plan.faces_of_patch();
-        const auto gains = [&](class_number c) {
-            return double(members[c]) * plan.faces_of_patch() * (costs.among_few - in_patch) > of_template;
-        };
-        const auto is_gain = [&](const auto& has_template) {
-            double cost = 0;
-            std::size_t in_templates = 0;
-            for (class_number c = 0; c < members.size(); ++c)
-                if (has_template(c)) {
-                    cost += of_template + double(members[c]) * plan.faces_of_patch() * in_patch;
-                    in_templates += members[c];
-                }
-            cost += double(mesh.face_count() - in_templates) * plan.faces_of_patch() * costs.among_few;
-            return cost <= costs.to_be_cheaper * double(plan.last().faces);
-        };
-        if (not is_gain(gains))
+        const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
+        const templates kept(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size());
+        constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little
+        const bool may_be_kept = not kept.empty() and classes.count() * least_per_class <= mesh.face_count();
+        if (not may_be_kept and not estimate.is_gain_without_kept())
             return {};
         face_walk<Index> walk(mesh.topology(), plan.rings);
-        const auto models = models_of(classes, walk, gains);
-        if (not is_gain([&](class_number c) { return models[c] != no_face; }))
+        const auto models = models_of(classes, walk, [&](class_number c) { return may_be_kept or estimate.gains(c); });
+        state_marks<Index> marks(mesh.topology(), scheme);
+        std::vector<typename templates::pointer> of_class(classes.count());
+        std::vector<template_choice> choices(classes.count(), template_choice::none);
+        for (class_number c = 0; c < classes.count(); ++c)
+            if (models[c] != no_face) {
+                walk.around(models[c]);
+                of_class[c] = kept.find(marks.key(walk));
+                choices[c] = of_class[c] != nullptr ? template_choice::kept
+                             : estimate.gains(c)    ? template_choice::made
+                                                    : template_choice::none;
+            }
+        if (not estimate.is_gain(choices))
             return {};
-        return patched_level(mesh, classes, models, walk, scheme, plan);
+        template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
+        for (class_number c = 0; c < classes.count(); ++c)
+            if (choices[c] == template_choice::made) {
+                walk.around(models[c]);
+                if (auto made = maker.make(walk)) // nothing where there is too much around a face to be numbered
+                    of_class[c] = kept.keep(marks.key(walk), std::move(*made));
+            }
+        return patched_level(mesh, classes, std::move(of_class), scheme, plan);
     }
 
     /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`, or one with other
@@ -141,17 +117,18 @@ private:
     static constexpr Index no_face = std::numeric_limits<Index>::max();
     static constexpr std::size_t degree = numbering::common_degree;
 
-    /// For each class that gains by a template a face for which it can be made: one of the first faces of the class, if the
+    /// For each class that may have a template a face for which it can be made: one of the first faces of the class, if the
     /// neighbourhood of one of them is a disk.
-    template <class Gains>
-    static std::vector<Index> models_of(const face_classes<Index>& classes, face_walk<Index>& walk, const Gains& gains)
+    template <class MayHaveOne>
+    static std::vector<Index> models_of(const face_classes<Index>& classes, face_walk<Index>& walk,
+                                        const MayHaveOne& may_have_one)
     {
         constexpr unsigned char most_looks = 8;
         std::vector<Index> models(classes.count(), no_face);
         std::vector<unsigned char> looks_left(classes.count(), most_looks);
         std::size_t left = classes.count(); // of which a face is looked for
         for (class_number c = 0; c < classes.count(); ++c)
-            if (not gains(c)) {
+            if (not may_have_one(c)) {
                 looks_left[c] = 0;
                 --left;
             }
@@ -168,18 +145,20 @@ private:
         return models;
     }
 
+    /// With the templates of the classes that have one.
     patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                  const std::vector<Index>& models, face_walk<Index>& walk, const Scheme& scheme,
-                  const patch_plan& plan)
+                  std::vector<typename templates::pointer> of_class, const Scheme& scheme, const patch_plan& plan)
         : vertices_(plan.last().vertices), template_of_face_(mesh.face_count())
     {
-        const auto kept = templates::of(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size());
-        template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
-        state_marks<Index> marks(mesh.topology(), scheme);
-        std::vector<class_number> template_of_class(classes.count(), none);
-        for (std::size_t c = 0; c < models.size(); ++c)
-            if (models[c] != no_face)
-                template_of_class[c] = find_template(*kept, maker, walk, marks, plan.bases, models[c]);
+        std::vector<class_number> template_of_class(of_class.size(), none);
+        for (std::size_t c = 0; c < of_class.size(); ++c)
+            if (of_class[c] != nullptr) {
+                template_of_class[c] = class_number(templates_.size());
+                std::vector<Index>& bases = bases_.emplace_back();
+                for (const auto& m : of_class[c]->multiples)
+                    bases.push_back(patch_numbers<Index>::base(m, plan.bases, degree));
+                templates_.push_back(std::move(of_class[c]));
+            }
         detail::for_parts(mesh.face_count(), true, [&](std::size_t begin, std::size_t end) {
             for (std::size_t f = begin; f < end; ++f)
                 template_of_face_[f] = template_of_class[classes.of_faces()[f]];
@@ -191,26 +170,6 @@ private:
             if (template_of_face_[f] == none)
                 without_template.push_back(Index(f));
         clusters_.emplace(scheme, plan.bases, std::move(without_template));
-    }
-
-    /// Its number; none for a face around which there is too much to be numbered.
-    class_number find_template(templates& kept, template_maker<Scheme, Point, Index>& maker, face_walk<Index>& walk,
-                               state_marks<Index>& marks, std::span<const column_bases> bases, std::size_t face)
-    {
-        walk.around(face);
-        const std::u16string& key = marks.key(walk);
-        auto found = kept.find(key);
-        if (found == nullptr) {
-            auto made = maker.make(walk);
-            if (not made)
-                return none;
-            found = kept.keep(key, std::move(*made));
-        }
-        std::vector<Index>& bases_here = bases_.emplace_back();
-        for (const auto& m : found->multiples)
-            bases_here.push_back(patch_numbers<Index>::base(m, bases, degree));
-        templates_.push_back(std::move(found));
-        return class_number(templates_.size() - 1);
     }
 
     std::size_t vertices_; // of the last level
