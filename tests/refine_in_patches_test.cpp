@@ -172,7 +172,34 @@ struct smoothing {
 TEST(refine_in_patches, takes_more_steps_than_a_patch_has)
 {
     static_assert(has_patches<smoothing>);
-    EXPECT_TRUE(compare(native(shapes::shaken(shapes::torus(8, 9))), smoothing(), 13));
+    const auto mesh = native(shapes::shaken(shapes::torus(8, 9)));
+    const auto plan = kith::plan_patches(count(mesh.topology()), true, smoothing(), 13, 0);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->bases.size(), std::size_t(kith::column_path::most_columns));
+    EXPECT_TRUE(compare(mesh, smoothing(), 13));
+}
+
+TEST(refine_in_patches, knows_where_the_columns_of_as_many_steps_begin_as_a_path_has_room_for)
+{
+    using kith::tuple_kind;
+    std::vector<kith::column_bases> bases(kith::column_path::most_columns);
+    kith::column_path path;
+    std::uint64_t expected = 0;
+    for (std::size_t step = 0; step < bases.size(); ++step) {
+        bases[step].faces[std::size_t(tuple_kind::vfe)] = 7 + step;
+        path = path.then(tuple_kind::vfe);
+        expected = 7 + step + 2 * 4 * expected; // two for each corner of a quad
+    }
+    EXPECT_EQ(path.base(tuple_kind::f, bases, 4), expected);
+    EXPECT_EQ(kith::column_path().base(tuple_kind::f, bases, 4), 0U);
+
+    // A face of a corner, its side of an edge, the vertex there.
+    std::vector<kith::column_bases> three(3);
+    three[0].faces[std::size_t(tuple_kind::vf)] = 5;
+    three[1].edges[std::size_t(tuple_kind::ef)] = 100;
+    three[2].vertices[std::size_t(tuple_kind::e)] = 1000;
+    path = kith::column_path().then(tuple_kind::vf).then(tuple_kind::ef).then(tuple_kind::e);
+    EXPECT_EQ(path.base(tuple_kind::v, three, 4), 1000U + 100 + 4 * 5);
 }
 
 TEST(refine_in_patches, takes_a_scheme_of_a_users_own)
