@@ -28,7 +28,7 @@ template <std::floating_point Scalar, std::unsigned_integral Index>
 struct patch_template {
     using numbers = patch_numbers<Index>;
 
-    std::vector<walk_step> steps;
+    std::vector<walk_step> steps;      ///< to the faces that inputs and sources lie in
     std::vector<walked_corner> inputs; ///< those whose vertices fill the first slots of the program
     lane_program<Scalar> program;      ///< its outputs are the points of the owned vertices
     std::vector<template_source> sources;

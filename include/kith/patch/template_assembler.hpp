@@ -137,10 +137,41 @@ public:
             return {};
         for (const std::uint32_t v : made.program.inputs())
             made.inputs.push_back(sources.corner_of_vertex(v));
+        leave_out_unread_faces(made);
         return made;
     }
 
 private:
+    /// The class of a face is told by more rings than its patch reads points and numbers from: of Catmull-Clark by twenty-five faces or more,
+    /// where nine are read.
+    static void leave_out_unread_faces(result& made)
+    {
+        std::vector<bool> is_read(made.steps.size() + 1, false);
+        is_read[0] = true;
+        for (const walked_corner& input : made.inputs)
+            is_read[input.face] = true;
+        for (const template_source& source : made.sources)
+            is_read[source.at.face] = true;
+        for (std::size_t f = made.steps.size(); f > 0; --f)
+            if (is_read[f])
+                is_read[made.steps[f - 1].from.face] = true;
+
+        std::vector<std::uint16_t> new_place(is_read.size(), 0);
+        std::size_t kept = 0;
+        for (std::size_t f = 1; f < is_read.size(); ++f)
+            if (is_read[f]) {
+                walk_step step = made.steps[f - 1];
+                step.from.face = new_place[step.from.face];
+                made.steps[kept++] = step;
+                new_place[f] = std::uint16_t(kept);
+            }
+        made.steps.resize(kept);
+        for (walked_corner& input : made.inputs)
+            input.face = new_place[input.face];
+        for (template_source& source : made.sources)
+            source.at.face = new_place[source.at.face];
+    }
+
     static number corner_of(const number& face, std::size_t corner) { return face.part(corner, Degree); }
 
     static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.path, n.offset); }
