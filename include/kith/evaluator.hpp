@@ -34,7 +34,8 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
 class evaluator {
 public:
     /// For the vertices of `refine(control, scheme, levels)`. Errors: those of `refine`. Cost: that of refining and, where there
-    /// are patches, of looking around each face of a level in between; keeps the levels before the patches, else all.
+    /// are patches, of looking around each face of a level in between; keeps the levels before the patches and some hundred bytes for
+    /// each of their faces, else all levels. Points of another library's types have no patches.
     evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
               const refine_options& options = {})
         : levels_(control, scheme, options), generation_(control.generation()), count_(levels)
@@ -100,6 +101,8 @@ private:
                 look();
             }
             last_vertices_ = plan->last().vertices;
+            if (patches_)
+                patches_->keep_what_is_found(levels_.finest());
         }
     }
 
@@ -110,8 +113,10 @@ private:
 };
 
 template <refinable_mesh M, scheme Scheme>
-evaluator(const M&, const Scheme&, int) -> evaluator<typename mesh_traits<M>::point, std::uint32_t, Scheme>;
+evaluator(const M&, const Scheme&, int, const refine_options& = {})
+    -> evaluator<typename mesh_traits<M>::point, std::uint32_t, Scheme>;
 template <class Point, std::unsigned_integral Index, scheme Scheme>
-evaluator(const basic_mesh<Point, Index>&, const Scheme&, int) -> evaluator<Point, Index, Scheme>;
+evaluator(const basic_mesh<Point, Index>&, const Scheme&, int, const refine_options& = {})
+    -> evaluator<Point, Index, Scheme>;
 
 } // namespace kith

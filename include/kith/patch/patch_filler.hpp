@@ -32,91 +32,71 @@ class patch_filler {
 public:
     using patch = typename writer::patch;
 
-    /// How many are best filled in one call.
-    static constexpr std::size_t at_once = 2 * width;
+    static constexpr std::size_t at_once = writer::at_once;
+
+    /// How many numbers are found for the faces of a class that are filled in one call.
+    static std::size_t numbers_found(const patch& t) { return (t.inputs.size() + t.sources.size()) * at_once; }
 
     /// For faces of a mesh that all have this degree, as have those of the level that is written: past the caches if that is too
     /// large to be in them when it is read.
     patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
-        : coarse_(&coarse), writer_(to, past_caches)
+        : coarse_(&coarse), writer_(to, past_caches), finder_(coarse.topology())
     {
     }
 
-    /// `bases`: what is added to each multiple in this mesh. Preconditions: has_lanes(), and the template is of the class of these faces, 1 to
-    /// `at_once`. Cost: that of the program.
-    KITH_LANES void fill(const patch& t, std::span<const Index> bases, std::span<const Index> faces)
+    /// Finds the vertices of the inputs and the numbers of the sources. Precondition: the template is of the class of these faces, 1 to
+    /// `at_once`.
+    void find(const patch& t, std::span<const Index> faces, std::span<Index> found)
+    {
+        finder_.walk(t.steps, faces);
+        Index* to = found.data();
+        for (const auto* elements : {&t.inputs, &t.sources})
+            for (const walked_element& element : *elements) {
+                finder_.find(element, to);
+                to += at_once;
+            }
+    }
+    /// Fetches the points that will be read.
+    void call_for(const patch& t, std::span<const Index> found) const
+    {
+        for (const Index v : found.first(t.inputs.size() * at_once))
+            __builtin_prefetch(&coarse_->point(v));
+    }
+    /// `bases`: what is added to each multiple in this mesh. Preconditions: has_lanes(), and this is what `find` has found for so many faces.
+    /// Cost: that of the program.
+    KITH_LANES void fill(const patch& t, std::span<const Index> bases, std::span<const Index> found, std::size_t count)
     {
         ensure_size(slots_, t.program.slots() * size * width);
-        ensure_size(first_corners_, (t.steps.size() + 1) * at_once);
-        ensure_size(sources_, t.sources.size() * width);
-        walk(t, faces);
-        for (std::size_t begin = 0; begin < faces.size(); begin += width)
-            fill_lanes(t, bases, begin, std::min(width, faces.size() - begin));
+        for (std::size_t begin = 0; begin < count; begin += width)
+            fill_lanes(t, bases, found.data() + begin, std::min(width, count - begin));
     }
 
 private:
-    /// Finds the faces of all neighbourhoods, step by step around all of them: what one waits for from the memory, the others do, too.
-    [[gnu::always_inline]] void walk(const patch& t, std::span<const Index> faces)
-    {
-        const connectivity<Index>& mesh = coarse_->topology();
-        Index* to = first_corners_.data();
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            to[i] = Index(Degree * faces[i]);
-        for (const walk_step& step : t.steps) {
-            to += at_once;
-            for (std::size_t i = 0; i < faces.size(); ++i)
-                to[i] = Index(mesh.across(corner(step.from, i)) - step.rotation);
-        }
-        for (const walked_corner& input : t.inputs)
-            for (std::size_t i = 0; i < faces.size(); ++i)
-                __builtin_prefetch(&coarse_->point(mesh.corner_vertex[corner(input, i)]));
-    }
-    [[nodiscard]] Index corner(const walked_corner& c, std::size_t i) const
-    {
-        return Index(first_corners_[at_once * c.face + i] + c.corner);
-    }
-
     /// Of some of these faces, at most as many as there are lanes. A function of its own: in the loop g++ 12 makes slower code of it.
-    KITH_LANES void fill_lanes(const patch& t, std::span<const Index> bases, std::size_t begin, std::size_t count)
+    KITH_LANES void fill_lanes(const patch& t, std::span<const Index> bases, const Index* found, std::size_t count)
     {
-        for (std::size_t lane = 0; lane < width; ++lane) { // where there are fewer faces the first stands for them
-            const std::size_t i = begin + (lane < count ? lane : 0);
-            load(t, i, lane);
-            look_up(t, i, lane);
-        }
-        writer_.begin(t, bases.data(), sources_.data());
+        load(t, found);
+        writer_.begin(t, bases.data(), found + t.inputs.size() * at_once);
         t.program.template run<packs>(reinterpret_cast<pack*>(slots_.data()));
         writer_.write(t, slots_.data(), count);
     }
 
-    /// The points of a neighbourhood into a lane.
-    [[gnu::always_inline]] void load(const patch& t, std::size_t face, std::size_t lane)
+    /// The points of the inputs, each neighbourhood into a lane.
+    [[gnu::always_inline]] void load(const patch& t, const Index* found)
     {
-        scalar* to = slots_.data() + lane;
-        for (const walked_corner& input : t.inputs) {
-            const Point& point = coarse_->point(coarse_->topology().corner_vertex[corner(input, face)]);
-            for (std::size_t i = 0; i < size; ++i, to += width)
-                *to = point[i];
-        }
-    }
-    /// The numbers that others follow from.
-    [[gnu::always_inline]] void look_up(const patch& t, std::size_t face, std::size_t lane)
-    {
-        const connectivity<Index>& mesh = coarse_->topology();
-        Index* to = sources_.data() + lane;
-        for (const auto& [kind, place] : t.sources) {
-            const Index at = corner(place, face);
-            *to = kind == tuple_kind::v   ? mesh.corner_vertex[at]
-                  : kind == tuple_kind::e ? Index(mesh.corner_halfedge[at] / 2)
-                                          : Index(at / Degree);
-            to += width;
-        }
+        scalar* to = slots_.data();
+        for (std::size_t input = 0; input < t.inputs.size(); ++input, to += size * width, found += at_once)
+            for (std::size_t lane = 0; lane < width; ++lane) {
+                const Point& point = coarse_->point(found[lane]);
+                for (std::size_t i = 0; i < size; ++i)
+                    to[i * width + lane] = point[i];
+            }
     }
 
     const basic_mesh<Point, Index>* coarse_;
     writer writer_;
+    element_finder<Index, Degree, at_once> finder_;
     storage<scalar> slots_;
-    storage<Index> first_corners_, sources_;
 };
 
 #endif

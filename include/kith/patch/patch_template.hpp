@@ -3,8 +3,8 @@
 
 #include "patch_numbers.hpp"
 
-#include <kith/association/tuples.hpp>
 #include <kith/lane/lane_program.hpp>
+#include <kith/neighbourhood/element_finder.hpp>
 #include <kith/neighbourhood/face_walk.hpp>
 
 #include <concepts>
@@ -14,12 +14,6 @@
 
 namespace kith {
 
-/// An element of the coarse level whose number others follow from: the vertex of a corner, its edge, its face.
-struct template_source {
-    tuple_kind kind; ///< v, e or f
-    walked_corner at;
-};
-
 /// What some steps make of a face and its neighbourhood, for all faces whose neighbourhoods are alike: where the coarse points are,
 /// how they become the fine ones, and which numbers are written where. Made once, by the scheme's own text. A face owns what it,
 /// its left sides of edges and the starts of fans in it give birth to: the points and starts of these vertices, the corners of
@@ -28,10 +22,10 @@ template <std::floating_point Scalar, std::unsigned_integral Index>
 struct patch_template {
     using numbers = patch_numbers<Index>;
 
-    std::vector<walk_step> steps;      ///< to the faces that inputs and sources lie in
-    std::vector<walked_corner> inputs; ///< those whose vertices fill the first slots of the program
-    lane_program<Scalar> program;      ///< its outputs are the points of the owned vertices
-    std::vector<template_source> sources;
+    std::vector<walk_step> steps;        ///< to the faces that inputs and sources lie in
+    std::vector<walked_element> inputs;  ///< the vertices that fill the first slots of the program
+    lane_program<Scalar> program;        ///< its outputs are the points of the owned vertices
+    std::vector<walked_element> sources; ///< the elements whose numbers others follow from
     std::vector<typename numbers::multiple> multiples;
     std::vector<typename numbers::run> vertices, corners, halfedges; ///< the places that are written
     typename numbers::list vertex_corner, vertex_halfedge, corner_vertex, corner_halfedge,

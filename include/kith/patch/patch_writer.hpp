@@ -45,10 +45,12 @@ public:
 
     /// How many faces lie side by side. As many as fit two registers: what finds an operand or a place is done once for all.
     static constexpr std::size_t width = 2 * lanes<scalar>::count;
+    /// How many faces numbers are found for at once; of these `width` are written together.
+    static constexpr std::size_t at_once = 2 * width;
 
     patch_writer(const patch_output<Point, Index>& to, bool past_caches) : to_(to), past_caches_(past_caches) {}
 
-    /// Begins with faces that have these numbers, source by source and lane by lane, and calls for the places that are written.
+    /// Begins with faces that have these numbers, `at_once` for each source, and calls for the places that are written.
     /// `bases`: what is added to each multiple in this mesh.
     [[gnu::always_inline]] void begin(const patch& t, const Index* bases, const Index* sources)
     {
@@ -88,7 +90,7 @@ private:
         for (const auto& m : t.multiples) {
             const Index base = *bases++;
             for (std::size_t lane = 0; lane < width; ++lane)
-                *to++ = Index(base + m.factor * sources[m.source * width + lane]);
+                *to++ = Index(base + m.factor * sources[m.source * at_once + lane]);
         }
     }
     [[nodiscard]] Index multiple(std::size_t which, std::size_t lane) const { return multiples_[which * width + lane]; }

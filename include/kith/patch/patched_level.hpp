@@ -73,35 +73,49 @@ public:
         return patched_level(mesh, classes, std::move(of_class), scheme, plan);
     }
 
+    /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some hundred bytes for a face.
+    /// Cost: O(faces).
+    void keep_what_is_found(const basic_mesh<Point, Index>& mesh)
+    {
+        std::size_t size = 0;
+        for (batch& b : batches_) {
+            b.found = size;
+            size += filler::numbers_found(*templates_[b.of]);
+        }
+        found_ = storage<Index>(size);
+        detail::for_parts(batches_.size(), true, [&](std::size_t begin, std::size_t end) {
+            filler finder(mesh, {}, false);
+            for (std::size_t i = begin; i < end; ++i)
+                finder.find(*templates_[batches_[i].of], faces_of(batches_[i]), found_of(batches_[i]));
+        });
+    }
+
     /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`, or one with other
     /// points. Cost: that of the programs, and of refining the faces that have no template.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
-        constexpr std::size_t at_once = patch_filler<Point, Index, degree>::at_once;
         constexpr std::size_t cached_bytes = std::size_t(4) << 20;
         const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
         detail::for_parts(
-            mesh.face_count(),
+            batches_.size(),
             true,
             [&](std::size_t begin, std::size_t end) {
-                patch_filler<Point, Index, degree> filler(mesh, to, past_caches);
-                std::vector<Index> waiting(templates_.size() * at_once);
-                std::vector<std::uint8_t> count(templates_.size(), 0);
-                const auto flush = [&](std::size_t c) {
-                    filler.fill(*templates_[c], bases_[c], std::span(waiting).subspan(c * at_once, count[c]));
-                    count[c] = 0;
-                };
-                for (std::size_t f = begin; f < end; ++f) {
-                    const class_number c = template_of_face_[f];
-                    if (c == none)
-                        continue;
-                    waiting[c * at_once + count[c]++] = Index(f);
-                    if (count[c] == at_once)
-                        flush(c);
+                filler one(mesh, to, past_caches);
+                storage<Index> here;
+                for (std::size_t i = begin; i < end; ++i) {
+                    const batch& b = batches_[i];
+                    const auto& t = *templates_[b.of];
+                    std::span<const Index> found;
+                    if (found_.size() != 0) {
+                        found = found_of(b);
+                    } else {
+                        ensure_size(here, filler::numbers_found(t));
+                        one.find(t, faces_of(b), here);
+                        found = here;
+                    }
+                    one.call_for(t, found);
+                    one.fill(t, bases_[b.of], found, b.count);
                 }
-                for (std::size_t c = 0; c < count.size(); ++c)
-                    if (count[c] != 0)
-                        flush(c);
                 publish();
             },
             1);
@@ -116,6 +130,15 @@ private:
     static constexpr class_number none = std::numeric_limits<class_number>::max();
     static constexpr Index no_face = std::numeric_limits<Index>::max();
     static constexpr std::size_t degree = numbering::common_degree;
+    using filler = patch_filler<Point, Index, degree>;
+
+    /// Some faces with one template that are filled together.
+    struct batch {
+        class_number of; ///< the template
+        Index first;     ///< of the faces
+        Index count;
+        std::size_t found = 0; ///< where begins what is found for them
+    };
 
     /// For each class that may have a template a face for which it can be made: one of the first faces of the class, if the
     /// neighbourhood of one of them is a disk.
@@ -148,7 +171,7 @@ private:
     /// With the templates of the classes that have one.
     patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                   std::vector<typename templates::pointer> of_class, const Scheme& scheme, const patch_plan& plan)
-        : vertices_(plan.last().vertices), template_of_face_(mesh.face_count())
+        : vertices_(plan.last().vertices)
     {
         std::vector<class_number> template_of_class(of_class.size(), none);
         for (std::size_t c = 0; c < of_class.size(); ++c)
@@ -159,23 +182,58 @@ private:
                     bases.push_back(patch_numbers<Index>::base(m, plan.bases, degree));
                 templates_.push_back(std::move(of_class[c]));
             }
-        detail::for_parts(mesh.face_count(), true, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f)
-                template_of_face_[f] = template_of_class[classes.of_faces()[f]];
-        });
-        if (std::ranges::find(template_of_class, none) == template_of_class.end())
-            return;
-        std::vector<Index> without_template;
-        for (std::size_t f = 0; f < mesh.face_count(); ++f)
-            if (template_of_face_[f] == none)
+        auto without_template = put_into_batches(classes, template_of_class);
+        if (not without_template.empty())
+            clusters_.emplace(scheme, plan.bases, std::move(without_template));
+    }
+
+    /// As faces of one template come together, in their order. Those that have none are returned.
+    std::vector<Index> put_into_batches(const face_classes<Index>& classes,
+                                        std::span<const class_number> template_of_class)
+    {
+        std::vector<Index> without_template, waiting(templates_.size() * filler::at_once);
+        std::vector<std::uint8_t> count(templates_.size(), 0);
+        const auto flush = [&](class_number t) {
+            const auto first = waiting.begin() + std::ptrdiff_t(t * filler::at_once);
+            batches_.push_back({t, Index(faces_.size()), count[t]});
+            faces_.insert(faces_.end(), first, first + count[t]);
+            count[t] = 0;
+        };
+        for (std::size_t f = 0; f < classes.of_faces().size(); ++f) {
+            const class_number t = template_of_class[classes.of_faces()[f]];
+            if (t == none) {
                 without_template.push_back(Index(f));
-        clusters_.emplace(scheme, plan.bases, std::move(without_template));
+                continue;
+            }
+            waiting[t * filler::at_once + count[t]++] = Index(f);
+            if (count[t] == filler::at_once)
+                flush(t);
+        }
+        for (std::size_t t = 0; t < count.size(); ++t)
+            if (count[t] != 0)
+                flush(class_number(t));
+        return without_template;
+    }
+
+    [[nodiscard]] std::span<const Index> faces_of(const batch& b) const
+    {
+        return std::span(faces_).subspan(b.first, b.count);
+    }
+    [[nodiscard]] std::span<Index> found_of(const batch& b)
+    {
+        return std::span(found_).subspan(b.found, filler::numbers_found(*templates_[b.of]));
+    }
+    [[nodiscard]] std::span<const Index> found_of(const batch& b) const
+    {
+        return std::span(found_).subspan(b.found, filler::numbers_found(*templates_[b.of]));
     }
 
     std::size_t vertices_; // of the last level
     std::vector<typename templates::pointer> templates_;
     std::vector<std::vector<Index>> bases_; // of the multiples of each
-    storage<class_number> template_of_face_;
+    std::vector<batch> batches_;
+    std::vector<Index> faces_;                                    // batch after batch
+    storage<Index> found_;                                        // the same; empty where nothing is kept
     std::optional<face_clusters<Point, Index, Scheme>> clusters_; // of the faces without a template
 };
 

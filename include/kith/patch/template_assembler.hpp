@@ -65,7 +65,7 @@ public:
         result.faces = in_turn(topology_.faces);
         return result;
     }
-    [[nodiscard]] template_source source(std::uint32_t id) const
+    [[nodiscard]] walked_element source(std::uint32_t id) const
     {
         return {id < edge(0) ? tuple_kind::v : id < of_face(0) ? tuple_kind::e : tuple_kind::f, at_[id]};
     }
@@ -79,7 +79,6 @@ public:
             return topology_.halfedge_corner[2 * (id - edge(0))] / degree_ == centre_ and not turned_[id - edge(0)];
         return id == centre();
     }
-    [[nodiscard]] walked_corner corner_of_vertex(std::size_t v) const { return at_[v]; }
 
 private:
     static constexpr walked_corner nowhere{std::numeric_limits<std::uint16_t>::max(), 0};
@@ -136,22 +135,23 @@ public:
         if (made.program.is_too_long())
             return {};
         for (const std::uint32_t v : made.program.inputs())
-            made.inputs.push_back(sources.corner_of_vertex(v));
+            made.inputs.push_back(sources.source(v));
         leave_out_unread_faces(made);
         return made;
     }
 
 private:
-    /// The class of a face is told by more rings than its patch reads points and numbers from: of Catmull-Clark by twenty-five faces or more,
-    /// where nine are read.
+    /// The class of a face is told by more rings than its patch reads points and numbers from: of sqrt(3) by 72 faces, of which half are
+    /// read or lead to one.
     static void leave_out_unread_faces(result& made)
     {
         std::vector<bool> is_read(made.steps.size() + 1, false);
         is_read[0] = true;
-        for (const walked_corner& input : made.inputs)
-            is_read[input.face] = true;
-        for (const template_source& source : made.sources)
-            is_read[source.at.face] = true;
+        const auto for_elements = [&](const auto& f) {
+            std::ranges::for_each(made.inputs, f);
+            std::ranges::for_each(made.sources, f);
+        };
+        for_elements([&](const walked_element& element) { is_read[element.at.face] = true; });
         for (std::size_t f = made.steps.size(); f > 0; --f)
             if (is_read[f])
                 is_read[made.steps[f - 1].from.face] = true;
@@ -166,10 +166,7 @@ private:
                 new_place[f] = std::uint16_t(kept);
             }
         made.steps.resize(kept);
-        for (walked_corner& input : made.inputs)
-            input.face = new_place[input.face];
-        for (template_source& source : made.sources)
-            source.at.face = new_place[source.at.face];
+        for_elements([&](walked_element& element) { element.at.face = new_place[element.at.face]; });
     }
 
     static number corner_of(const number& face, std::size_t corner) { return face.part(corner, Degree); }
