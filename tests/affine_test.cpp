@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <concepts>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 using point = std::array<double, 3>;
@@ -55,6 +58,17 @@ TEST(affine, channels_of_colours_are_rounded_at_the_end_and_kept_in_range)
     EXPECT_EQ(affine<colour>::store(total), (colour{8, 64, 255})); // 7.75, 63.75
     EXPECT_EQ(affine<colour>::store({-3, 255.5, 1e9}), (colour{0, 255, 255}));
     EXPECT_TRUE((std::same_as<kith::scalar_of<colour>, double>));
+}
+
+TEST(affine, integers_of_64_bits_are_kept_in_range)
+{
+    using values = std::array<std::int64_t, 3>;
+    using limits = std::numeric_limits<std::int64_t>;
+    EXPECT_EQ(affine<values>::store({1e300, -1e300, -2.5}), (values{limits::max(), limits::min(), -3}));
+    EXPECT_EQ(affine<values>::store({std::ldexp(1., 62), -std::ldexp(1., 63), std::nan("")}),
+              (values{std::int64_t(1) << 62, limits::min(), limits::min()}));
+    using natural = std::array<std::uint64_t, 2>;
+    EXPECT_EQ(affine<natural>::store({std::ldexp(3., 62), -1}), (natural{std::uint64_t(3) << 62, 0}));
 }
 
 TEST(affine, points_and_numbers_are_affine_values)

@@ -75,6 +75,16 @@ inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
 }
 
 /// A torus of triangles with vertices of all valences from 3 to 17.
+/// A torus of n x n quads, one of which is cut in two.
+inline shape torus_with_two_triangles(std::size_t n, std::size_t quad)
+{
+    shape result = torus(n, n);
+    const auto f = result.faces[quad];
+    result.faces[quad] = {f[0], f[1], f[2]};
+    result.faces.push_back({f[0], f[2], f[3]});
+    return result;
+}
+
 inline shape torus_of_all_valences()
 {
     shape s = triangulated(torus(20, 20));

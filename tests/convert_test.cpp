@@ -240,3 +240,12 @@ TEST(convert, what_is_no_mesh_is_refused)
         error_text<kith::mesh_error>([&] { kith::convert<poly_mesh, label>(isolated); }).find("belongs to no face"),
         std::string::npos);
 }
+
+TEST(convert, fans_that_only_meet_in_a_vertex_are_refused)
+{
+    auto cube = cgal(shapes::cube());
+    using vertex_index = cgal_mesh::Vertex_index;
+    cube.set_target(cube.halfedge(vertex_index(7), vertex_index(6)), vertex_index(0));
+    EXPECT_NE(error_text<kith::mesh_error>([&] { kith::convert<poly_mesh>(cube); }).find("several fans"),
+              std::string::npos);
+}

@@ -133,6 +133,15 @@ TEST(plan, what_fits_is_planned_and_what_does_not_is_told)
     EXPECT_EQ(kith::plan_what_fits(cube, kith::catmull_clark(), 3).problem, "");
 }
 
+TEST(plan, tells_the_shares_of_work_of_levels_that_32_bits_cannot_number)
+{
+    const auto shares = kith::shares_of_work(cube, kith::catmull_clark{}, 16);
+    ASSERT_EQ(shares.size(), 17U);
+    EXPECT_EQ(shares.front(), 0);
+    EXPECT_EQ(shares.back(), 1);
+    EXPECT_NEAR(shares[15], .25, 1e-9);
+}
+
 TEST(plan, refuses_what_64_bits_cannot_count)
 {
     const auto by = [](int n) {

@@ -212,6 +212,19 @@ TEST(ply_file, refuses_what_the_format_has_no_room_for)
     for (const kith::file_array& flow :
          {kith::file_array{"flow", vertices, "Float32", 3, 12}, kith::file_array{"flow", faces, "Float32", 3, 12}})
         EXPECT_NE(text({flow}).find("the field \"flow\" has no place in PLY"), std::string::npos);
+    const auto is_taken = [&](const std::string& name, kith::field_on on) {
+        const auto said = text(
+            {{"heat", vertices, "Float32", 1, 4}, {"a b", faces, "Float32", 1, 4}, {name, on, "Float32", 1, 4}});
+        return said.find("\"" + name + "\", a name that is empty, or") != std::string::npos;
+    };
+    for (const std::string name : {"", "x", "z", "heat"})
+        EXPECT_TRUE(is_taken(name, vertices)) << name;
+    for (const std::string name : {"", "vertex_indices", "a_b"})
+        EXPECT_TRUE(is_taken(name, faces)) << name;
+    EXPECT_TRUE(is_taken("a b", corners));
+    for (const std::string name : {"nx", "a b"})
+        EXPECT_FALSE(is_taken(name, vertices)) << name;
+    EXPECT_FALSE(is_taken("heat", faces));
     EXPECT_NE(text({arrays[2], {"more", corners, "Float32", 1, 4}}).find("the field \"more\" has no place in PLY"),
               std::string::npos);
 

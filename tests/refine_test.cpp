@@ -236,3 +236,17 @@ TEST(refine, gives_the_same_bits_with_any_index)
     EXPECT_TRUE(std::ranges::equal(narrow.points(), wide.points(), same_points<shapes::point>));
     EXPECT_TRUE(std::ranges::equal(narrow.topology().corner_halfedge, wide.topology().corner_halfedge));
 }
+
+TEST(refine, takes_points_of_long_doubles)
+{
+    const auto [points, faces] = shapes::torus(8, 9);
+    std::vector<std::array<long double, 3>> exact;
+    for (const auto& p : points)
+        exact.push_back({p[0], p[1], p[2]});
+    const auto fine = refine(kith::make_mesh(exact, faces), kith::catmull_clark(), 3);
+    const auto rounded = refine(kith::make_mesh(points, faces), kith::catmull_clark(), 3);
+    ASSERT_EQ(fine.vertex_count(), rounded.vertex_count());
+    for (std::size_t v = 0; v < fine.vertex_count(); ++v)
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(double(fine.point(v)[i]), rounded.point(v)[i], 1e-14);
+}

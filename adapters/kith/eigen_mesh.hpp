@@ -51,10 +51,15 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, 3> points_as_matrix(const basic_mesh<std::
     return Eigen::Map<const rows>(mesh.points().data()->data(), Eigen::Index(mesh.vertex_count()), 3);
 }
 
-/// The faces of a mesh, a row each; rows of faces with fewer corners than others end in -1. Cost: O(corners).
+/// The faces of a mesh, a row each; rows of faces with fewer corners than others end in -1. Errors: mesh_error for more vertices than an int
+/// can number. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 Eigen::MatrixXi faces_as_matrix(const basic_mesh<Point, Index>& mesh)
 {
+    constexpr auto most = std::size_t(std::numeric_limits<int>::max());
+    if (mesh.vertex_count() > most)
+        throw mesh_error("a matrix of ints can number " + std::to_string(most) + " vertices, the mesh has " +
+                         std::to_string(mesh.vertex_count()) + "; read its topology() instead");
     std::size_t degree = 0;
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         degree = std::max(degree, mesh.face(f).size());

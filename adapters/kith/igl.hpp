@@ -12,7 +12,7 @@
 namespace kith::igl {
 
 /// By any scheme; the result may be the matrices that were given. Errors: as `refine`. Cost: as `refine`, and two copies.
-template <class Scheme, class V, class F, class NewV, class NewF>
+template <scheme Scheme, class V, class F, class NewV, class NewF>
 void refine(const Scheme& scheme, const Eigen::MatrixBase<V>& points, const Eigen::MatrixBase<F>& faces,
             Eigen::PlainObjectBase<NewV>& new_points, Eigen::PlainObjectBase<NewF>& new_faces, int steps = 1)
 {

@@ -147,11 +147,18 @@ public:
         std::iota(all.begin(), all.end(), 0);
         return refine(how, all, use, most_at_once);
     }
-    /// Collective. The same for some of the tiles, by their numbers, which are the same on all ranks.
+    /// Collective. The same for some of the tiles, by their numbers, which are the same on all ranks. Errors: as above, and phase_error for a
+    /// number that no tile has.
     template <class Use>
     work_done refine(sharing how, const std::vector<std::uint64_t>& numbers, const Use& use,
                      std::size_t most_at_once = 1)
     {
+        in_agreement(comm_, [&] {
+            for (const std::uint64_t number : numbers)
+                if (number >= tiles())
+                    throw mesh_error("tile " + std::to_string(number) + " was asked for; there are " +
+                                     std::to_string(tiles()) + ", numbered from 0");
+        });
         most_at_once_ = most_at_once;
         work_done done;
         done.seconds = std::exchange(seconds_, {});

@@ -5,7 +5,7 @@
 
 #include <kith/base/affine.hpp>
 #include <kith/base/storage.hpp>
-#include <kith/level/lift.hpp>
+#include <kith/level/validate.hpp>
 #include <kith/property/copy_properties.hpp>
 
 #include <algorithm>
@@ -64,6 +64,22 @@ basic_mesh<To, std::uint32_t> with_points(basic_mesh<From, std::uint32_t>&& mesh
     }
 }
 
+/// How many corners lie in the fans of their vertices: all of them, unless a vertex has several fans.
+template <std::unsigned_integral Index>
+std::size_t corners_in_fans(const connectivity<Index>& mesh)
+{
+    std::size_t result = 0;
+    for (std::size_t v = 0; v < mesh.vertices; ++v) {
+        const Index start = mesh.vertex_corner[v];
+        Index c = start;
+        do {
+            result += mesh.corner_vertex[c] == v;
+            c = mesh.next_in_fan(c);
+        } while (c != mesh.none and c != start);
+    }
+    return result;
+}
+
 } // namespace detail
 
 /// A mesh of another library with the same elements, in the same order, direction and start of each, and with all properties
@@ -80,7 +96,10 @@ conversion<To> convert(const From& mesh)
 {
     require_edges(mesh);
     conversion_report report;
-    auto native = detail::with_points<typename mesh_traits<To>::point>(lift(mesh), report);
+    auto lifted = lift(mesh);
+    if (detail::corners_in_fans(lifted.topology()) != lifted.topology().corners())
+        validate(mesh).require_ok();
+    auto native = detail::with_points<typename mesh_traits<To>::point>(std::move(lifted), report);
     conversion<To> result{mesh_traits<To>::build(std::move(native)), std::move(report)};
     detail::copy_properties<More...>(mesh, result.mesh, result.report);
     return result;

@@ -44,7 +44,7 @@ public:
     }
 
     /// The same; after each level go_on(done) is told the share of the work that is done, 0 to 1, and may return false: then the
-    /// hierarchy becomes what it was before the call. Returns whether it went on to the end.
+    /// hierarchy becomes what it was before the call, without levels that were undone before. Returns whether it went on to the end.
     template <std::predicate<double> GoOn>
     bool refine(int n, const GoOn& go_on)
     {
@@ -184,7 +184,8 @@ public:
 
     /// Moves the vertices of a level, and those of all finer levels with them: the same bits as refining a mesh with these points,
     /// without making its connectivity again. Points in the order of dense numbers.
-    /// Errors: mesh_error unless there is a point per vertex, all finite; nothing is moved then. Cost: that of `carry`.
+    /// Errors: mesh_error unless there is a point per vertex, all finite; nothing is moved then. Where memory runs out, finer levels may stay
+    /// as they were. Cost: that of `carry`.
     void move_points(int level, std::span<const typename traits::point> points)
         requires movable_mesh<M>
     {
@@ -203,7 +204,8 @@ public:
     }
 
     /// Values at the vertices of level `from` carried to level `to` by the scheme's own text: colours, weights, hashes,
-    /// anything with an `affine`. In the order of the dense vertex numbers. Errors: mesh_error unless from <= to and there is a
+    /// anything with an `affine`, which may be called on several threads at once where points are plain bytes. In the order of the dense vertex
+    /// numbers. Errors: mesh_error unless from <= to and there is a
     /// value per vertex. Cost: that of refining again, without connectivity.
     template <affine_value T>
     [[nodiscard]] storage<T> carry(int from, int to, std::span<const T> values) const

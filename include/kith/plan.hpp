@@ -120,7 +120,8 @@ std::vector<double> shares_of_work(const counts& control, const S& scheme, int l
 {
     std::vector<double> result{0};
     if constexpr (countable_scheme<S>) {
-        const auto planned = plan(control, scheme, levels, generation);
+        // Counts alone are asked for, which are those of any point and index.
+        const auto planned = plan(control, scheme, levels, generation, sizeof(double), sizeof(std::uint64_t));
         for (int level = 1; level <= levels; ++level)
             result.push_back(result.back() + double(planned[std::size_t(level)].counts.faces));
     } else {

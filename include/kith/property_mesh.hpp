@@ -36,8 +36,8 @@ public:
     [[nodiscard]] const native_mesh& native() const { return mesh_; }
     operator const native_mesh&() const { return mesh_; }
 
-    /// Gives the elements of a kind the values of a field under a name; what had that name there goes. Corners are kept as the
-    /// half-edges that lead to them, as in the other libraries.
+    /// Gives the elements of a kind the values of a field under a name; what had that name there goes, but values of this type on half-edges beyond the
+    /// boundary. Corners are kept as the half-edges that lead to them, as in the other libraries.
     /// Errors: mesh_error unless there is a value for each.
     template <field_on Where, class T, class Rule>
     void set(const std::string& name, const field<Where, T, Rule>& values)
@@ -113,22 +113,14 @@ private:
     [[nodiscard]] auto handles_on() const
     {
         if constexpr (Where == field_on::vertices)
-            return handles<typename traits::vertex>();
+            return detail::handles_of<typename traits::vertex>(mesh_);
         else if constexpr (Where == field_on::edges)
-            return handles<typename traits::edge>();
+            return detail::handles_of<typename traits::edge>(mesh_);
         else if constexpr (Where == field_on::faces)
-            return handles<typename traits::face>();
+            return detail::handles_of<typename traits::face>(mesh_);
         else
-            return handles<typename traits::halfedge>();
+            return detail::handles_of<typename traits::halfedge>(mesh_);
     }
-    template <class Handle>
-    [[nodiscard]] std::vector<Handle> handles() const
-    {
-        std::vector<Handle> result;
-        detail::for_each_handle<Handle>(mesh_, [&](Handle x) { result.push_back(x); });
-        return result;
-    }
-
     native_mesh mesh_;
     values_by_name on_vertices_, on_halfedges_, on_edges_, on_faces_;
 };

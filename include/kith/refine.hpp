@@ -67,7 +67,7 @@ std::uint64_t require_room(const counts& control, const Scheme& scheme, int leve
 template <std::unsigned_integral Index, countable_scheme Scheme>
 std::uint64_t bytes_of_numbers(const counts& control, const Scheme& scheme, int levels, int generation)
 {
-    const counts coarse = plan(control, scheme, levels - 1, generation).back().counts;
+    const counts coarse = plan(control, scheme, levels - 1, generation, sizeof(double), sizeof(Index)).back().counts;
     return (coarse.vertices + coarse.edges + coarse.faces) * sizeof(Index);
 }
 

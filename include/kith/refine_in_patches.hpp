@@ -32,7 +32,7 @@ public:
         if (not is_worth_looking())
             return;
         const std::size_t looks = std::clamp<std::size_t>(plan_->last().faces / 1024, 128, 1024);
-        if (share_of_kinds(control.topology(), 1, looks) > costs_.share_if_alike) // one ring tells
+        if (share_of_classes(control.topology(), 1, looks) > costs_.share_if_alike) // one ring tells
             begin_where_faces_are_alike(scheme, levels);
     }
 

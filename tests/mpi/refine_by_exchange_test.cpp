@@ -117,6 +117,15 @@ TEST(exchanging_refinement, equals_the_whole_mesh_bit_for_bit)
     expect_same(grid, kith::sqrt3{}, 4, in_blocks(grid, 2));
 }
 
+TEST(exchanging_refinement, takes_tiles_of_quads_alone_beside_others)
+{
+    for (const std::size_t quad : {3, 40, 128, 250}) {
+        const auto torus = native(shapes::shaken(shapes::torus_with_two_triangles(16, quad)));
+        expect_same(torus, kith::doo_sabin{}, 3, in_blocks(torus, 2));
+        expect_same(torus, kith::catmull_clark{}, 2, in_blocks(torus, 5));
+    }
+}
+
 TEST(exchanging_refinement, takes_tiles_of_any_generation)
 {
     const kith::sqrt3 scheme; // cuts the edges of the boundary in every second step

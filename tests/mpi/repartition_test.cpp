@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../all_shapes.hpp"
 #include "../error_text.hpp"
 #include "../same_mesh.hpp"
 #include "on_ranks.hpp"
@@ -124,8 +125,8 @@ TEST(repartition, refuses_ranks_that_do_not_exist)
 
 TEST(gather, gives_one_rank_the_mesh_that_refine_makes)
 {
-    const auto expect = [](const auto& scheme, const mesh3d& control, int levels, std::size_t tiles) {
-        kith::mpi::rank_refinement refinement(world(), control, scheme, levels, scattered(control, tiles, 3));
+    const auto expect = [](const auto& scheme, const mesh3d& control, int levels, const kith::partition& tiles) {
+        kith::mpi::rank_refinement refinement(world(), control, scheme, levels, tiles);
         tiles3d parts;
         refinement.refine(kith::mpi::sharing::spmd,
                           [&](std::uint64_t number, tile3d&& part) { parts.push_back({number, std::move(part)}); });
@@ -137,8 +138,25 @@ TEST(gather, gives_one_rank_the_mesh_that_refine_makes)
             EXPECT_EQ(gathered.vertex_count(), 0U);
     };
     const auto house = native(shapes::shaken(shapes::open_house()));
-    expect(kith::catmull_clark{}, house, 2, 9);
-    expect(kith::doo_sabin{}, house, 2, 3); // of many degrees
+    expect(kith::catmull_clark{}, house, 2, scattered(house, 9, 3));
+    expect(kith::doo_sabin{}, house, 2, scattered(house, 3, 3)); // of many degrees
+    for (const std::size_t quad : {40, 200}) {                   // some tiles are of quads alone
+        const auto torus = native(shapes::shaken(shapes::torus_with_two_triangles(16, quad)));
+        expect(kith::doo_sabin{}, torus, 2, in_blocks(torus, 2));
+        expect(kith::doo_sabin{}, torus, 2, in_blocks(torus, 7));
+    }
+}
+
+TEST(rank_refinement, refuses_tiles_that_are_not_there)
+{
+    const auto torus = native(shapes::torus(5, 7));
+    kith::mpi::rank_refinement refinement(world(), torus, kith::catmull_clark{}, 1, in_blocks(torus, 3));
+    const auto refine = [&](const std::vector<std::uint64_t>& numbers) {
+        return error_text<kith::mpi::phase_error>(
+            [&] { refinement.refine(kith::mpi::sharing::spmd, numbers, [](std::uint64_t, tile3d&&) {}); });
+    };
+    EXPECT_EQ(refine({2}), "no error");
+    EXPECT_NE(refine({1, 3}).find("tile 3 was asked for; there are 3"), std::string::npos) << refine({1, 3});
 }
 
 TEST(gather, refuses_what_is_too_large_or_not_all)

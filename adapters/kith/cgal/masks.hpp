@@ -18,7 +18,7 @@ namespace detail {
 
 /// A step whose points are made by place(view, native mesh, numbering, points of the graph), on the graph as it is before.
 /// What is carried goes by the masks of the scheme, which has the connectivity.
-template <class Graph, class VertexPointMap, class Scheme, class Place>
+template <class Graph, class VertexPointMap, scheme Scheme, class Place>
 void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation, const Place& place)
 {
     using view_type = face_graph<Graph, VertexPointMap>;
@@ -101,7 +101,7 @@ void repeat(Graph& g, const Np& np, const Step& step)
         step(points, i);
 }
 /// For schemes whose steps are all alike.
-template <class Graph, class Np, class Scheme, class Place>
+template <class Graph, class Np, scheme Scheme, class Place>
 void repeat_by_mask(Graph& g, const Np& np, const Scheme& scheme, const Place& place)
 {
     repeat(g, np, [&](const auto& points, int) { step_by_mask(g, points, scheme, 0, place); });

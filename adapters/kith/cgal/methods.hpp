@@ -12,7 +12,7 @@ namespace kith::cgal {
 namespace detail {
 
 /// The scheme, or the linear split where nothing is to move.
-template <class Linear, class Graph, class Scheme, class Np>
+template <class Linear, class Graph, scheme Scheme, class Np>
 void subdivide(Graph& pmesh, const Scheme& scheme, const Np& np)
 {
     if constexpr (steps<Np>) {

@@ -11,6 +11,8 @@
 #include <kith/in_place/refine_in_place.hpp>
 #include <kith/linear.hpp>
 
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <type_traits>

@@ -28,7 +28,7 @@ struct carried_values {
     }
 
     /// Makes them those of the next level; old vertices that do not move keep what they have.
-    template <class Step>
+    template <finished_step Step>
     void advance(const Step& step, bool points_stay)
     {
         for (auto& each : vertex_means) {
@@ -118,7 +118,7 @@ public:
     {
     }
     [[nodiscard]] no_properties& values() { return *this; }
-    template <class Step>
+    template <finished_step Step>
     void advance(const Step&, bool) const
     {
     }

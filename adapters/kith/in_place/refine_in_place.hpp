@@ -41,7 +41,7 @@ bool keeps_vertices(const Ids& ids, std::size_t vertices)
 /// One step, with what goes along: `carried`, such as carried_values, and the scheme, which becomes that of the next level.
 /// Where points stay, old vertices do not move, as if each had been reset after the step. change(numbering, points) is called
 /// with the new points before they are used.
-template <class Point, class Scheme, class Carried, class Change>
+template <class Point, scheme Scheme, class Carried, class Change>
 void step(refined<Point>& surface, Scheme& scheme, Carried& carried, bool points_stay, const Change& change)
 {
     numbering_of<Scheme, std::uint32_t> ids;
@@ -58,14 +58,14 @@ void step(refined<Point>& surface, Scheme& scheme, Carried& carried, bool points
     advance(scheme, coarse, surface.mesh.generation(), ids, fine);
     surface = {std::move(fine), surface.keeps_vertices and keeps};
 }
-template <class Point, class Scheme, class Carried>
+template <class Point, scheme Scheme, class Carried>
 void step(refined<Point>& surface, Scheme& scheme, Carried& carried, bool points_stay)
 {
     step(surface, scheme, carried, points_stay, [](const auto&, const auto&) {});
 }
 
 /// What a scheme needs before its first step: 4-8 a tri-quad mesh, which it makes of any mesh as `tri_quad` does.
-template <class Point, class Scheme, class Carried>
+template <class Point, scheme Scheme, class Carried>
 void prepare(refined<Point>&, const Scheme&, Carried&)
 {
 }

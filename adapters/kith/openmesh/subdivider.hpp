@@ -29,7 +29,7 @@ struct quads_split {
         return scheme_traits{.name = "linear", .trusted = true, .state = &quads_split::sharpness};
     }
     static constexpr auto columns() { return quad_split::columns(); }
-    template <class R>
+    template <running_step R>
     void operator()(const R& r) const
     {
         linear()(r);
@@ -60,7 +60,11 @@ public:
     subdivider(const subdivider&) = delete;
     subdivider& operator=(const subdivider&) = delete;
 
-    [[nodiscard]] const char* name() const { return scheme_name<Scheme>().data(); }
+    [[nodiscard]] const char* name() const
+    {
+        static const std::string with_end(scheme_name<Scheme>());
+        return with_end.c_str();
+    }
     /// Its options, creases among them. Those of an attached mesh become those of the refined one.
     [[nodiscard]] Scheme& scheme() { return scheme_; }
     void on_progress(progress_function progress) { progress_ = std::move(progress); }

@@ -17,13 +17,15 @@ namespace kith::mpi {
 class under_way {
 public:
     /// Local: starts them all. `sizes[r]` bytes come from rank r; what a rank sends to itself is handed over.
+    /// Errors: mpi::error, when those that have begun are through.
     under_way(communicator& comm, std::vector<std::vector<std::byte>> to, const std::vector<std::uint64_t>& sizes)
-        : sent_(std::move(to)), received_(sizes.size())
+        : under_way(std::move(to), sizes.size())
     {
         const auto self = std::size_t(comm.rank());
-        for (std::size_t r = 0; r < sizes.size(); ++r) // all of it before any is under way, should there not be enough
+        for (std::size_t r = 0; r < sizes.size(); ++r) // all memory before any is under way, should there not be enough
             if (r != self)
                 received_[r].resize(sizes[r]);
+        requests_.reserve(2 * sizes.size());
         for (std::size_t r = 0; r < sizes.size(); ++r)
             if (r != self)
                 comm.start_receive(received_[r], int(r), requests_);
@@ -46,6 +48,9 @@ public:
     }
 
 private:
+    /// With nothing begun. Whoever delegates to it and throws is destroyed, which waits.
+    under_way(std::vector<std::vector<std::byte>> to, std::size_t ranks) : sent_(std::move(to)), received_(ranks) {}
+
     std::vector<std::vector<std::byte>> sent_, received_;
     std::vector<MPI_Request> requests_;
 };

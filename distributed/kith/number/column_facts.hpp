@@ -11,10 +11,6 @@
 
 namespace kith {
 
-/// The columns of a scheme.
-template <scheme Scheme>
-using columns_type = decltype(columns_of(std::declval<const Scheme&>(), 0));
-
 namespace detail {
 
 /// Picks tuples anywhere, by marks of edges, and says how many: `before(n, m)` is how many of the tuples before the n-th of

@@ -62,7 +62,7 @@ inline bool has_nan(const file_array& array, const std::byte* value)
 class ply_file : public stitched_file {
 public:
     /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number, for numbers of a type
-    /// that it has not, for several of them in a value of a vertex or face, and for two fields on corners.
+    /// that it has not, for several of them in a value of a vertex or face, for two fields on corners, and for a name that is taken.
     explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {},
                       const std::vector<std::string>& file_lines = {})
         : counts_(counts), with_normals_(with_normals), arrays_(std::move(arrays))
@@ -81,11 +81,13 @@ public:
                 throw mesh_error("the field \"" + array.name +
                                  "\" has no place in PLY, which has numbers at vertices and faces and one list for " +
                                  "corners; write .vtu");
-            const std::string property = "property " + word + " " + ply_name(array.name) + "\n";
+            const std::string name = ply_name(array.name);
+            require_free(name, i);
+            const std::string property = "property " + word + " " + name + "\n";
             comments += ply_word_lines(array.name, array.words);
             if (at_corners) {
                 corners_ = i;
-                of_corners = "property list uchar " + word + " " + array.name + "\n";
+                of_corners = "property list uchar " + word + " " + name + "\n";
             } else {
                 const bool at_vertices = array.on == field_on::vertices;
                 (at_vertices ? of_vertices : of_faces) += property;
@@ -122,6 +124,23 @@ public:
     }
 
 private:
+    /// Errors: mesh_error for the name of the i-th array, where the file has another property of that name.
+    void require_free(const std::string& name, std::size_t i) const
+    {
+        const auto is_on_vertices = [&](const file_array& a) { return a.on == field_on::vertices; };
+        const auto is_its_name = [&](const file_array& other) {
+            return is_on_vertices(other) == is_on_vertices(arrays_[i]) and ply_name(other.name) == name;
+        };
+        const auto own = is_on_vertices(arrays_[i]) ? std::vector<std::string>{"x", "y", "z"}
+                                                    : std::vector<std::string>{"vertex_indices"};
+        const auto normals = is_on_vertices(arrays_[i]) and with_normals_ ? std::vector<std::string>{"nx", "ny", "nz"}
+                                                                          : std::vector<std::string>();
+        const auto end = arrays_.begin() + std::ptrdiff_t(i);
+        if (name.empty() or std::ranges::count(own, name) + std::ranges::count(normals, name) != 0 or
+            std::any_of(arrays_.begin(), end, is_its_name))
+            throw mesh_error("a field was to be called \"" + arrays_[i].name +
+                             "\", a name that is empty, or that another property of the file has; give it another one");
+    }
     [[nodiscard]] std::uint64_t face_at(std::uint64_t face, std::uint64_t corner) const
     {
         return head_.size() + bytes_of_vertex_ * counts_.vertices + bytes_of_face_ * face + bytes_of_corner_ * corner;

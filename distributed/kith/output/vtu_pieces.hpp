@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -72,9 +73,10 @@ public:
     {
         require_values(part, arrays_.list(), values);
         const piece expected(part, with_origin_, with_normals_, arrays_);
-        if (std::filesystem::file_size(path(tile)) != expected.layout.size())
+        auto file = offset_file::open(path(tile)); // tells what is wrong where there is none
+        std::error_code error;
+        if (std::filesystem::file_size(path(tile), error) != expected.layout.size() or error)
             return "the size of " + path(tile);
-        auto file = offset_file::open(path(tile));
         compared_bytes compared(file);
         put_piece(compared, part, expected, tile, std::nullopt);
         put_values(compared, expected, values);

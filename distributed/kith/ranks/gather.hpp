@@ -102,14 +102,18 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
                                       const whole_counts& counts, std::uint64_t memory_limit, std::uint64_t state_bytes,
                                       const Pack& pack, const Add& add)
 {
-    std::array<double, 2> form{0, 0}; // degree and generation, known where a tile is
+    // The generation, and the most and the fewest corners of a face, known where a tile is: one of quads alone does not say that all are.
+    constexpr double none = std::numeric_limits<double>::lowest();
+    std::array<double, 3> form{0, none, none};
     std::array<std::uint64_t, 2> owned{0, 0};
     for (const auto* part : tiles) {
-        form = {double(part->mesh.topology().degree), double(part->mesh.generation())};
+        const double degree_of_part = part->mesh.topology().degree;
+        form = {double(part->mesh.generation()), std::max(form[1], degree_of_part), std::max(form[2], -degree_of_part)};
         owned[0] += owned_count(part->vertex_marks);
         owned[1] += owned_count(part->face_marks);
     }
-    const auto [degree, generation] = comm.maximum(form);
+    const auto [generation, most, fewest] = comm.maximum(form);
+    const int degree = most == -fewest ? int(most) : 0;
     owned = comm.sum(owned);
     basic_mesh<Point, Index> result;
     in_agreement(comm, [&] {
@@ -130,7 +134,7 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
                              "; give all tiles of the level, each once");
     });
     std::optional<gathered_mesh<Point, Index>> whole;
-    in_agreement(comm, [&] { comm.is_root() ? void(whole.emplace(counts, int(degree))) : void(); });
+    in_agreement(comm, [&] { comm.is_root() ? void(whole.emplace(counts, degree)) : void(); });
     in_agreement(comm, [&] {
         std::string problem; // nobody may leave while others wait for a message
         const auto packed = [&](std::size_t i) {

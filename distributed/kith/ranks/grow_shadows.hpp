@@ -225,8 +225,10 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
             std::iota(all.begin(), all.end(), Index(0));
             auto patch = patch_of(part, std::span<const Index>(all));
             patch.append(more[t]);
-            auto grown = tile_of_patch<Index>(
-                std::move(patch), part.mesh.topology().degree, part.mesh.generation(), not part.corners_before.empty());
+            auto grown = tile_of_patch<Index>(std::move(patch),
+                                              not part.first_corner_ids.empty(),
+                                              part.mesh.generation(),
+                                              not part.corners_before.empty());
             detail::keep_owned(part, grown);
             if constexpr (has_state<Scheme>) {
                 const Scheme before = std::exchange(schemes[t],

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,7 @@ namespace kith::mpi {
 ///
 /// into one file (.vtu), the same bytes for any number of tiles and ranks, or into a file per tile and an index (.pvtu) with
 /// the tiles in NAME.pieces. `counts` are those of the level; the path is the same on all ranks, on a file system that they share.
-/// Until the file is complete it is called NAME.incomplete; after an error it is removed.
+/// Until the file is complete it is called NAME.incomplete; after an error it is removed, pieces that are written already stay.
 /// Errors: phase_error when tiles are missing, for a field without values, for two of one name, for a vertex that has no finite
 /// place and for what the file system says. Cost: O(corners).
 template <std::unsigned_integral Index, scheme Scheme, class... Find>

@@ -54,7 +54,7 @@ tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& sl
         unpacker in(bytes);
         patch.append(unpack_patch<Point>(in));
     }
-    return tile_of_patch<Index>(std::move(patch), slice.degree, 0, true);
+    return tile_of_patch<Index>(std::move(patch), false, 0, true);
 }
 
 /// Whoever owns the smallest face of an element owns it. Precondition: a ring of shadows around faces [first, end).
@@ -87,7 +87,7 @@ void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
 /// `rings` > 0 rings of shadows: the tiles that tile_cutter makes of the mesh and its block_partition, with the numbers
 /// that make_mesh gives. A vertex, and the edges to larger ones, are looked after by the rank that reads the vertex.
 /// Errors: phase_error for a file that cannot be read so, and for what is not a manifold.
-/// Cost: O(file / ranks) memory and work on each rank, and of the shadows, but O(n^2) work for a vertex of n faces; about
+/// Cost: O(file / ranks) memory and work on each rank, and of the shadows, but O(n log n) work for a vertex of n faces; about
 /// twenty messages at most to each rank.
 template <std::unsigned_integral Index = std::uint32_t>
 sliced_mesh<std::array<double, 3>, Index> read_tiles(communicator& comm, const std::string& path, int rings)

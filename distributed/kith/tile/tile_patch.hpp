@@ -111,12 +111,11 @@ public:
         edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
     }
 
-    /// `degree` is that of all faces, or 0.
-    [[nodiscard]] tile<Point, Index> build(int degree, int generation, bool with_corners_before) const
+    [[nodiscard]] tile<Point, Index> build(bool with_first_corners, int generation, bool with_corners_before) const
     {
         tile<Point, Index> result;
         connectivity<Index> t;
-        fill_corners(t, degree, result);
+        fill_corners(t, result);
         std::vector<global_id> vertex_ids;
         for (const auto& v : all_.vertices)
             vertex_ids.push_back(v.id);
@@ -135,7 +134,7 @@ public:
         }
         result.vertex_ids = storage<global_id>(vertex_ids);
         result.edge_ids = storage<global_id>(edges_);
-        fill_faces(result, degree == 0);
+        fill_faces(result, with_first_corners);
         result.mesh = {std::move(points), std::move(t), generation};
         return result;
     }
@@ -156,10 +155,18 @@ private:
         return std::size_t(std::ranges::lower_bound(edges_, end / 2) - edges_.begin());
     }
 
-    void fill_corners(connectivity<Index>& t, int degree, tile<Point, Index>& result) const
+    /// 3 or 4 if all faces have so many corners, else 0.
+    [[nodiscard]] int degree_of_all() const
+    {
+        const std::uint64_t first = faces_.empty() ? 0 : faces_.front().face->degree;
+        const auto is_like_first = [&](const placed_face& f) { return f.face->degree == first; };
+        return (first == 3 or first == 4) and std::ranges::all_of(faces_, is_like_first) ? int(first) : 0;
+    }
+
+    void fill_corners(connectivity<Index>& t, tile<Point, Index>& result) const
     {
         t.vertices = all_.vertices.size();
-        t.allocate_faces(faces_.size(), degree, [this](std::size_t f) { return faces_[f].face->degree; });
+        t.allocate_faces(faces_.size(), degree_of_all(), [this](std::size_t f) { return faces_[f].face->degree; });
         t.allocate_edges(edges_.size());
         // Side 0 of an edge always has a face here; an edge of which only the other side is here is turned.
         std::vector<unsigned char> left_is_here(edges_.size(), 0);
@@ -188,7 +195,7 @@ private:
                 result.edge_marks[e] = 0;
     }
 
-    void fill_faces(tile<Point, Index>& result, bool mixed) const
+    void fill_faces(tile<Point, Index>& result, bool with_first_corners) const
     {
         std::vector<global_id> roots;
         for (const auto& f : faces_)
@@ -199,13 +206,13 @@ private:
         result.face_ids = storage<global_id>(faces_.size());
         result.root_of = storage<Index>(faces_.size());
         result.face_marks = storage<unsigned char>(faces_.size(), 0);
-        if (mixed)
+        if (with_first_corners)
             result.first_corner_ids = storage<global_id>(faces_.size());
         for (std::size_t f = 0; f < faces_.size(); ++f) {
             const auto& face = *faces_[f].face;
             result.face_ids[f] = face.id;
             result.root_of[f] = Index(std::ranges::lower_bound(roots, face.root) - roots.begin());
-            if (mixed)
+            if (with_first_corners)
                 result.first_corner_ids[f] = face.first_corner;
         }
     }
@@ -217,13 +224,16 @@ private:
 
 } // namespace detail
 
-/// The tile that a patch makes, of which nothing is owned yet. `degree` is that of all faces, or 0 when they are of many.
+/// The tile that a patch makes, of which nothing is owned yet. `with_first_corners`: the faces of the whole mesh are of many degrees, also
+/// where those of the patch are of one.
 /// Precondition: wherever all faces of an inner vertex are there, one says where its fan starts.
 /// Cost: O(elements log of them).
 template <std::unsigned_integral Index, class Point>
-tile<Point, Index> tile_of_patch(tile_patch<Point> patch, int degree, int generation, bool with_corners_before)
+tile<Point, Index> tile_of_patch(tile_patch<Point> patch, bool with_first_corners, int generation,
+                                 bool with_corners_before)
 {
-    return detail::patch_builder<Point, Index>(std::move(patch)).build(degree, generation, with_corners_before);
+    return detail::patch_builder<Point, Index>(std::move(patch))
+        .build(with_first_corners, generation, with_corners_before);
 }
 
 } // namespace kith

@@ -51,8 +51,10 @@ struct affine<std::array<Scalar, N>> : coordinates_affine<Scalar, N> {
 template <std::integral Integer>
 Integer rounded(double x)
 {
-    return Integer(std::lround(
-        std::clamp(x, double(std::numeric_limits<Integer>::min()), double(std::numeric_limits<Integer>::max()))));
+    constexpr Integer least = std::numeric_limits<Integer>::min(), most = std::numeric_limits<Integer>::max();
+    if (not(x > double(least))) // no number, too
+        return least;
+    return x >= double(most) ? most : Integer(std::round(x));
 }
 
 /// Coordinates that are integers, such as the channels of a colour: combined as doubles and rounded at the end.

@@ -81,7 +81,7 @@ private:
     static constexpr bool is_huge(std::size_t bytes) { return bytes >= 2 * page; }
 
     /// Blocks of nearly one size are of one size. What is added is never touched, so it is address space only.
-    static std::size_t rounded(std::size_t bytes)
+    static std::size_t in_whole_units(std::size_t bytes)
     {
         const std::size_t unit = std::max(is_huge(bytes) ? page : smallest / 16, std::bit_floor(bytes) / 16);
         return (bytes + unit - 1) / unit * unit;
@@ -118,7 +118,7 @@ private:
 
 KITH_IN_LIBRARY void* large_blocks::allocate(std::size_t bytes)
 {
-    bytes = rounded(bytes);
+    bytes = in_whole_units(bytes);
     const std::lock_guard lock(mutex_);
     const std::size_t now = in_use_ + bytes;
     for (std::size_t i = kept_count_; i-- > 0;)
@@ -146,7 +146,7 @@ KITH_IN_LIBRARY void* large_blocks::allocate(std::size_t bytes)
 
 KITH_IN_LIBRARY void large_blocks::free(void* block, std::size_t bytes) noexcept
 {
-    bytes = rounded(bytes);
+    bytes = in_whole_units(bytes);
     const std::lock_guard lock(mutex_);
     in_use_ -= bytes;
     if (kept_count_ == kept_.size() and smallest_kept()->bytes < bytes)

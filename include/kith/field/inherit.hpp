@@ -51,16 +51,28 @@ public:
     {
         if constexpr (std::is_copy_assignable_v<Rule>)
             rule_ = other.rule_;
-        else if (this != &other) {
-            std::destroy_at(&rule_);
-            std::construct_at(&rule_, other.rule_);
-        }
+        else if (this != &other)
+            replace(Rule(other.rule_)); // what copying throws leaves this one as it was
+        return *this;
+    }
+    assignable& operator=(assignable&& other) noexcept
+    {
+        if constexpr (std::is_nothrow_move_assignable_v<Rule>)
+            rule_ = std::move(other.rule_);
+        else if (this != &other)
+            replace(std::move(other.rule_));
         return *this;
     }
     ~assignable() = default;
     [[nodiscard]] const Rule& operator*() const { return rule_; }
 
 private:
+    void replace(Rule rule) noexcept
+    {
+        std::destroy_at(&rule_);
+        std::construct_at(&rule_, std::move(rule));
+    }
+
     Rule rule_;
 };
 

@@ -21,6 +21,7 @@ inline constexpr bool fits_lanes = false;
 #if defined(__GNUC__)
 #define KITH_HAS_LANES 1
 #if defined(__x86_64__)
+// Nobody asks whether there is prfchw: a processor without it passes over that instruction.
 #define KITH_LANES [[gnu::target("avx2,prfchw"), gnu::noinline]]
 #else
 #define KITH_LANES
@@ -29,7 +30,7 @@ inline constexpr bool fits_lanes = false;
 namespace kith {
 
 template <std::floating_point Scalar, std::size_t N>
-    requires(N > 0 and N <= 4)
+    requires(N > 0 and N <= 4 and sizeof(Scalar) <= sizeof(double))
 inline constexpr bool fits_lanes<std::array<Scalar, N>> = true;
 
 #if defined(__x86_64__)

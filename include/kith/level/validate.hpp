@@ -128,7 +128,7 @@ basic_mesh<Point, std::uint32_t> lift_valid(const M& mesh)
         return detail::lift_here<M, Point>(mesh);
 }
 
-/// The native mesh cannot be made with bad connectivity, so only its points and loose vertices are looked at.
+/// The native mesh cannot be made with bad connectivity, so only its points are looked at, and that it has faces.
 template <class Point, std::unsigned_integral Index>
 mesh_report validate(const basic_mesh<Point, Index>& mesh)
 {

@@ -62,10 +62,6 @@ std::optional<numbered_element> element_between(const Level& level, numbered_ele
     return the(face, right.index(), index_tuple(edge_of(a), right));
 }
 
-} // namespace detail
-
-namespace detail {
-
 /// Errors: mesh_error unless coarser <= finer.
 inline void require_finer(int finer, int coarser)
 {

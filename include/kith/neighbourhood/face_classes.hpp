@@ -28,7 +28,7 @@ public:
     using number = sequence_numbers::number;
     static constexpr std::size_t most_corners = std::size_t(1) << 30;
 
-    /// Preconditions: the mesh has its edges, faces of one degree and at most `most_corners`. Cost: O(corners) per ring, on all threads.
+    /// Preconditions: the mesh has its edges, faces of one degree and at most `most_corners`; rings > 0. Cost: O(corners) per ring, on all threads.
     face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks)
         : class_(mesh.faces, 0), place_in_fan_(mesh.corners())
     {
@@ -101,25 +101,25 @@ private:
     storage<char32_t> place_in_fan_; // of corners: which place in which kind of fan
 };
 
-/// How many kinds of neighbourhoods a sample of faces has, divided by its faces; 1 where faces have several degrees. Preconditions: the
+/// How many classes a sample of faces has, divided by its faces; 1 where faces have several degrees. Preconditions: the
 /// mesh has its edges and faces. Cost: that of one to two times `most_looks` walks at most.
 template <std::unsigned_integral Index>
-double share_of_kinds(const connectivity<Index>& mesh, int rings, std::size_t most_looks = 1024)
+double share_of_classes(const connectivity<Index>& mesh, int rings, std::size_t most_looks = 1024)
 {
     constexpr std::size_t enough = 128;
     if (mesh.degree == 0)
         return 1;
     face_walk<Index> walk(mesh, rings);
-    std::unordered_set<std::u16string> kinds;
+    std::unordered_set<std::u16string> classes;
     const std::size_t step = mesh.faces / most_looks | 1; // odd: of four children of a face not always the same one
     std::size_t looks = 0;
     for (std::size_t f = 0; f < mesh.faces; f += step) {
         walk.around(f);
-        kinds.insert(walk.key());
-        if (++looks == enough and kinds.size() == looks)
+        classes.insert(walk.key());
+        if (++looks == enough and classes.size() == looks)
             return 1;
     }
-    return double(kinds.size()) / double(looks);
+    return double(classes.size()) / double(looks);
 }
 
 } // namespace kith

@@ -131,7 +131,7 @@ struct affine_number {
         return {Index(which + each * offset), Index(each * factor), source, path.then(column.kind)};
     }
     /// Of what there is `each` times of each element: a corner of a face, a side of an edge. What the path makes of 0 is multiplied, too.
-    [[nodiscard]] affine_number part(std::uint64_t which, std::uint64_t each) const
+    [[nodiscard]] affine_number of_each(std::uint64_t which, std::uint64_t each) const
     {
         return {Index(which + each * offset), Index(each * factor), source, path};
     }

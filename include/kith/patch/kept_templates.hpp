@@ -37,8 +37,8 @@ concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable
 
 /// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there that they are
 /// for. They are kept for the process, for each type of scheme and point, so that who refines this mesh again, or another one, is spared
-/// making them; those of schemes that cannot be told apart are not. A template takes some 5 to 30 KB, all together `most_bytes` at most:
-/// those that nobody has asked for longest are given up. Safe on several threads.
+/// making them; those of schemes that cannot be told apart are not. A template takes some 5 to 30 KB, those of one type of scheme, number
+/// and index `most_bytes` at most: those that nobody has asked for longest are given up. Safe on several threads.
 template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Two generations of templates: those asked for since the younger one began, and those of the one before it.
+    /// Two lists of templates: the young one has what was asked for since it began; when it is full it becomes the old one, which is given up.
     class store {
     public:
         /// A number for each scheme that templates are kept of.

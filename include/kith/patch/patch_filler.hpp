@@ -30,12 +30,12 @@ class patch_filler {
     static constexpr std::size_t packs = size * width / lanes<scalar>::count; // of a point of each face
 
 public:
-    using patch = typename writer::patch;
+    using template_type = typename writer::template_type;
 
     static constexpr std::size_t at_once = writer::at_once;
 
     /// How many numbers are found for the faces of a class that are filled in one call.
-    static std::size_t numbers_found(const patch& t) { return (t.inputs.size() + t.sources.size()) * at_once; }
+    static std::size_t numbers_found(const template_type& t) { return (t.inputs.size() + t.sources.size()) * at_once; }
 
     /// For faces of a mesh that all have this degree, as have those of the level that is written: past the caches if that is too
     /// large to be in them when it is read.
@@ -46,7 +46,7 @@ public:
 
     /// Finds the vertices of the inputs and the numbers of the sources. Precondition: the template is of the class of these faces, 1 to
     /// `at_once`.
-    void find(const patch& t, std::span<const Index> faces, std::span<Index> found)
+    void find(const template_type& t, std::span<const Index> faces, std::span<Index> found)
     {
         finder_.walk(t.steps, faces);
         Index* to = found.data();
@@ -57,14 +57,15 @@ public:
             }
     }
     /// Fetches the points that will be read.
-    void call_for(const patch& t, std::span<const Index> found) const
+    void call_for(const template_type& t, std::span<const Index> found) const
     {
         for (const Index v : found.first(t.inputs.size() * at_once))
             __builtin_prefetch(&coarse_->point(v));
     }
     /// `bases`: what is added to each multiple in this mesh. Preconditions: has_lanes(), and this is what `find` has found for so many faces.
     /// Cost: that of the program.
-    KITH_LANES void fill(const patch& t, std::span<const Index> bases, std::span<const Index> found, std::size_t count)
+    KITH_LANES void fill(const template_type& t, std::span<const Index> bases, std::span<const Index> found,
+                         std::size_t count)
     {
         ensure_size(slots_, t.program.slots() * size * width);
         for (std::size_t begin = 0; begin < count; begin += width)
@@ -73,7 +74,8 @@ public:
 
 private:
     /// Of some of these faces, at most as many as there are lanes. A function of its own: in the loop g++ 12 makes slower code of it.
-    KITH_LANES void fill_lanes(const patch& t, std::span<const Index> bases, const Index* found, std::size_t count)
+    KITH_LANES void fill_lanes(const template_type& t, std::span<const Index> bases, const Index* found,
+                               std::size_t count)
     {
         load(t, found);
         writer_.begin(t, bases.data(), found + t.inputs.size() * at_once);
@@ -82,7 +84,7 @@ private:
     }
 
     /// The points of the inputs, each neighbourhood into a lane.
-    [[gnu::always_inline]] void load(const patch& t, const Index* found)
+    [[gnu::always_inline]] void load(const template_type& t, const Index* found)
     {
         scalar* to = slots_.data();
         for (std::size_t input = 0; input < t.inputs.size(); ++input, to += size * width, found += at_once)

@@ -97,7 +97,7 @@ struct patch_costs {
     double of_face_in_template = 25; ///< the same for each face of its patch: 15 (Butterfly) to 50 (sqrt(3))
     double of_look = 3;              ///< of finding the class of a face, per ring, in final faces
     double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
-    double share_if_alike = .3;      ///< so few kinds has a sample of faces of a control mesh whose faces are alike
+    double share_if_alike = .3;      ///< so few classes has a sample of faces of a control mesh whose faces are alike
     double to_be_cheaper = .9;       ///< patches must come to less than so much
     double least_faces = 16e6;       ///< of the last level times those of a patch; for fewer nobody looks
 

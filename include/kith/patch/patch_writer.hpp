@@ -41,7 +41,7 @@ class patch_writer {
     static constexpr std::size_t size = std::tuple_size_v<Point>;
 
 public:
-    using patch = patch_template<scalar, Index>;
+    using template_type = patch_template<scalar, Index>;
 
     /// How many faces lie side by side. As many as fit two registers: what finds an operand or a place is done once for all.
     static constexpr std::size_t width = 2 * lanes<scalar>::count;
@@ -52,7 +52,7 @@ public:
 
     /// Begins with faces that have these numbers, `at_once` for each source, and calls for the places that are written.
     /// `bases`: what is added to each multiple in this mesh.
-    [[gnu::always_inline]] void begin(const patch& t, const Index* bases, const Index* sources)
+    [[gnu::always_inline]] void begin(const template_type& t, const Index* bases, const Index* sources)
     {
         multiply(t, bases, sources);
         call_for(to_.points, t.vertices);
@@ -64,9 +64,9 @@ public:
             call_for(to_.vertex_corner, t.vertices);
         }
     }
-    /// Writes points from the slots of the program, coordinate by coordinate and lane by lane, and numbers; those of the first
-    /// `count` lanes where a call is made for each.
-    [[gnu::always_inline]] void write(const patch& t, const scalar* slots, std::size_t count)
+    /// Writes points from the slots of the program, coordinate by coordinate and lane by lane, and numbers; where a call is made for
+    /// each, those of the first `count` lanes.
+    [[gnu::always_inline]] void write(const template_type& t, const scalar* slots, std::size_t count)
     {
         write_points(t, slots);
         if (to_.has_faces())
@@ -77,13 +77,13 @@ public:
             write(to_.vertex_corner, t.vertices, t.vertex_corner);
         }
         if (to_.writer != nullptr) {
-            write_faces(*to_.writer, t);
+            write_faces(*to_.writer, t, count);
             write_starts(*to_.writer, t, count);
         }
     }
 
 private:
-    [[gnu::always_inline]] void multiply(const patch& t, const Index* bases, const Index* sources)
+    [[gnu::always_inline]] void multiply(const template_type& t, const Index* bases, const Index* sources)
     {
         ensure_size(multiples_, t.multiples.size() * width);
         Index* to = multiples_.data();
@@ -117,7 +117,7 @@ private:
     }
 
     /// The points of the owned vertices.
-    [[gnu::always_inline]] void write_points(const patch& t, const scalar* slots) const
+    [[gnu::always_inline]] void write_points(const template_type& t, const scalar* slots) const
     {
         const std::uint16_t* slot = t.program.outputs().data();
         for (const run& r : t.vertices) {
@@ -142,7 +142,7 @@ private:
     }
 
     /// Lines of faces, run by run.
-    [[gnu::always_inline]] void write_faces(level_writer<Point, Index>& to, const patch& t)
+    [[gnu::always_inline]] void write_faces(level_writer<Point, Index>& to, const template_type& t, std::size_t count)
     {
         using line = face_line<Index>;
         std::size_t first = 0;
@@ -156,19 +156,19 @@ private:
                     lines_[r.count * lane + i] = line{Index(t.corner_vertex.offset[c] + vertex[lane]),
                                                       Index(t.corner_halfedge.offset[c] + halfedge[lane])};
             }
-            for (std::size_t lane = 0; lane < width; ++lane)
+            for (std::size_t lane = 0; lane < count; ++lane)
                 to.set_faces(Index(Index(r.offset + multiple(r.of, lane)) / Degree),
                              Degree,
                              std::span<const line>(lines_.data() + r.count * lane, r.count));
             first += r.count;
         }
     }
-    [[gnu::always_inline]] void write_starts(level_writer<Point, Index>& to, const patch& t, std::size_t lanes)
+    [[gnu::always_inline]] void write_starts(level_writer<Point, Index>& to, const template_type& t, std::size_t count)
     {
         std::size_t v = 0;
         for (const run& r : t.vertices)
             for (std::size_t i = 0; i < r.count; ++i, ++v)
-                for (std::size_t lane = 0; lane < lanes; ++lane)
+                for (std::size_t lane = 0; lane < count; ++lane)
                     to.set_start(Index(r.offset + multiple(r.of, lane) + r.step * i),
                                  Index(t.vertex_halfedge.offset[v] + multiple(t.vertex_halfedge.of[v], lane)));
     }

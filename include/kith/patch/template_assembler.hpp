@@ -169,7 +169,7 @@ private:
         for_elements([&](walked_element& element) { element.at.face = new_place[element.at.face]; });
     }
 
-    static number corner_of(const number& face, std::size_t corner) { return face.part(corner, Degree); }
+    static number corner_of(const number& face, std::size_t corner) { return face.of_each(corner, Degree); }
 
     static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.path, n.offset); }
 
@@ -193,7 +193,7 @@ private:
             const Index start = fine.vertex_corner[v];
             vertices.push_back(numbers.vertices[v]);
             const Index h = fine.corner_halfedge[start];
-            leaving.push_back(numbers.edges[h / 2].part(h % 2, 2));
+            leaving.push_back(numbers.edges[h / 2].of_each(h % 2, 2));
             starts.push_back(corner_of(numbers.faces[start / Degree], start % Degree));
         }
         made.vertices = listed_.runs(number_kind::vertex, vertices);
@@ -213,10 +213,10 @@ private:
                 const number& edge = numbers.edges[h / 2];
                 corners.push_back(corner_of(numbers.faces[f], i));
                 vertices.push_back(numbers.vertices[fine.corner_vertex[c]]);
-                halfedges.push_back(edge.part(h % 2, 2));
+                halfedges.push_back(edge.of_each(h % 2, 2));
                 sides.emplace_back(halfedges.back(), corners.back());
                 if (fine.is_boundary(h / 2))
-                    sides.emplace_back(edge.part(1, 2), number{fine.none, 0, edge.source});
+                    sides.emplace_back(edge.of_each(1, 2), number{fine.none, 0, edge.source});
             }
         made.corners = listed_.runs(number_kind::corner, corners);
         made.corner_vertex = listed_.all(number_kind::vertex, vertices);

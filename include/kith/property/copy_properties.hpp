@@ -38,17 +38,18 @@ template <class Handle, mesh M>
 std::vector<Handle> all_handles(const M& mesh)
 {
     using traits = mesh_traits<M>;
-    std::vector<Handle> result;
-    if constexpr (std::same_as<Handle, typename traits::halfedge>)
+    if constexpr (std::same_as<Handle, typename traits::halfedge>) {
+        std::vector<Handle> result;
         for (const auto e : traits::edges(mesh)) {
             const Handle directs = traits::halfedge_of(mesh, e), other = traits::opposite(mesh, directs);
             const bool is_first = not traits::is_boundary(mesh, directs);
             result.push_back(is_first ? directs : other);
             result.push_back(is_first ? other : directs);
         }
-    else
-        for_each_handle<Handle>(mesh, [&](Handle x) { result.push_back(x); });
-    return result;
+        return result;
+    } else {
+        return handles_of<Handle>(mesh);
+    }
 }
 
 /// Copies the properties on elements of one kind to a mesh with the same elements.

@@ -63,6 +63,14 @@ void for_each_handle(const M& mesh, const F& f)
         }
     }
 }
+/// The same in a list.
+template <class Handle, mesh M>
+std::vector<Handle> handles_of(const M& mesh)
+{
+    std::vector<Handle> result;
+    for_each_handle<Handle>(mesh, [&](Handle x) { result.push_back(x); });
+    return result;
+}
 
 } // namespace detail
 

@@ -68,14 +68,6 @@ void store_averaged(To to, const std::vector<Handle>& handles, std::span<const f
         to[handles[i]] = averaged_value<T>::template store<Number>(values[i]);
 }
 
-template <class Handle, mesh M>
-std::vector<Handle> handles_of(const M& mesh)
-{
-    std::vector<Handle> result;
-    for_each_handle<Handle>(mesh, [&](Handle x) { result.push_back(x); });
-    return result;
-}
-
 /// The properties of a mesh on elements with such handles, apart from the mesh and from the types of their values, so that
 /// whatever takes them to finer levels is compiled once for all types, and little for each type of mesh and of values. At
 /// vertices and corners, which half-edges stand for, what can be averaged is coordinates; the rest goes from an element to its

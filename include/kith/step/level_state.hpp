@@ -180,10 +180,6 @@ void for_each_state(Scheme& scheme, const Scheme& other, const F& f)
     }(std::make_index_sequence<std::tuple_size_v<decltype(ours)>>());
 }
 
-} // namespace detail
-
-namespace detail {
-
 template <class State, finished_step Step>
 State next_state(const State& state, const Step& step)
 {

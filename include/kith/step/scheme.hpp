@@ -30,9 +30,12 @@ concept scheme = requires(const S& s) {
     { columns_of(s, 0) } -> declared_columns;
 };
 
+/// The columns of a scheme.
+template <scheme Scheme>
+using columns_type = decltype(columns_of(std::declval<const Scheme&>(), 0));
 /// The numbering that one step of a scheme leaves behind.
 template <scheme Scheme, std::unsigned_integral Index>
-using numbering_of = numbering<decltype(columns_of(std::declval<const Scheme&>(), 0)), Index>;
+using numbering_of = numbering<columns_type<Scheme>, Index>;
 
 /// A scheme whose levels can be counted before they are made; a scheme that takes closed meshes only need say nothing of
 /// the boundary.

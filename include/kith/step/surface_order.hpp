@@ -84,28 +84,28 @@ bool is_scattered(const connectivity<Index>& mesh)
     return far > sides / 3;
 }
 
-/// The faces in an order in which those that lie close together on the surface follow one another: patch after patch, each
-/// breadth first, the next from the rim of those before it. Precondition: the mesh has its edges. Cost: O(corners).
+/// The faces in an order in which those that lie close together on the surface follow one another: clump after clump, each
+/// breadth first, the next from the front of those before it. Precondition: the mesh has its edges. Cost: O(corners).
 template <std::unsigned_integral Index>
 storage<Index> surface_order(const connectivity<Index>& mesh)
 {
-    constexpr std::size_t faces_of_patch = 256;
+    constexpr std::size_t faces_of_clump = 256;
     storage<Index> order(mesh.faces);
     std::vector<bool> is_taken(mesh.faces, false);
-    std::vector<Index> rim; // faces that may have been taken meanwhile
+    std::vector<Index> front; // faces that may have been taken meanwhile
     std::size_t taken = 0, oldest = 0, lowest = 0;
     const auto take = [&](std::size_t face) {
         is_taken[face] = true;
         order[taken++] = Index(face);
     };
     while (taken < mesh.faces) {
-        while (oldest < rim.size() and is_taken[rim[oldest]])
+        while (oldest < front.size() and is_taken[front[oldest]])
             ++oldest;
         while (is_taken[lowest]) // of a piece of the surface that nothing has touched yet
             ++lowest;
-        const std::size_t full = taken + faces_of_patch;
+        const std::size_t full = taken + faces_of_clump;
         std::size_t next = taken;
-        take(oldest < rim.size() ? rim[oldest] : lowest);
+        take(oldest < front.size() ? front[oldest] : lowest);
         for (; next < taken; ++next)
             for (Index c = mesh.first_corner(order[next]); c < mesh.first_corner(order[next] + std::size_t(1)); ++c)
                 if (const Index across = mesh.across(c); across != mesh.none)
@@ -113,7 +113,7 @@ storage<Index> surface_order(const connectivity<Index>& mesh)
                         if (taken < full)
                             take(face);
                         else
-                            rim.push_back(face);
+                            front.push_back(face);
                     }
     }
     return order;

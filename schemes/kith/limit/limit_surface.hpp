@@ -103,6 +103,7 @@ limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, cons
 {
     return limit_surface_around(mesh, scheme, {});
 }
+
 namespace detail {
 
 /// A level of a hierarchy as a native mesh: itself, or a copy.

@@ -17,8 +17,6 @@ namespace kith {
 namespace detail {
 
 template <class Scheme>
-using columns_type = std::remove_cvref_t<decltype(columns_of(std::declval<const Scheme&>(), 0))>;
-template <class Scheme>
 inline constexpr bool splits_triangles = std::same_as<columns_type<Scheme>, decltype(triangle_split::columns())>;
 template <class Scheme>
 inline constexpr bool splits_into_quads = std::same_as<columns_type<Scheme>, decltype(quad_split::columns())>;
