@@ -81,7 +81,7 @@ inline shape torus_with_two_triangles(std::size_t n, std::size_t quad)
     shape result = torus(n, n);
     const auto f = result.faces[quad];
     result.faces[quad] = {f[0], f[1], f[2]};
-    result.faces.push_back({f[0], f[2], f[3]});
+    result.faces.insert(result.faces.begin() + std::ptrdiff_t(quad) + 1, {f[0], f[2], f[3]});
     return result;
 }
 
