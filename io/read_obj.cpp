@@ -238,6 +238,8 @@ private:
             not_kept("numbers behind the coordinates of vertices");
         else if (numbers >= 6)
             add_color({p[3], p[4], p[5], numbers == 7 ? p[6] : no_number});
+        else if (numbers == 5)
+            not_kept("numbers behind the coordinates of vertices");
         else if (p[3] != 1)
             not_kept("weights of vertices");
         soup_.points.push_back({p[0], p[1], p[2]});
@@ -310,7 +312,7 @@ private:
     {
         std::string result;
         while (not text_.at_line_end())
-            (result += result.empty() ? "" : " ") += text_.word();
+            (result += result.empty() ? "" : " ") += text_.name();
         while (result.ends_with('\\'))
             result.pop_back();
         return result;

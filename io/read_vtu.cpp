@@ -21,6 +21,10 @@ namespace {
 /// VTK's numbers of the last cell that is of points and lines, and of those that are faces.
 constexpr double poly_line = 4, triangle = 5, polygon = 7, pixel = 8, quad = 9;
 
+/// Others, and what is told about an array inside of it, are passed over.
+constexpr std::array<std::string_view, 5> sections_that_are_read{
+    "FieldData", "Points", "Cells", "PointData", "CellData"};
+
 class vtu_reader {
 public:
     explicit vtu_reader(std::string_view bytes) : tags_(bytes) {}
@@ -61,9 +65,9 @@ private:
                 add_words(tag);
             } else if (tag.name == "DataArray" and not section.empty()) {
                 arrays_[section].push_back(tag);
-            } else if (tag.name.starts_with('/')) {
-                section = tag.name == "/DataArray" ? section : "";
-            } else if (tag.name != "DataArray") {
+            } else if (tag.name == "/" + section) {
+                section.clear();
+            } else if (std::ranges::find(sections_that_are_read, tag.name) != sections_that_are_read.end()) {
                 section = tag.name;
                 sections_[section] = tag;
             }

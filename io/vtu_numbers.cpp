@@ -191,10 +191,8 @@ vtu_array vtu_array_of(const xml_tag& tag)
 vtu_numbers::vtu_numbers(const xml_tag& file)
 {
     static_assert(std::endian::native == std::endian::little, "numbers are read as they lie");
-    if (const auto order = file.attribute("byte_order"); order == "BigEndian")
-        throw file_error("its numbers are big-endian, which is not read; write it on another machine, or as text");
-    if (not file.attribute("compressor").empty())
-        throw file_error("is compressed, which is not read; write it without a compressor, or as text");
+    is_big_endian_ = file.attribute("byte_order") == "BigEndian";
+    is_compressed_ = not file.attribute("compressor").empty();
     bytes_of_length_ = file.attribute("header_type") == "UInt64" ? 8 : 4;
 }
 
@@ -214,6 +212,10 @@ std::string vtu_numbers::decoded(std::string_view text, bool raw, std::size_t si
 
 std::string vtu_numbers::bytes_of(const vtu_array& array, std::size_t size) const
 {
+    if (is_big_endian_)
+        throw file_error("its numbers are big-endian, which is not read; write it on another machine, or as text");
+    if (is_compressed_)
+        throw file_error("is compressed, which is not read; write it without a compressor, or as text");
     const bool is_appended = array.tag.attribute("format") == "appended";
     std::string_view text = array.tag.text;
     if (is_appended) {

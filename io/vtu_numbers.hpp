@@ -54,12 +54,12 @@ struct vtu_values {
 /// Where the numbers of all arrays are, and how they are written.
 class vtu_numbers {
 public:
-    /// Errors: file_error for an order of bytes or a compression that is not read.
     explicit vtu_numbers(const xml_tag& file);
     /// What comes behind the arrays: the element AppendedData, and all that follows.
     void set_appended(const xml_tag& tag, std::string_view rest);
 
-    /// So many values for each component. Errors: file_error where they are not there, or do not fit their type.
+    /// So many values for each component. Errors: file_error where they are not there, or do not fit their type, and for an order of bytes or
+    /// a compression that is not read.
     [[nodiscard]] vtu_values values(const vtu_array& array, std::size_t count) const;
 
 private:
@@ -67,6 +67,7 @@ private:
     [[nodiscard]] std::string bytes_of(const vtu_array& array, std::size_t size) const;
     [[nodiscard]] std::string decoded(std::string_view text, bool raw, std::size_t size) const;
 
+    bool is_big_endian_, is_compressed_; ///< what is not text
     std::size_t bytes_of_length_ = 4;
     std::string_view appended_;
     bool raw_ = false;

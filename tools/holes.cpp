@@ -101,8 +101,8 @@ void leave_out_holes(refined_mesh& result, io::mesh_attributes& attributes)
     keep_values(attributes.faces, [&](std::size_t f) { return not result.holes[f]; });
     keep_values(attributes.corners, [&](std::size_t c) { return corner_is_left[c]; });
     std::erase_if(result.tags.edges, [&](const auto& edge) {
-        const std::pair ends = std::minmax(index(edge.from), index(edge.to));
-        return not std::ranges::binary_search(edges, std::pair<index, index>(ends));
+        const std::pair<index, index> ends = std::minmax({index(edge.from), index(edge.to)});
+        return not std::ranges::binary_search(edges, ends);
     });
     for (auto& [from, to, sharpness] : result.tags.edges) {
         from = number[from];

@@ -10,11 +10,23 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
 #include <utility>
 
 namespace kith::tool {
 
 namespace {
+
+/// The ends of all edges, the smaller one first.
+std::set<std::pair<std::size_t, std::size_t>> edges_of(const polygon_soup& soup)
+{
+    const auto& faces = soup.faces;
+    std::set<std::pair<std::size_t, std::size_t>> result;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        for (std::size_t i = faces.first[f], end = faces.first[f + 1]; i < end; ++i)
+            result.insert(std::minmax(faces.vertices[i], faces.vertices[i + 1 == end ? faces.first[f] : i + 1]));
+    return result;
+}
 
 /// Takes the vertices without a face out, and gives the others their new numbers.
 std::vector<std::array<double, 3>> take_isolated(polygon_soup& soup)
@@ -40,11 +52,11 @@ std::vector<std::array<double, 3>> take_isolated(polygon_soup& soup)
             values[used[v] ? number[v] : next_isolated++] = a.values[v];
         a.values = std::move(values);
     }
+    const auto edges = edges_of(soup);
     for (std::size_t& v : soup.faces.vertices)
         v = number[v];
-    const auto is_there = [&](std::size_t v) { return v < used.size() and used[v]; };
     for (auto& [from, to, sharpness] : soup.tags.edges) {
-        if (not is_there(from) or not is_there(to))
+        if (not edges.contains(std::minmax(from, to)))
             throw mesh_error("crease " + std::to_string(from) + "-" + std::to_string(to) +
                              ": there is no such edge; correct the tag");
         from = number[from];

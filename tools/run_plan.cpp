@@ -129,6 +129,9 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     for (const char* option : {"tiles-per-rank", "partitioner"})
         if (values->count(option) != 0 and values->count("ranks") == 0)
             throw usage_error("--" + std::string(option) + ": say with --ranks how many there are");
+    if (values->count("mesh") != 0 and values->count("ranks") != 0)
+        throw usage_error(
+            "--mesh and --ranks do not go together, since ranks refine native tiles; leave one of them out");
     control_mesh input = read_mesh(required(*values, "IN"));
     give_creases(scheme, input, words);
     const bool limit = values->count("limit") != 0;

@@ -113,7 +113,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     set_threads(*values);
     if (given("tiles") or given("journal") or given("only") or is_tile_format_only(*values))
         return run_refine_tiles(*values);
-    for (const char* option : {"verify", "checksum"})
+    for (const char* option : {"verify", "checksum", "partitioner"})
         if (given(option))
             throw usage_error("--" + std::string(option) + ": is for tiles; name --tiles as well");
     shared_blocks.keep_at_most(0); // nothing is refined after this
@@ -153,10 +153,14 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
             leave_out_holes(refined, attributes);
         return refined;
     });
-    if (request.with_tags)
+    if (request.with_tags) {
         add_boundary_tag(result.tags, request.scheme);
-    else if (const sharp_elements left = sharp_after(request.scheme, request.levels); left.any())
+    } else {
+        const sharp_elements left = sharp_after(request.scheme, request.levels);
         add_lost_sharpness(control.not_kept, left.edges, left.vertices);
+        if (not request.limit)
+            add_lost_boundary_rule(control.not_kept, control.tags, request.scheme);
+    }
     settle_isolated(control, format, given("drop-isolated"));
     append_isolated(attributes, control);
     timed(seconds[phase::write], [&] {

@@ -222,6 +222,14 @@ void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme)
         scheme);
 }
 
+void add_lost_boundary_rule(std::vector<std::string>& lost, const io::mesh_tags& given, const any_scheme& scheme)
+{
+    io::mesh_tags needed;
+    add_boundary_tag(needed, scheme);
+    if (given.corners and needed.corners)
+        lost.emplace_back("the rule of corners at the boundary");
+}
+
 void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control)
 {
     std::visit(

@@ -2,6 +2,7 @@
 #include "tile_options.hpp"
 
 #include "errors.hpp"
+#include "mesh_format.hpp"
 #include "scheme_options.hpp"
 #include "tile_output.hpp"
 
@@ -44,6 +45,8 @@ tile_request tile_request_from(const po::variables_map& values)
     request.levels = levels_of(values);
     request.linear = linear_from(values, request.scheme);
     request.with_origin = values.count("cell-origin") != 0;
+    if (request.with_origin and extension_of(request.output) == ".ply")
+        throw usage_error("--cell-origin: " + request.output + " would have no place for it; write .vtu or .pvtu");
     request.limit = values.count("limit") != 0;
     return request;
 }

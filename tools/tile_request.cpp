@@ -17,8 +17,10 @@ void read_control(tile_request& request, const std::string& path)
     give_creases(request.scheme, control, request.words);
     const sharp_elements left = sharp_after(request.scheme, request.levels);
     add_lost_sharpness(control.not_kept, left.edges, left.vertices);
-    if (not request.limit)
+    if (not request.limit) {
         tell_next_step(control, request.scheme, request.levels);
+        add_lost_boundary_rule(control.not_kept, control.tags, request.scheme);
+    }
     if (not control.isolated.empty())
         control.not_kept.push_back(io::counted(control.isolated.size(), "vertex") + " without a face");
     take_control(request, control);

@@ -115,13 +115,21 @@ struct property_access<M> {
         return detail::add_property<Handle, T>(m, name);
     }
 
+    static std::vector<std::string> names_of_whole(const M& m)
+    {
+        std::vector<std::string> result;
+        for (auto p = m.mprops_begin(); p != m.mprops_end(); ++p)
+            if (*p != nullptr and not is_mark((*p)->name()))
+                result.push_back((*p)->name());
+        return result;
+    }
     /// Copies the properties of the mesh as a whole, such as the pictures to which texture indices lead; returns the names of those of
     /// other types.
     static std::vector<std::string> copy_of_whole(const M& from, M& to, std::vector<std::string>& copied)
     {
         std::vector<std::string> others;
         for (auto p = from.mprops_begin(); p != from.mprops_end(); ++p)
-            if (*p != nullptr) {
+            if (*p != nullptr and not is_mark((*p)->name())) {
                 const bool is_known = copy_of_whole(
                     from, to, **p, static_cast<std::tuple<value_types, std::tuple<pictures>>*>(nullptr));
                 (is_known ? copied : others).push_back((*p)->name());
@@ -145,6 +153,9 @@ struct property_access<M> {
         std::conditional_t<Which == standard_property::normal, typename M::Normal, typename M::TexCoord2D>>;
 
 private:
+    /// Our own, which says what step made a mesh; another mesh was made by another one.
+    static bool is_mark(const std::string& name) { return name.starts_with("kith:"); }
+
     using pictures = std::map<int, std::string>; // as OpenMesh's readers have them
     template <class... T, class... More>
     static bool copy_of_whole(const M& from, M& to, const OpenMesh::BaseProperty& property,

@@ -3,12 +3,14 @@
 
 #include "subdivision.hpp"
 
+#include <kith/base/error.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/sqrt3.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -96,8 +98,11 @@ void place_corners(const View& view, Mask& mask, const Ids& ids, const Points& p
 template <class Graph, class Np, class Step>
 void repeat(Graph& g, const Np& np, const Step& step)
 {
+    const int steps = steps_of(np);
+    if (steps < 0)
+        throw mesh_error(std::to_string(steps) + " steps by a mask were asked for; ask for 0 or more");
     const auto points = points_of(g, np);
-    for (int i = 0; i < steps_of(np); ++i)
+    for (int i = 0; i < steps; ++i)
         step(points, i);
 }
 /// For schemes whose steps are all alike.

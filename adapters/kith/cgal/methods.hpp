@@ -4,6 +4,7 @@
 #include "subdivision.hpp"
 
 #include <kith/in_place/compiled.hpp>
+#include <kith/in_place/split_with_creases.hpp>
 #include <kith/kobbelt.hpp>
 #include <kith/presets.hpp>
 
@@ -19,7 +20,7 @@ void subdivide(Graph& pmesh, const Scheme& scheme, const Np& np)
         cgal::subdivision(pmesh, scheme, np);
     } else if constexpr (is_given<Np, parameters::do_not_modify_geometry_t>) {
         if (CGAL::parameters::get_parameter(np, parameters::do_not_modify_geometry_tag)) {
-            auto split = Linear();
+            in_place::split_with_creases<Linear> split;
             return refine(pmesh, split, np);
         }
         cgal::subdivision(pmesh, scheme, np);

@@ -5,6 +5,7 @@
 #include "named_parameters.hpp"
 #include "write_face_graph.hpp"
 
+#include <kith/base/affine.hpp>
 #include <kith/cgal_properties.hpp>
 #include <kith/crease/make_creases.hpp>
 #include <kith/in_place/carried_properties.hpp>
@@ -88,6 +89,18 @@ void read_creases(const View& view, const Np& np, creases& sharp)
             sharp.sharpen_vertex(v.index(), s);
 }
 
+/// A sharpness as a map has it; of numbers without an infinity the largest.
+template <class Value>
+Value as_sharpness(double sharpness)
+{
+    if constexpr (std::same_as<Value, bool>)
+        return sharpness == infinitely_sharp;
+    else if constexpr (std::integral<Value>)
+        return rounded<Value>(sharpness);
+    else
+        return Value(sharpness);
+}
+
 /// Lets the maps that can be written say how sharp the elements of the refined mesh are.
 template <class Graph, class Np>
 void write_creases(const Graph& g, const Np& np, const creases& sharp)
@@ -99,8 +112,7 @@ void write_creases(const Graph& g, const Np& np, const creases& sharp)
                 using value = typename boost::property_traits<Map>::value_type;
                 std::size_t i = 0;
                 for (const auto& x : elements) {
-                    const double s = sharpness(i++);
-                    put(map, x, std::is_same_v<value, bool> ? value(s == infinitely_sharp) : value(s));
+                    put(map, x, as_sharpness<value>(sharpness(i++)));
                 }
             }
         });

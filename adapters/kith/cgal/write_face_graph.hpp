@@ -29,6 +29,23 @@ void resize(std::vector<Descriptor>& all, std::size_t size, const Add& add, cons
         all.push_back(add());
 }
 
+/// Makes elements of those that were removed, so that no count or list of them is left. Clearing the mesh would do so, too, with all that
+/// property maps hold.
+template <class Point>
+void take_back_removed(CGAL::Surface_mesh<Point>& m)
+{
+    const bool recycles = m.does_recycle_garbage();
+    m.set_recycle_garbage(true);
+    for (auto left = m.number_of_removed_vertices(); left > 0; --left)
+        m.add_vertex();
+    for (auto left = m.number_of_removed_edges(); left > 0; --left)
+        m.add_edge();
+    for (auto left = m.number_of_removed_faces(); left > 0; --left)
+        m.add_face();
+    m.set_recycle_garbage(recycles);
+    m.collect_garbage(); // there is none, which it then knows
+}
+
 } // namespace detail
 
 /// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their order,
@@ -98,7 +115,7 @@ void write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::ui
     for (std::size_t v = handles.size(); v < t.vertices; ++v)
         handles.emplace_back(size(v + removed.size()));
     if (m.has_garbage())
-        m.clear_without_removing_property_maps(); // what else forgets how much was removed
+        detail::take_back_removed(m);
     m.resize(size(bound), 0, 0);
     m.resize(size(t.vertices + removed.size()), size(t.edges()), size(t.faces));
     mesh_traits<mesh>::forget_generation(m);

@@ -6,6 +6,7 @@
 #include <kith/catmull_clark.hpp>
 #include <kith/in_place/carried_properties.hpp>
 #include <kith/in_place/refine_in_place.hpp>
+#include <kith/in_place/split_with_creases.hpp>
 #include <kith/linear.hpp>
 #include <kith/openmesh_properties.hpp>
 
@@ -18,30 +19,10 @@
 
 namespace kith::openmesh {
 
-namespace detail {
-
-/// OpenMesh's Catmull-Clark where points are not to be updated: the linear split, with creases that go along.
-struct quads_split {
-    creases sharpness{};
-
-    static constexpr auto traits()
-    {
-        return scheme_traits{.name = "linear", .trusted = true, .state = &quads_split::sharpness};
-    }
-    static constexpr auto columns() { return quad_split::columns(); }
-    template <running_step R>
-    void operator()(const R& r) const
-    {
-        linear()(r);
-    }
-};
-
-} // namespace detail
-
 /// A subdivider as OpenMesh's are, by any scheme of kith's or of one's own: attach(mesh), operator()(n), detach(), or
 /// operator()(mesh, n), in place. Old vertices keep their handles and come before the new ones, in schemes that have a vertex
 /// for each; edges and faces are others. Attributes, status bits and properties with names go along by the rules of
-/// `carry_properties`; normals are made anew by update_normals().
+/// `carry_properties`; normals are made anew.
 /// As with OpenMesh the steps of sqrt(3) are counted from attach() on.
 template <class Mesh, scheme Scheme>
 class subdivider {
@@ -103,7 +84,7 @@ private:
     {
         if constexpr (std::same_as<Scheme, catmull_clark>)
             if (not update_points) {
-                detail::quads_split split{used.sharpness};
+                in_place::split_with_creases<linear> split{used.sharpness};
                 const bool done = refine_by(split, mesh, generation, n, true);
                 used.sharpness = split.sharpness;
                 return done;
@@ -131,9 +112,20 @@ private:
             const point& p = fine->mesh.point(i++);
             mesh.set_point(v, typename Mesh::Point(p[0], p[1], p[2]));
         }
-        mesh.update_normals();
+        make_normals(mesh);
         used = std::move(next);
         return true;
+    }
+    /// Those that were requested, which follow from those of faces.
+    static void make_normals(Mesh& mesh)
+    {
+        const bool has_those_of_faces = mesh.has_face_normals();
+        const bool needs_them = mesh.has_vertex_normals() or mesh.has_halfedge_normals();
+        if (needs_them and not has_those_of_faces)
+            mesh.request_face_normals();
+        mesh.update_normals();
+        if (needs_them and not has_those_of_faces)
+            mesh.release_face_normals();
     }
     static in_place::native_mesh<point> read(const Mesh& mesh, int generation)
     {

@@ -21,7 +21,8 @@ std::string problem_of(const Phase& phase, const char* lack_of_memory = "there i
     } catch (const error&) {
         throw;
     } catch (const std::exception& failure) {
-        return failure.what();
+        const std::string text = failure.what();
+        return text.empty() ? "an exception without a text" : text;
     }
     return {};
 }

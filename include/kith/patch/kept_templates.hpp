@@ -29,8 +29,8 @@ struct only_as {
 
 } // namespace detail
 
-/// Schemes that can be told apart: by their members, if they have any. The comparison must be one of their own, as that of a
-/// base would leave out the members that a derived scheme adds.
+/// Schemes that can be told apart: by their members, if they have any, of which their masks have to follow: what a scheme reads from elsewhere
+/// nobody sees change. The comparison must be one of their own, as that of a base would leave out the members that a derived scheme adds.
 template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });

@@ -211,6 +211,15 @@ void copy_properties(const From& from, To& to, conversion_report& report)
                 report.left_out.push_back({name, "the new mesh has no properties; property_mesh has"});
         }
     });
+    if constexpr (requires { property_access<From>::names_of_whole(from); }) {
+        if constexpr (std::same_as<From, To>) {
+            for (const std::string& name : property_access<From>::copy_of_whole(from, to, report.carried))
+                report.left_out.push_back({name, "its type is none of those that are looked for"});
+        } else {
+            for (const std::string& name : property_access<From>::names_of_whole(from))
+                report.left_out.push_back({name, "it is of the mesh as a whole, and the new mesh is of another type"});
+        }
+    }
 }
 
 } // namespace detail

@@ -27,6 +27,7 @@ namespace kith {
 ///
 /// and where there are properties of a mesh as a whole:
 ///
+///   names_of_whole(mesh)               their names
 ///   copy_of_whole(from, to, copied)    copies them, adds their names, and returns those of what it does not know
 template <class M>
 struct property_access;

@@ -71,16 +71,9 @@ public:
         return true;
     }
     /// The next word of this line; empty at its end.
-    [[nodiscard]] std::string_view word()
-    {
-        if (at_line_end())
-            return {end_, 0};
-        const char* const begin = at_;
-        while (at_ != end_ and not is_blank(*at_) and not ends_line(*at_) and not continues())
-            ++at_;
-        last_ = begin;
-        return {begin, std::size_t(at_ - begin)};
-    }
+    [[nodiscard]] std::string_view word() { return word_until(ends_line); }
+    /// The same of a name, of which '#' may be a part: a comment begins where a word would.
+    [[nodiscard]] std::string_view name() { return word_until(is_line_break); }
     /// The next word of this line or of the lines after it; empty at the end of the text.
     [[nodiscard]] std::string_view word_of_any_line() { return to_content() ? word() : std::string_view(end_, 0); }
 
@@ -170,7 +163,18 @@ public:
 
 private:
     static bool is_blank(char c) { return c == ' ' or c == '\t' or c == '\v' or c == '\f'; }
-    static bool ends_line(char c) { return c == '\n' or c == '\r' or (Kind != text_kind::plain and c == '#'); }
+    static bool is_line_break(char c) { return c == '\n' or c == '\r'; }
+    static bool ends_line(char c) { return is_line_break(c) or (Kind != text_kind::plain and c == '#'); }
+    [[nodiscard]] std::string_view word_until(bool (*is_end)(char))
+    {
+        if (at_line_end())
+            return {end_, 0};
+        const char* const begin = at_;
+        while (at_ != end_ and not is_blank(*at_) and not is_end(*at_) and not continues())
+            ++at_;
+        last_ = begin;
+        return {begin, std::size_t(at_ - begin)};
+    }
     /// Whether a line is continued here.
     [[nodiscard]] const char* continuation() const
     {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/crease/creases.hpp>
+#include <kith/step/refinement.hpp>
+#include <kith/step/scheme.hpp>
+
+namespace kith::in_place {
+
+/// Catmull-Clark or Loop where nothing is to move: the linear split, `linear` or `linear_triangles`, with creases that go along.
+template <scheme Linear>
+struct split_with_creases {
+    creases sharpness{};
+
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = traits_of<Linear>.name,
+                             .faces = traits_of<Linear>.faces,
+                             .trusted = true,
+                             .state = &split_with_creases::sharpness};
+    }
+    static constexpr auto columns() { return Linear::columns(); }
+    template <running_step R>
+    void operator()(const R& r) const
+    {
+        Linear()(r);
+    }
+};
+
+} // namespace kith::in_place
