@@ -3,6 +3,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include "all_shapes.hpp"
+#include "error_text.hpp"
 #include "graph_surface.hpp"
 #include "native_shape.hpp"
 
@@ -13,6 +14,8 @@
 #include <CGAL/subdivision_method_3.h>
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace {
 
@@ -203,4 +206,16 @@ TEST(cgal_dialect, runs_masks_of_cgals_kind)
     };
     run(static_cast<mesh*>(nullptr));
     run(static_cast<polyhedron*>(nullptr));
+}
+
+TEST(cgal_dialect, refuses_fewer_steps_than_none)
+{
+    auto m = make_graph<surface_mesh<kernel>>(shapes::cube());
+    for (const int steps : {-1, -100}) {
+        const lifting_mask<surface_mesh<kernel>> mask{&m};
+        const std::string expected = std::to_string(steps) + " steps by a mask were asked for; ask for 0 or more";
+        EXPECT_EQ(error_text<kith::mesh_error>([&] { ours::PQQ(m, mask, steps); }), expected);
+        EXPECT_EQ(error_text<kith::mesh_error>([&] { ours::DQQ(m, mask, params::number_of_iterations(steps)); }),
+                  expected);
+    }
 }

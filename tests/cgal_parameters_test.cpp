@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -128,6 +129,32 @@ TEST(cgal_parameters, removed_elements_stay_removed)
         EXPECT_EQ(name[v], v.idx() < 12 ? std::to_string(v.idx()) : "");
 }
 
+TEST(cgal_parameters, maps_stay_beside_removed_elements)
+{
+    for (const bool recycles : {true, false}) {
+        mesh control = make_graph<mesh>(shapes::open_house());
+        control.set_recycle_garbage(recycles);
+        auto unknown = control.add_property_map<vertex, label>("v:label").first;
+        auto mine = control.add_property_map<vertex, int>().first; // CGAL gives it a name that is free
+        for (const auto v : control.vertices())
+            unknown[v] = {int(v.idx())}, mine[v] = 100 + int(v.idx());
+        CGAL::Euler::remove_face(control.halfedge(face(8)), control);
+        ASSERT_TRUE(control.has_garbage());
+        const auto size = control.num_vertices();
+        ours::CatmullClark_subdivision(control, 1);
+        EXPECT_TRUE(control.is_valid());
+        EXPECT_EQ(control.does_recycle_garbage(), recycles);
+        EXPECT_EQ(control.number_of_removed_edges() + control.number_of_removed_faces(), 0U);
+        for (const auto v : control.vertices())
+            if (v.idx() < size) {
+                EXPECT_EQ(unknown[v], label{int(v.idx())});
+                EXPECT_EQ(mine[v], 100 + int(v.idx()));
+            }
+        const auto [other, is_new] = control.add_property_map<vertex, int>();
+        EXPECT_TRUE(is_new);
+    }
+}
+
 TEST(cgal_parameters, constrained_edges_are_creases)
 {
     const mesh control = house();
@@ -187,6 +214,28 @@ TEST(cgal_parameters, sharpness_goes_down_from_level_to_level)
         EXPECT_TRUE(same_bits(m, expected));
         for (const auto e : m.edges())
             EXPECT_EQ(of_edge[e], 0);
+    }
+}
+
+TEST(cgal_parameters, sharpness_may_be_an_integer)
+{
+    mesh m = make_graph<mesh>(shapes::cube()), expected = m;
+    auto sharp = m.add_property_map<edge, bool>("e:sharp", false).first;
+    auto levels = m.add_property_map<edge, int>("e:levels", 0).first;
+    auto number = expected.add_property_map<edge, double>("e:number", 0).first;
+    for (const auto e : m.edges()) {
+        sharp[e] = e.idx() % 4 == 0;
+        levels[e] = int(e.idx() % 3);
+        number[e] = sharp[e] ? kith::infinitely_sharp : levels[e];
+    }
+    for (int call = 0; call < 2; ++call) {
+        ours::CatmullClark_subdivision(m, params::edge_sharpness_map(levels).edge_is_constrained_map(sharp));
+        ours::CatmullClark_subdivision(expected, params::edge_sharpness_map(number));
+        EXPECT_TRUE(same_bits(m, expected));
+        for (const auto e : m.edges()) {
+            EXPECT_EQ(levels[e], sharp[e] ? std::numeric_limits<int>::max() : int(number[e]));
+            EXPECT_EQ(sharp[e], number[e] == kith::infinitely_sharp);
+        }
     }
 }
 
@@ -255,6 +304,24 @@ TEST(cgal_parameters, geometry_may_stay)
     ours::Loop_subdivision(m, params::do_not_modify_geometry(false));
     ours::Loop_subdivision(expected);
     EXPECT_TRUE(same_bits(m, expected));
+}
+
+TEST(cgal_parameters, creases_go_along_where_geometry_stays)
+{
+    const auto expect = [](const auto& subdivide, mesh m) {
+        mesh moved = m;
+        std::map<edge, bool> kept, expected;
+        for (const auto e : m.edges())
+            kept[e] = expected[e] = e.idx() % 3 == 0;
+        const auto map = boost::associative_property_map<std::map<edge, bool>>(kept);
+        subdivide(m, params::do_not_modify_geometry(true).edge_is_constrained_map(map));
+        subdivide(moved,
+                  params::edge_is_constrained_map(boost::associative_property_map<std::map<edge, bool>>(expected)));
+        EXPECT_EQ(kept, expected);
+        EXPECT_EQ(kept.size(), m.number_of_edges());
+    };
+    expect([](auto& m, const auto& np) { ours::CatmullClark_subdivision(m, np); }, house());
+    expect([](auto& m, const auto& np) { ours::Loop_subdivision(m, np); }, make_graph<mesh>(shapes::tetrahedron()));
 }
 
 TEST(cgal_parameters, a_visitor_is_told_and_may_stop)

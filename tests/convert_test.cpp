@@ -249,3 +249,18 @@ TEST(convert, fans_that_only_meet_in_a_vertex_are_refused)
     EXPECT_NE(error_text<kith::mesh_error>([&] { kith::convert<poly_mesh>(cube); }).find("several fans"),
               std::string::npos);
 }
+
+TEST(convert, properties_of_the_mesh_as_a_whole_are_copied_or_told)
+{
+    auto mesh = kith::convert<poly_mesh>(cgal(shapes::cube())).mesh;
+    OpenMesh::MPropHandleT<std::string> author;
+    mesh.add_property(author, "author");
+    mesh.property(author) = "me";
+    const auto copy = kith::convert<poly_mesh>(mesh);
+    ASSERT_TRUE(copy.mesh.get_property_handle(author, "author"));
+    EXPECT_EQ(copy.mesh.property(author), "me");
+    EXPECT_EQ(std::ranges::count(copy.report.carried, "author"), 1);
+    const auto there = kith::convert<cgal_mesh>(mesh);
+    ASSERT_EQ(there.report.left_out.size(), 1U);
+    EXPECT_EQ(there.report.left_out[0].name, "author");
+}

@@ -248,6 +248,26 @@ TEST(openmesh_dialect, carries_everything)
     expect_native_bits<ours::LinearT<poly_mesh>>(make<poly_mesh>(shapes::open_house()));
 }
 
+TEST(openmesh_dialect, makes_normals_that_were_requested_without_those_of_faces)
+{
+    auto mesh = make<tri_mesh>(shapes::umbrella(7)), expected = mesh;
+    mesh.request_vertex_normals();
+    mesh.request_halfedge_normals();
+    for (const auto v : mesh.vertices())
+        mesh.set_normal(v, tri_mesh::Normal(9, 9, 9));
+    expected.request_face_normals();
+    expected.request_vertex_normals();
+    expected.request_halfedge_normals();
+    ours::LoopT<tri_mesh>()(mesh, 1);
+    ours::LoopT<tri_mesh>()(expected, 1);
+    EXPECT_FALSE(mesh.has_face_normals());
+    for (const auto v : mesh.vertices())
+        EXPECT_EQ(mesh.normal(v), expected.normal(v));
+    for (const auto h : mesh.halfedges())
+        EXPECT_EQ(mesh.normal(h), expected.normal(h));
+    EXPECT_NEAR(mesh.normal(VertexHandle(0)).norm(), 1, 1e-12);
+}
+
 TEST(openmesh_dialect, leaves_deleted_elements_deleted)
 {
     auto shape = shapes::both(shapes::tetrahedron(), shapes::cube());

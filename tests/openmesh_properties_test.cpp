@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "openmesh_mesh.hpp"
 #include "face_varying_on.hpp"
+#include "same_mesh.hpp"
 #include "shapes.hpp"
 
 #include <kith/catmull_clark.hpp>
 #include <kith/loop.hpp>
 #include <kith/openmesh_properties.hpp>
+#include <kith/sqrt3.hpp>
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
 
@@ -198,6 +200,19 @@ TEST(openmesh_properties, of_the_mesh_as_a_whole_are_copied)
     ASSERT_TRUE(fine.get_property_handle(textures, "TextureMapping") and fine.get_property_handle(author, "author"));
     EXPECT_EQ(fine.property(textures), (pictures{{1, "skin.png"}}));
     EXPECT_EQ(fine.property(author), "me");
+}
+
+TEST(openmesh_properties, marks_of_steps_are_not_carried)
+{
+    const auto shape = shapes::grid();
+    const auto control = user_mesh<tri_mesh>::make(shapes::triangulated(shape).points,
+                                                   shapes::triangulated(shape).faces);
+    kith::hierarchy<tri_mesh, kith::sqrt3> levels(control);
+    levels.refine(3);
+    tri_mesh fine = levels[2];
+    const auto report = kith::carry_properties(levels, 1, 2, fine); // of a level that an odd step has made
+    EXPECT_TRUE(std::ranges::none_of(report.carried, [](const auto& name) { return name.starts_with("kith:"); }));
+    EXPECT_TRUE(same_bits(kith::refine(fine, kith::sqrt3(), 1), levels[3]));
 }
 
 TEST(openmesh_properties, colours_are_values_of_masks)

@@ -105,6 +105,18 @@ TEST(obj_attributes, are_read)
     EXPECT_EQ(soup.attributes.file_lines, names{"mtllib a.mtl b.mtl"});
 }
 
+TEST(obj_attributes, may_have_a_comment_sign_in_their_names)
+{
+    const auto soup = io::read_mesh(mesh_format::obj,
+                                    "mtllib a#1.mtl # one\nv 0 0 0\nv 1 0 0 0 0\nv 0 1 0#\nv 1 1 0\n"
+                                    "usemtl Mat#1\nf 1 2 3#of all\nusemtl Mat#2 #\nf 2 4 3\n");
+    EXPECT_EQ(soup.attributes.file_lines, names{"mtllib a#1.mtl"});
+    ASSERT_EQ(soup.attributes.faces.size(), 1U);
+    EXPECT_EQ(soup.attributes.faces[0].labels, (names{"", "Mat#1", "Mat#2"}));
+    expect_same(soup.attributes.faces[0].values, {1, 2}, "material");
+    EXPECT_EQ(soup.not_kept, names{"numbers behind the coordinates of vertices"});
+}
+
 TEST(obj_attributes, are_written_as_they_are_read)
 {
     const auto soup = io::read_mesh(mesh_format::obj, seam);

@@ -159,6 +159,23 @@ TEST(read_vtu, numbers_in_all_ways_of_writing_them)
             expect_tetrahedron(file(how, long_lengths));
 }
 
+TEST(read_vtu, arrays_behind_one_about_which_more_is_told)
+{
+    expect_tetrahedron(
+        replaced(file(way::text),
+                 " 0 7 255 1\n</DataArray>",
+                 " 0 7 255 1\n<InformationKey name=\"L2_NORM_RANGE\" length=\"2\"><Value index=\"0\">1</Value>"
+                 "</InformationKey>\n</DataArray>"));
+}
+
+TEST(read_vtu, text_whatever_is_said_of_what_is_none)
+{
+    const std::string other = "byte_order=\"BigEndian\" compressor=\"vtkZLibDataCompressor\"";
+    expect_tetrahedron(replaced(file(way::text), "byte_order=\"LittleEndian\"", other));
+    EXPECT_NE(refusal(replaced(file(way::base64), "byte_order=\"LittleEndian\"", other)).find("big-endian"),
+              std::string::npos);
+}
+
 TEST(read_vtu, names_whole_numbers_that_a_double_does_not_hold)
 {
     const auto with_ids = [](const std::string& type, const std::string& ids) {
@@ -236,9 +253,9 @@ TEST(read_vtu, refuses_what_it_does_not_read_and_says_what_to_do)
     const std::string text = file(way::text), raw = file(way::appended_raw);
     EXPECT_EQ(refusal(replaced(text, "type=\"UnstructuredGrid\"", "type=\"PolyData\"")),
               "holds PolyData, not an UnstructuredGrid; save it as one");
-    EXPECT_EQ(refusal(replaced(text, "LittleEndian\"", "LittleEndian\" compressor=\"vtkZLibDataCompressor\"")),
+    EXPECT_EQ(refusal(replaced(raw, "LittleEndian\"", "LittleEndian\" compressor=\"vtkZLibDataCompressor\"")),
               "is compressed, which is not read; write it without a compressor, or as text");
-    EXPECT_EQ(refusal(replaced(text, "LittleEndian", "BigEndian")),
+    EXPECT_EQ(refusal(replaced(raw, "LittleEndian", "BigEndian")),
               "its numbers are big-endian, which is not read; write it on another machine, or as text");
     EXPECT_EQ(refusal(replaced(text, "</Piece>", "</Piece><Piece NumberOfPoints=\"0\" NumberOfCells=\"0\">")),
               "has several pieces; save it as one");

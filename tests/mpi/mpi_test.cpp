@@ -137,6 +137,7 @@ TEST(problem_of, is_a_text_unless_the_others_cannot_be_reached)
     using kith::mpi::problem_of;
     EXPECT_EQ(problem_of([] {}), "");
     EXPECT_EQ(problem_of([] { throw std::runtime_error("trouble"); }), "trouble");
+    EXPECT_EQ(problem_of([] { throw std::runtime_error(""); }), "an exception without a text");
     EXPECT_EQ(problem_of([] { throw std::bad_alloc(); }), "there is not enough memory");
     EXPECT_EQ(problem_of([] { throw std::bad_alloc(); }, "no room"), "no room");
     EXPECT_THROW(problem_of([] { throw kith::mpi::error("no partner"); }), kith::mpi::error);

@@ -48,6 +48,29 @@ exits 0
 textured out.obj 7 7
 check "the colour is that of the vertex" awk '$1 == "v" { d = $5 - ($2 + $3) / 9; wrong += d * d > 1e-24 } END { exit wrong > 0 }' out.obj
 
+# Creases stay beside holes, by the numbers that are left.
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 1\nv 3 1 0\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nt hole 1/0/0 0\nt crease 2/1/0 2 6 2.5\nt corner 1/1/0 6 3\n' >creased.obj
+run refine creased.obj -s catmull-clark -n 0 -o out.obj
+exits 0
+has out.obj '^t crease 2/1/0 1 4 2\.5$'
+has out.obj '^t corner 1/1/0 4 3$'
+run refine creased.obj -s catmull-clark -n 1 -o out.obj
+exits 0
+check "both halves of the crease are there" test "$(grep -c '^t crease 2/1/0 .* 1.5$' out.obj)" -eq 2
+
+# The rule of corners at the boundary, which only OBJ holds.
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n' >flat.obj
+for rule in 1 2; do
+    (cat flat.obj; echo "t interpolateboundary 1/0/0 $rule") >ruled.obj
+    run refine ruled.obj -s catmull-clark -n 1 -o out.obj
+    kept=$(grep -c '^t interpolateboundary' out.obj)
+    for format in ply off vtu; do
+        run refine ruled.obj -s catmull-clark -n 1 -o out.$format
+        exits 0
+        check "what OBJ keeps is told" test "$(grep -c 'the rule of corners at the boundary' "$results/err")" -eq "$kept"
+    done
+done
+
 # A file that is read and written has the same lines from then on, and refining it twice by one level is refining it by two.
 corners() { # corners FILE: what each corner is, in digits that do not end where short numbers do
     awk 'function near(x) { return sprintf("%.10f", x + 3.14159265e-11) }

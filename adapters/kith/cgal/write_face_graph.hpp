@@ -43,7 +43,6 @@ void take_back_removed(CGAL::Surface_mesh<Point>& m)
     for (auto left = m.number_of_removed_faces(); left > 0; --left)
         m.add_face();
     m.set_recycle_garbage(recycles);
-    m.collect_garbage(); // there is none, which it then knows
 }
 
 } // namespace detail
@@ -114,14 +113,16 @@ void write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::ui
     const std::size_t bound = handles.size() + removed.size();
     for (std::size_t v = handles.size(); v < t.vertices; ++v)
         handles.emplace_back(size(v + removed.size()));
-    if (m.has_garbage())
-        detail::take_back_removed(m);
+    const bool has_garbage = m.has_garbage();
+    detail::take_back_removed(m);
     m.resize(size(bound), 0, 0);
     m.resize(size(t.vertices + removed.size()), size(t.edges()), size(t.faces));
     mesh_traits<mesh>::forget_generation(m);
     for (const vertex v : removed)
         m.remove_vertex(v);
     in_place::join_elements(m, t, [&](std::size_t v) { return handles[v]; });
+    if (has_garbage and removed.empty())
+        m.collect_garbage(); // there is none any more, which it does not know yet
 }
 
 } // namespace kith::cgal
