@@ -100,6 +100,9 @@ prints '^\{"rings":2,"bytes_at_once":[0-9]+,"ranks":\[(\{"tiles":1,"faces":16,"s
 run plan cube.off -s catmull-clark -n 13 --ranks 8
 exits 0
 prints '^ +7 +1 +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+$'
+run plan cube.off -s catmull-clark -n 2 --ranks 2 --mesh cgal
+exits 2
+says '--mesh and --ranks do not go together'
 run plan cube.off -s unified -n 2 --ranks 2
 exits 2
 says '--ranks: unified is not refined in tiles: it takes closed meshes only, and a tile has a boundary; plan without ranks'

@@ -288,6 +288,23 @@ for format in obj ply; do
 done
 rm out.* back.obj
 
+# What is wrong with a crease is told in the numbers of the file, also where a vertex has no face.
+printf 'v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 4 5\nt crease 2/1/0 1 3 2\n' >wrong.obj
+run refine wrong.obj -s catmull-clark -n 1 -o out.obj
+exits 1
+says 'crease 1-3: there is no such edge; correct the tag'
+sed -i 's/1 3 2$/1 2 2/' wrong.obj
+run refine wrong.obj -s catmull-clark -n 1 -o out.obj
+exits 0
+rm -f wrong.obj out.obj
+
+# Options that are of no use are refused.
+for option in '--partitioner nonsense' --verify --checksum; do
+    run refine cube.off -s catmull-clark -n 1 -o out.off $option
+    exits 2
+    says "$(echo "$option" | cut -d ' ' -f 1): is for tiles; name --tiles as well"
+done
+
 # Vertices without a face are kept as they are, behind the others.
 (cube | sed '2s/8/9/; 5s/^/7 8 9\n/' | awk 'NR > 11 { for (i = 2; i <= NF; ++i) if ($i > 1) ++$i } { print }') >point.off
 run refine point.off -s catmull-clark -n 1 -o out.off
