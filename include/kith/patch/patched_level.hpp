@@ -70,7 +70,7 @@ public:
                 if (auto made = maker.make(walk)) // nothing where there is too much around a face to be numbered
                     of_class[c] = kept.keep(marks.key(walk), std::move(*made));
             }
-        return patched_level(mesh, classes, std::move(of_class), scheme, plan);
+        return patched_level(classes, std::move(of_class), scheme, plan);
     }
 
     /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some hundred bytes for a face.
@@ -169,8 +169,8 @@ private:
     }
 
     /// With the templates of the classes that have one.
-    patched_level(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                  std::vector<typename templates::pointer> of_class, const Scheme& scheme, const patch_plan& plan)
+    patched_level(const face_classes<Index>& classes, std::vector<typename templates::pointer> of_class,
+                  const Scheme& scheme, const patch_plan& plan)
         : vertices_(plan.last().vertices)
     {
         std::vector<class_number> template_of_class(of_class.size(), none);
