@@ -65,9 +65,10 @@ private:
                 add_words(tag);
             } else if (tag.name == "DataArray" and not section.empty()) {
                 arrays_[section].push_back(tag);
-            } else if (tag.name == "/" + section) {
+            } else if (tag.name == "/" + section or tag.name == "/Piece") {
                 section.clear();
-            } else if (std::ranges::find(sections_that_are_read, tag.name) != sections_that_are_read.end()) {
+            } else if (not tag.attributes.ends_with('/') and
+                       std::ranges::find(sections_that_are_read, tag.name) != sections_that_are_read.end()) {
                 section = tag.name;
                 sections_[section] = tag;
             }
@@ -206,10 +207,10 @@ private:
             result.push_back(array.name + (array.components == 1 ? "" : "_" + std::to_string(i)));
         return result;
     }
-    /// A name that no other attribute has, and that is one word; x, y and z are coordinates elsewhere.
+    /// A name that no other attribute has, and that is one word; some say in PLY where vertices are and which ones a face has.
     static std::string free_name(std::string name, const std::vector<attribute>& others)
     {
-        constexpr std::array<std::string_view, 3> taken{"x", "y", "z"};
+        constexpr std::array<std::string_view, 5> taken{"x", "y", "z", "vertex_indices", "vertex_index"};
         std::ranges::replace_if(name, [](char c) { return (c >= 0 and c <= ' ') or c == 127; }, '_');
         while (name.empty() or std::ranges::find(taken, name) != taken.end() or
                std::ranges::find(others, name, &attribute::name) != others.end())

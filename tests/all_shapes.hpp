@@ -74,7 +74,6 @@ inline shape with_flips(shape s, std::uint32_t seed, int flips = 200)
     return s;
 }
 
-/// A torus of triangles with vertices of all valences from 3 to 17.
 /// A torus of n x n quads, one of which is cut in two.
 inline shape torus_with_two_triangles(std::size_t n, std::size_t quad)
 {
@@ -85,6 +84,7 @@ inline shape torus_with_two_triangles(std::size_t n, std::size_t quad)
     return result;
 }
 
+/// A torus of triangles with vertices of all valences from 3 to 17.
 inline shape torus_of_all_valences()
 {
     shape s = triangulated(torus(20, 20));

@@ -306,6 +306,18 @@ TEST(cgal_parameters, geometry_may_stay)
     EXPECT_TRUE(same_bits(m, expected));
 }
 
+TEST(cgal_parameters, triangles_back_to_back_are_refused_where_geometry_stays_too)
+{
+    mesh m;
+    const auto a = m.add_vertex(point(0, 0, 0)), b = m.add_vertex(point(1, 0, 0)), c = m.add_vertex(point(0, 1, 0));
+    m.add_face(a, b, c);
+    m.add_face(a, c, b);
+    EXPECT_NE(error_text<kith::mesh_error>([&] {
+                  ours::Loop_subdivision(m, params::do_not_modify_geometry(true));
+              }).find("lies between 2 faces only"),
+              std::string::npos);
+}
+
 TEST(cgal_parameters, creases_go_along_where_geometry_stays)
 {
     const auto expect = [](const auto& subdivide, mesh m) {

@@ -95,10 +95,10 @@ TEST(face_classes, are_the_same_on_any_number_of_threads)
     }
 }
 
-TEST(face_classes, have_few_kinds_in_a_sample_where_faces_are_alike)
+TEST(face_classes, have_few_classes_in_a_sample_where_faces_are_alike)
 {
     const auto share = [](const shapes::shape& shape, int rings) {
-        return kith::share_of_kinds(native(shape).topology(), rings);
+        return kith::share_of_classes(native(shape).topology(), rings);
     };
     for (const int rings : {1, 2}) {
         EXPECT_LT(share(shapes::torus(60, 80), rings), .1);

@@ -52,7 +52,7 @@ std::vector<std::array<double, 3>> take_isolated(polygon_soup& soup)
             values[used[v] ? number[v] : next_isolated++] = a.values[v];
         a.values = std::move(values);
     }
-    const auto edges = edges_of(soup);
+    const auto edges = soup.tags.edges.empty() ? std::set<std::pair<std::size_t, std::size_t>>() : edges_of(soup);
     for (std::size_t& v : soup.faces.vertices)
         v = number[v];
     for (auto& [from, to, sharpness] : soup.tags.edges) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <kith/base/error.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh/make_mesh.hpp>
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>

@@ -71,6 +71,8 @@ std::size_t corners_in_fans(const connectivity<Index>& mesh)
     std::size_t result = 0;
     for (std::size_t v = 0; v < mesh.vertices; ++v) {
         const Index start = mesh.vertex_corner[v];
+        if (start == mesh.none) // only edges without a face lead there
+            continue;
         Index c = start;
         do {
             result += mesh.corner_vertex[c] == v;

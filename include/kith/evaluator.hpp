@@ -35,7 +35,7 @@ class evaluator {
 public:
     /// For the vertices of `refine(control, scheme, levels)`. Errors: those of `refine`. Cost: that of refining and, where there
     /// are patches, of looking around each face of a level in between; keeps the levels before the patches and some hundred bytes for
-    /// each of their faces, else all levels. Points of another library's types have no patches.
+    /// each of their faces (more for those of rare classes), else all levels. Points of another library's types have no patches.
     evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
               const refine_options& options = {})
         : levels_(control, scheme, options), generation_(control.generation()), count_(levels)

@@ -17,6 +17,7 @@ struct split_with_creases {
         return scheme_traits{.name = traits_of<Linear>.name,
                              .faces = traits_of<Linear>.faces,
                              .trusted = true,
+                             .require = traits_of<Linear>.require,
                              .state = &split_with_creases::sharpness};
     }
     static constexpr auto columns() { return Linear::columns(); }

@@ -17,21 +17,22 @@ namespace kith::mpi {
 class under_way {
 public:
     /// Local: starts them all. `sizes[r]` bytes come from rank r; what a rank sends to itself is handed over.
-    /// Errors: mpi::error, when those that have begun are through.
+    /// Errors: mpi::error.
     under_way(communicator& comm, std::vector<std::vector<std::byte>> to, const std::vector<std::uint64_t>& sizes)
-        : under_way(std::move(to), sizes.size())
+        : sent_(std::move(to)), received_(sizes.size())
     {
         const auto self = std::size_t(comm.rank());
         for (std::size_t r = 0; r < sizes.size(); ++r) // all memory before any is under way, should there not be enough
             if (r != self)
                 received_[r].resize(sizes[r]);
         requests_.reserve(2 * sizes.size());
-        for (std::size_t r = 0; r < sizes.size(); ++r)
-            if (r != self)
-                comm.start_receive(received_[r], int(r), requests_);
-        for (std::size_t r = 0; r < sizes.size(); ++r)
-            if (r != self)
-                comm.start_send(sent_[r], int(r), requests_);
+        try {
+            start(comm, sizes.size());
+        } catch (...) {
+            // Nobody may wait for what others will never send; what has begun still writes to its buffers, which stay until the job ends.
+            static_cast<void>(new std::pair(std::move(sent_), std::move(received_)));
+            throw;
+        }
         received_[self] = std::move(sent_[self]);
     }
     under_way(under_way&&) noexcept = default; // a list that was moved from is empty, so nobody waits twice
@@ -48,8 +49,16 @@ public:
     }
 
 private:
-    /// With nothing begun. Whoever delegates to it and throws is destroyed, which waits.
-    under_way(std::vector<std::vector<std::byte>> to, std::size_t ranks) : sent_(std::move(to)), received_(ranks) {}
+    void start(communicator& comm, std::size_t ranks)
+    {
+        const auto self = std::size_t(comm.rank());
+        for (std::size_t r = 0; r < ranks; ++r)
+            if (r != self)
+                comm.start_receive(received_[r], int(r), requests_);
+        for (std::size_t r = 0; r < ranks; ++r)
+            if (r != self)
+                comm.start_send(sent_[r], int(r), requests_);
+    }
 
     std::vector<std::vector<std::byte>> sent_, received_;
     std::vector<MPI_Request> requests_;

@@ -40,7 +40,7 @@ struct tile {
 
     basic_mesh<Point, Index> mesh;
     storage<global_id> vertex_ids, edge_ids, face_ids;
-    storage<global_id> first_corner_ids; ///< per face; empty where all faces have one degree
+    storage<global_id> first_corner_ids; ///< per face; empty where all faces of the whole mesh have one degree
     storage<global_id> corners_before;   ///< per vertex, see numbers_corners_at_vertices; else empty
     storage<global_id> marked_before;    ///< per edge of level 0, see marks_edges; else empty
     storage<unsigned char> vertex_marks, edge_marks, face_marks;

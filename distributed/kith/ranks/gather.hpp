@@ -107,8 +107,12 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
     std::array<double, 3> form{0, none, none};
     std::array<std::uint64_t, 2> owned{0, 0};
     for (const auto* part : tiles) {
-        const double degree_of_part = part->mesh.topology().degree;
-        form = {double(part->mesh.generation()), std::max(form[1], degree_of_part), std::max(form[2], -degree_of_part)};
+        form[0] = double(part->mesh.generation());
+        if (part->mesh.face_count() != 0) {
+            const double degree_of_part = part->mesh.topology().degree;
+            form[1] = std::max(form[1], degree_of_part);
+            form[2] = std::max(form[2], -degree_of_part);
+        }
         owned[0] += owned_count(part->vertex_marks);
         owned[1] += owned_count(part->face_marks);
     }

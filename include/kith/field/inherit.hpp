@@ -40,40 +40,31 @@ T born_value(const Born& born, const Element& element, std::span<const T> values
     }
 }
 
-/// A rule that a field keeps: one whose functions capture something can be assigned, too.
+/// A rule that a field keeps: one whose functions capture something can be assigned, too, and is shared then.
 template <class Rule>
 class assignable {
+    static constexpr bool is_shared = not std::is_copy_assignable_v<Rule>;
+
 public:
-    explicit assignable(Rule rule) : rule_(std::move(rule)) {}
-    assignable(const assignable&) = default;
-    assignable(assignable&&) = default;
-    assignable& operator=(const assignable& other)
+    explicit assignable(Rule rule) : rule_(kept(std::move(rule))) {}
+    [[nodiscard]] const Rule& operator*() const
     {
-        if constexpr (std::is_copy_assignable_v<Rule>)
-            rule_ = other.rule_;
-        else if (this != &other)
-            replace(Rule(other.rule_)); // what copying throws leaves this one as it was
-        return *this;
+        if constexpr (is_shared)
+            return *rule_;
+        else
+            return rule_;
     }
-    assignable& operator=(assignable&& other) noexcept
-    {
-        if constexpr (std::is_nothrow_move_assignable_v<Rule>)
-            rule_ = std::move(other.rule_);
-        else if (this != &other)
-            replace(std::move(other.rule_));
-        return *this;
-    }
-    ~assignable() = default;
-    [[nodiscard]] const Rule& operator*() const { return rule_; }
 
 private:
-    void replace(Rule rule) noexcept
+    static auto kept(Rule rule)
     {
-        std::destroy_at(&rule_);
-        std::construct_at(&rule_, std::move(rule));
+        if constexpr (is_shared)
+            return std::make_shared<const Rule>(std::move(rule));
+        else
+            return rule;
     }
 
-    Rule rule_;
+    std::conditional_t<is_shared, std::shared_ptr<const Rule>, Rule> rule_;
 };
 
 /// Calls f.operator()<kind>(id, tuple) for each new element that has a column in `list`, on threads.

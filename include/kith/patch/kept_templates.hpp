@@ -73,7 +73,8 @@ public:
     }
 
 private:
-    /// Two lists of templates: the young one has what was asked for since it began; when it is full it becomes the old one, which is given up.
+    /// Two lists of templates: the young one has what was asked for since it began. When it is full, the old list is given up, and it
+    /// becomes the old one.
     class store {
     public:
         /// A number for each scheme that templates are kept of.

@@ -8,6 +8,7 @@
 #include "template_maker.hpp"
 
 #include <kith/base/for_parts.hpp>
+#include <kith/base/storage.hpp>
 #include <kith/neighbourhood/face_classes.hpp>
 
 #include <algorithm>
@@ -193,6 +194,8 @@ private:
     {
         std::vector<Index> without_template, waiting(templates_.size() * filler::at_once);
         std::vector<std::uint8_t> count(templates_.size(), 0);
+        faces_.reserve(classes.of_faces().size());
+        batches_.reserve(classes.of_faces().size() / filler::at_once + templates_.size());
         const auto flush = [&](class_number t) {
             const auto first = waiting.begin() + std::ptrdiff_t(t * filler::at_once);
             batches_.push_back({t, Index(faces_.size()), count[t]});

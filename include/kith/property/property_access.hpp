@@ -4,6 +4,7 @@
 #include <kith/mesh/mesh_traits.hpp>
 
 #include <concepts>
+#include <vector>
 
 namespace kith {
 

@@ -42,7 +42,7 @@ struct scheme_traits {
     State state{};
     /// bool ignores_numbers(): it keeps nothing by the numbers of elements, so that it may be given levels whose elements are
     /// in another order. One with state says it of itself, [](const my_scheme& s) {...}: it may be empty. Its masks follow from the mesh and
-    /// from what its == compares: what has been recorded of one scheme serves all that are equal, and all of a type without members.
+    /// from what its == compares, since what has been recorded of one scheme is used for all that are equal; those without members all are.
     IgnoresNumbers ignores_numbers{};
     /// What keeps its levels conforming where it refines some faces only, [](const auto& scheme) -> const auto& {...}:
     ///   lies_on_side(corner)   the corner is not one of those that its face was born with, but lies on a side between two
