@@ -226,7 +226,7 @@ void add_lost_boundary_rule(std::vector<std::string>& lost, const io::mesh_tags&
 {
     io::mesh_tags needed;
     add_boundary_tag(needed, scheme);
-    if (given.corners and needed.corners)
+    if (given.corners and needed.corners and not given.boundary_is_hole)
         lost.emplace_back("the rule of corners at the boundary");
 }
 

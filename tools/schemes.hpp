@@ -90,7 +90,8 @@ bool refines_along_seams(const any_scheme& scheme);
 
 /// What of a scheme's creases and boundary the tags of an OBJ file have to say besides the sharp elements.
 void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme);
-/// Adds the rule of corners at the boundary to what is lost, where the input said one and that of the scheme is not its default.
+/// Adds the rule of corners at the boundary to what is lost, where the input said one that is not the default of the
+/// scheme, for faces that stay.
 void add_lost_boundary_rule(std::vector<std::string>& lost, const io::mesh_tags& given, const any_scheme& scheme);
 
 /// Errors: usage_error for a name that is not known, and for words that this scheme does not take.
