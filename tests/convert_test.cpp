@@ -264,3 +264,21 @@ TEST(convert, properties_of_the_mesh_as_a_whole_are_copied_or_told)
     ASSERT_EQ(there.report.left_out.size(), 1U);
     EXPECT_EQ(there.report.left_out[0].name, "author");
 }
+
+TEST(convert, properties_of_one_name_and_several_types_all_go)
+{
+    auto control = cgal(shapes::cube());
+    auto numbers = control.add_property_map<vertex, int>("v:x", 1).first;
+    auto lengths = control.add_property_map<vertex, double>("v:x", 2.5).first;
+    for (const auto v : control.vertices())
+        numbers[v] = int(v), lengths[v] = int(v) / 2.;
+    const auto made = kith::convert<poly_mesh>(control);
+    EXPECT_TRUE(made.report.left_out.empty());
+    const auto back = kith::convert<cgal_mesh>(made.mesh).mesh;
+    EXPECT_EQ((values<vertex, int>(back, "v:x")), (values<vertex, int>(control, "v:x")));
+    EXPECT_EQ((values<vertex, double>(back, "v:x")), (values<vertex, double>(control, "v:x")));
+    const auto native = kith::convert<kith::property_mesh<>>(control).report; // has one per name
+    EXPECT_EQ(native.carried, std::vector<std::string>{"v:x"});
+    ASSERT_EQ(native.left_out.size(), 1U);
+    EXPECT_EQ(native.left_out[0].why, "another property has become 'v:x'");
+}

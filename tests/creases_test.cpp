@@ -157,3 +157,24 @@ TEST(creases, those_of_another_mesh_are_refused)
     EXPECT_EQ(refusal(sharp),
               "creases: vertex 8 does not exist, there are 8; make the creases for this mesh and level");
 }
+
+TEST(creases, what_is_given_at_the_boundary_passes_like_the_rest)
+{
+    const plane p;
+    for (const auto method : {kith::crease_method::uniform, kith::crease_method::chaikin}) {
+        kith::catmull_clark scheme;
+        scheme.sharpness.method = method;
+        scheme.sharpness.sharpen_edge(p.edge_of(0, 1).index(), 1.5);
+        scheme.sharpness.sharpen_edge(p.edge_of(1, 2).index(), infinitely_sharp);
+        kith::hierarchy levels(p.mesh, scheme);
+        levels.refine(2);
+        std::vector<double> after_one, after_two;
+        for (const auto& [edge, sharpness] : levels.scheme(1).sharpness.edges())
+            after_one.push_back(sharpness);
+        for (const auto& [edge, sharpness] : levels.scheme(2).sharpness.edges())
+            after_two.push_back(sharpness);
+        std::ranges::sort(after_one);
+        EXPECT_EQ(after_one, (std::vector{.5, .5, infinitely_sharp, infinitely_sharp}));
+        EXPECT_EQ(after_two, std::vector(4, infinitely_sharp));
+    }
+}

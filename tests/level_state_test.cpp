@@ -3,10 +3,15 @@
 
 #include "all_shapes.hpp"
 #include "own_state.hpp"
+#include "patch_templates.hpp"
 #include "same_mesh.hpp"
 #include "tiles.hpp"
 
+#include <kith/evaluator.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/plan.hpp>
+#include <kith/refine_with_fields.hpp>
+#include <kith/selected.hpp>
 
 #include <gtest/gtest.h>
 
@@ -74,4 +79,46 @@ TEST(level_state, comes_out_of_a_message_as_it_went_in)
         own_state::wrapped{{.corners = kith::boundary_corner::smoothed}});
     EXPECT_EQ(options.scheme.inner.corners, kith::boundary_corner::smoothed);
     EXPECT_EQ(options.scheme.inner.sharpness.method, kith::crease_method::chaikin);
+}
+
+TEST(level_state, columns_may_follow_it)
+{
+    const auto mesh = native(shapes::shaken(shapes::torus(12, 14)));
+    const own_state::two_and_three scheme;
+    kith::hierarchy levels(mesh, scheme);
+    levels.refine(3);
+    const auto planned = kith::plan(levels.elements(0).counts(), scheme, 3);
+    for (int level = 0; level <= 3; ++level)
+        EXPECT_EQ(planned[std::size_t(level)].counts, levels.elements(level).counts());
+    EXPECT_TRUE(same_bits(kith::refine(mesh, scheme, 3), levels.finest()));
+    const kith::patch_refinement patches(mesh, scheme, 3, all_templates);
+    ASSERT_TRUE(patches.is_worth_looking());
+    EXPECT_TRUE(same_bits(made_by(patches, mesh, scheme, kith::connect::everything), levels.finest()));
+    kith::evaluator surface(mesh, scheme, 3);
+    EXPECT_TRUE(std::ranges::equal(surface.evaluate(mesh.points()), levels.finest().points()));
+    EXPECT_EQ(tiles_differ(mesh, scheme, 3, partitions::blocks(mesh.face_count(), 3), 3), "");
+}
+
+TEST(level_state, schemes_may_have_rules_that_capture)
+{
+    const auto mesh = native(shapes::shaken(shapes::torus(4, 5)));
+    const double weight = 1. / 4;
+    const own_state::ruled scheme{[weight](auto v) { return (1 - weight) * v + weight * average(v.neighbors()); }};
+    const auto expected = kith::refine(mesh, scheme, 2);
+    kith::hierarchy levels(mesh, scheme);
+    levels.refine(2);
+    levels.undo(1);
+    levels.redo();
+    EXPECT_TRUE(same_bits(levels.finest(), expected));
+    kith::evaluator surface(mesh, scheme, 2);
+    EXPECT_TRUE(std::ranges::equal(surface.evaluate(mesh.points()), expected.points()));
+    auto marks = kith::on_faces(std::vector<int>(mesh.face_count(), 7));
+    EXPECT_TRUE(same_bits(kith::refine_with_fields(mesh, scheme, 2, std::tie(marks)), expected));
+    auto with_marks = kith::with_fields(scheme, kith::on_faces(std::vector<int>(mesh.face_count(), 7)));
+    EXPECT_TRUE(same_bits(kith::refine_with_fields(mesh, with_marks, 2), expected));
+    kith::hierarchy some(mesh, kith::selected(scheme));
+    some.refine_if([](auto f) { return f.value % 3 == 0; });
+    some.refine();
+    EXPECT_GT(some.finest().face_count(), mesh.face_count());
+    EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::blocks(mesh.face_count(), 3), 3), "");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/limit/limit.hpp>
 
+#include "error_text.hpp"
 #include "native_shape.hpp"
 
 #include <kith/compiled_schemes.hpp>
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -217,4 +219,35 @@ TEST(limit, a_scheme_of_ones_own_says_its_masks_beside_it)
         EXPECT_EQ(x, 2);
     EXPECT_EQ(limit_surface_of(levels, 0).positions[6], limits[6].value());
     EXPECT_EQ(limit_surface_of(hierarchy(levels[0], own_split()), 0).positions[6], levels[0].point(6));
+}
+
+namespace {
+
+/// Each step takes vertices farther from their neighbours than the one before.
+struct growing {
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "growing", .reach = [](int rings) { return rings / 2 + 1; }};
+    }
+    static constexpr auto columns() { return kith::quad_split::columns(); }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        const double t = -8. * (1 + r.generation);
+        subdivide(kith::quad_split(),
+                  r,
+                  kith::at_vertices([t](auto v) { return (1 - t) * v + t * average(v.neighbors()); }),
+                  kith::at_edges([](auto e) { return average(e.org(), e.dst()); }),
+                  kith::at_faces([](auto f) { return average(f.vertices()); }));
+    }
+};
+
+} // namespace
+
+TEST(limit, what_grows_beyond_all_numbers_has_none)
+{
+    const auto mesh = native(shapes::shaken(shapes::cube()));
+    const auto text = error_text<kith::mesh_error>([&] { static_cast<void>(limit_surface_of(mesh, growing())); });
+    EXPECT_NE(text.find("growing: what lies around vertex"), std::string::npos) << text;
+    EXPECT_NE(text.find("so it has no limit"), std::string::npos) << text;
 }

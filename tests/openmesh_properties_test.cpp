@@ -233,3 +233,52 @@ TEST(openmesh_properties, values_at_corners_with_seams_go_as_on_the_native_mesh)
     expect_face_varying_as_native<poly_mesh>(false);
     expect_face_varying_as_native<poly_mesh>(true);
 }
+
+TEST(openmesh_properties, what_inherits_nothing_is_zero_and_never_left_open)
+{
+    using vector = OpenMesh::Vec3f;
+    auto control = user_mesh<poly_mesh>::make(shapes::grid().points, shapes::grid().faces);
+    OpenMesh::HPropHandleT<vector> at_sides;
+    OpenMesh::EPropHandleT<vector> at_edges;
+    control.add_property(at_sides, "sides");
+    control.add_property(at_edges, "edges");
+    for (const auto h : control.halfedges())
+        control.property(at_sides, h) = {1, 2, 3};
+    for (const auto e : control.edges())
+        control.property(at_edges, e) = {1, 2, 3};
+    kith::hierarchy<poly_mesh, kith::catmull_clark> levels(control);
+    levels.refine(1);
+    const auto expect = [](const poly_mesh& fine) {
+        OpenMesh::HPropHandleT<vector> sides;
+        OpenMesh::EPropHandleT<vector> edges;
+        ASSERT_TRUE(fine.get_property_handle(edges, "edges"));
+        ASSERT_TRUE(fine.get_property_handle(sides, "sides"));
+        std::size_t inside = 0;
+        for (const auto e : fine.edges())
+            if (fine.property(edges, e) == vector(0, 0, 0))
+                ++inside;
+            else
+                EXPECT_EQ(fine.property(edges, e), vector(1, 2, 3));
+        EXPECT_EQ(inside, 4 * shapes::grid().faces.size());
+        for (const auto h : fine.halfedges())
+            if (fine.is_boundary(h))
+                EXPECT_EQ(fine.property(sides, h), vector(0, 0, 0));
+    };
+    const auto soil = [] { // memory that is handed out next is not clear
+        std::vector<std::vector<unsigned char>> blocks;
+        for (std::size_t size = 64; size < 40000; size += 64)
+            blocks.emplace_back(size, 0x7b);
+    };
+    poly_mesh all = levels[1], by_rule = levels[1];
+    soil();
+    kith::carry_properties(levels, 0, 1, all);
+    expect(all);
+    soil();
+    kith::carry_properties(levels,
+                           0,
+                           1,
+                           by_rule,
+                           kith::by_rule<OpenMesh::EdgeHandle, vector>("edges", kith::along_edges<>()),
+                           kith::by_rule<OpenMesh::HalfedgeHandle, vector>("sides", kith::linear_in_faces()));
+    expect(by_rule);
+}

@@ -5,7 +5,11 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/part/reach.hpp>
+#include <kith/split/quad_split.hpp>
+#include <kith/split/shared_connections.hpp>
+#include <kith/split/ternary_split.hpp>
 #include <kith/step/level_state.hpp>
+#include <kith/step/rules.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -151,5 +155,158 @@ inline drawn some_drawn(const mesh3d& mesh)
         result.kept.at_face.push_back(double(f % 7) / 16);
     return result;
 }
+
+/// The numbers at vertices where each corner becomes one.
+struct numbers_at_corners : numbers {
+    numbers_at_corners() = default;
+    numbers_at_corners(numbers of_level) : numbers(std::move(of_level)) {}
+
+    template <class Level, class Numbering>
+    [[nodiscard]] numbers_at_corners after(const Level& coarse, const Numbering& ids) const
+    {
+        numbers_at_corners result;
+        result.at_vertex.resize(ids.vertices.total());
+        for (const auto c : coarse.corners())
+            result.at_vertex[ids.vertices.template id<kith::tuple_kind::vf>(c.index())] = of_vertex(c.v().index());
+        return result;
+    }
+};
+
+/// Corners become vertices, as in Doo-Sabin's scheme; of boundary vertices of three or more faces those get one that have a number.
+struct capped_dual {
+    numbers_at_corners kept;
+
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{
+            .name = "capped dual", .reach = [](int rings) { return (rings + 1) / 2 + 1; }, .state = &capped_dual::kept};
+    }
+    template <class Vertex>
+    [[nodiscard]] bool is_capped(const Vertex& v) const
+    {
+        return v.face_count() >= 3 and kept.of_vertex(v.index()) != 0;
+    }
+    [[nodiscard]] auto columns() const
+    {
+        using namespace kith;
+        const auto capped = [this](const auto& v) { return is_capped(v); };
+        const auto faces_around = [](const auto& v) { return v.face_count(); };
+        return kith::columns(new_vertices(per_corner),
+                             new_edges(per_side, per_end.inside(), per_vertex.on_boundary(capped)),
+                             new_faces(per_face.of_degree(same_degree{}),
+                                       quads(per_edge).inside(),
+                                       per_vertex.inside_or(capped).of_degree(faces_around)));
+    }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.corners(), [&](auto c) { assoc(c, V) = 1. / 2 * c.v() + 1. / 2 * average(c.f().vertices()); });
+        make_faces_inside(r);
+        for_each(coarse.edges(), [&](auto e) {
+            if (e.is_boundary())
+                return;
+            const auto xl = e.lcorner();
+            const auto yr = e.rcorner();
+            assoc(e, F) = polygon(assoc(xl.next(), V) >> assoc(e, xl.f(), E).right(),
+                                  assoc(xl, V) >> assoc(xl.v(), e, E).left(),
+                                  assoc(yr.next(), V) >> assoc(e, yr.f(), E).right(),
+                                  assoc(yr, V) >> assoc(yr.v(), e, E).left());
+        });
+        for_each(coarse.vertices(), [&](auto v) {
+            if (not v.is_boundary() or is_capped(v))
+                assoc(v, F) = polygon(v.corners(), [&](auto c) {
+                    const auto ep = c.prev_edge();
+                    return assoc(c, V) >> (ep.is_boundary() ? assoc(v, E).left() : assoc(v, ep, E).right());
+                });
+        });
+        for_each(coarse.corners(), [&](auto c) {
+            const auto f = c.f();
+            assoc(c, V).starts_at(assoc(f, F).corner(c.index() - f.first_corner().index()),
+                                  assoc(c.next_edge(), f, E).left());
+        });
+    }
+};
+
+/// How many steps there have been.
+struct step_count {
+    int steps = 0;
+
+    [[nodiscard]] step_count after(const auto&, const auto&) const { return {steps + 1}; }
+    [[nodiscard]] step_count of_part(const auto&) const { return *this; }
+    void add_part(const step_count& more, const auto&) { steps = std::max(steps, more.steps); }
+    void pack(auto& out) const { out.add(steps); }
+    void unpack(auto& in) { steps = in.template get<int>(); }
+    void for_each_place(const auto&) const {}
+    friend bool operator==(const step_count&, const step_count&) = default;
+};
+
+/// Cuts edges in two in even steps and in three in odd ones; its state counts them.
+struct two_and_three {
+    step_count count;
+
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "two and three",
+                                   .faces = kith::face_shape::quads,
+                                   .trusted = true,
+                                   .reach = [](int rings) { return (rings + 1) / 2 + 1; },
+                                   .state = &two_and_three::count,
+                                   .ignores_numbers = [](const two_and_three&) { return true; }};
+    }
+    [[nodiscard]] auto columns() const
+    {
+        using namespace kith;
+        const bool odd = count.steps % 2 != 0, even = not odd;
+        return kith::columns(
+            new_vertices(per_vertex, per_edge.when(even), per_end.when(odd), per_face.when(even), per_corner.when(odd)),
+            new_edges(per_end, per_edge.when(odd), per_corner_side.when(odd), per_side),
+            new_faces(quads(per_face.when(odd)), quads(per_side.when(odd)), quads(per_corner)));
+    }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.vertices(), [&](auto v) { assoc(v, V) = 3. / 4 * v + 1. / 4 * average(v.neighbors()); });
+        if (count.steps % 2 != 0) {
+            for_each(coarse.edges(), [&](auto e) {
+                assoc(e.org(), e, V) = 3. / 4 * e.org() + 1. / 4 * e.dst();
+                assoc(e.dst(), e, V) = 1. / 4 * e.org() + 3. / 4 * e.dst();
+            });
+            for_each(coarse.corners(),
+                     [&](auto c) { assoc(c, V) = 1. / 2 * c.v() + 1. / 2 * average(c.f().vertices()); });
+            kith::ternary_split::connect(r);
+        } else {
+            for_each(coarse.edges(), [&](auto e) { assoc(e, V) = average(e.org(), e.dst()); });
+            for_each(coarse.faces(), [&](auto f) { assoc(f, V) = average(f.vertices()); });
+            kith::quad_split::connect(r);
+        }
+    }
+};
+
+/// A rule of vertices that is given at run time. It may capture something, and so not be assignable.
+template <class Rule>
+struct ruled {
+    Rule rule;
+
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "ruled", .reach = [](int rings) { return rings / 2 + 1; }};
+    }
+    static constexpr auto columns() { return kith::quad_split::columns(); }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        subdivide(kith::quad_split(),
+                  r,
+                  kith::at_vertices(rule),
+                  kith::at_edges([](auto e) { return average(e.org(), e.dst()); }),
+                  kith::at_faces([](auto f) { return average(f.vertices()); }));
+    }
+};
+template <class Rule>
+ruled(Rule) -> ruled<Rule>;
 
 } // namespace own_state

@@ -104,3 +104,12 @@ TEST(pack, refuses_arrays_that_do_not_fit)
     EXPECT_EQ(refusal(job),
               "a message holds a tile that points at elements that it does not have; its sender is at fault");
 }
+
+TEST(pack, takes_texts)
+{
+    const auto bytes = kith::packer().add_array(std::string("a word")).add_array(std::string()).take();
+    kith::unpacker in(bytes);
+    EXPECT_EQ(in.get_array<std::string>(), "a word");
+    EXPECT_EQ(in.get_array<std::string>(), "");
+    EXPECT_TRUE(in.is_at_end());
+}

@@ -268,3 +268,17 @@ TEST(selected_levels, what_is_kept_stays_as_sharp_as_it_was)
     ASSERT_EQ(levels.scheme(2).scheme().sharpness.edges().size(), 2U);
     EXPECT_EQ(levels.scheme(2).scheme().sharpness.edges()[0].second, 1.5);
 }
+
+TEST(selected_levels, what_was_chosen_for_one_hierarchy_is_not_for_another)
+{
+    hierarchy levels(polygons(), selected(kith::catmull_clark()));
+    levels.refine_if([](auto f) { return f.value == 0; });
+    hierarchy fresh(levels[0], selected(kith::catmull_clark()));
+    fresh.refine();
+    hierarchy other(levels[0], levels.scheme(0));
+    other.refine();
+    EXPECT_TRUE(same_bits(other.finest(), fresh.finest()));
+    levels.undo(1);
+    levels.redo(); // here it is
+    EXPECT_LT(levels.finest().face_count(), fresh.finest().face_count());
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/mask/stencil.hpp>
 
+#include "error_text.hpp"
 #include "every_scheme.hpp"
 #include "regular_masks.hpp"
 
@@ -53,6 +54,20 @@ TEST(stencil, rows_without_entries_give_nothing_and_all_entries_are_listed)
     const std::vector<double> values{2, 3, 4};
     EXPECT_EQ(matrix.apply(std::span(values)), (std::vector<double>{0, 2, 0}));
     EXPECT_EQ(matrix.triplets(), (std::vector<kith::matrix_entry>{{1, 0, 0.5}, {1, 2, 0.25}}));
+}
+
+TEST(stencil, takes_what_it_gives_and_refuses_other_numbers_of_values)
+{
+    hierarchy levels(native(shapes::house()), kith::catmull_clark());
+    levels.refine(2);
+    const std::vector<double> values(levels[0].vertex_count(), 2.5);
+    const std::vector<double> last = levels.matrix(1, 2).apply(levels.matrix(0, 1).apply(values));
+    EXPECT_EQ(last.size(), levels[2].vertex_count());
+    for (const double x : last)
+        EXPECT_NEAR(x, 2.5, 1e-14);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(levels.matrix(1, 2).apply(values)); }),
+              "a subdivision matrix over " + std::to_string(levels[1].vertex_count()) + " elements was given " +
+                  std::to_string(values.size()) + " values; give it one for each");
 }
 
 TEST(stencil, two_steps_are_one_after_the_other)

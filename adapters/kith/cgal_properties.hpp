@@ -42,6 +42,8 @@ struct property_access<CGAL::Surface_mesh<Point>> {
         return name == "v:point" or name.ends_with(":connectivity") or name.ends_with(":removed") or
                name.find(":kith:") != std::string::npos;
     }
+    /// There may be several properties with one name, each of another type.
+    static constexpr bool types_share_names = true;
     static bool follows_from_points(const std::string&) { return false; }
     template <class Handle, class T>
     static auto find(const mesh& m, const std::string& name)

@@ -101,6 +101,8 @@ struct property_access<M> {
         return result;
     }
     static bool is_reserved(const std::string& name) { return name == "v:points"; }
+    /// There may be several properties with one name, each of another type.
+    static constexpr bool types_share_names = true;
     static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
 
     template <class Handle, class T>

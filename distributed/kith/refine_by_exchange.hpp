@@ -79,7 +79,7 @@ public:
                 tiles_.push_back({std::uint64_t(comm.rank()) + i * std::uint64_t(comm.size()), std::move(job.part)});
                 schemes_.push_back(std::move(job.scheme));
             }
-            scheme_ = kith::detail::scheme_of_part(scheme_, part_numbers<Index>());
+            kith::detail::take_part(scheme_, scheme_, part_numbers<Index>());
         });
     }
 
@@ -99,7 +99,7 @@ public:
                 schemes_.push_back(kith::detail::scheme_of_tile(scheme_, part));
                 runs_.append(control_runs_of<Scheme>(part));
             }
-            scheme_ = kith::detail::scheme_of_part(scheme_, part_numbers<Index>());
+            kith::detail::take_part(scheme_, scheme_, part_numbers<Index>());
         });
         generation_ = generation_of_tiles(comm, tiles_);
     }
@@ -151,10 +151,9 @@ public:
             for (std::size_t t = 0; t < tiles_.size(); ++t) {
                 Scheme next_scheme = schemes_[t];
                 auto next = kith::detail::tile_step(tiles_[t].part, schemes_[t], steps_.back()).trim(1, next_scheme);
-                keep(kept_type{tiles_[t].number,
-                               level_,
-                               std::exchange(tiles_[t].part, std::move(next)),
-                               std::exchange(schemes_[t], std::move(next_scheme))});
+                swap_states(schemes_[t], next_scheme);
+                keep(kept_type{
+                    tiles_[t].number, level_, std::exchange(tiles_[t].part, std::move(next)), std::move(next_scheme)});
             }
             kith::detail::advance_without_elements<decltype(tile_type::mesh)>(scheme_, generation_);
         });
@@ -190,18 +189,18 @@ private:
     /// What ranks say to all stands between phases: one that fails must not leave others waiting.
     void number()
     {
-        const auto columns = columns_of(scheme_, generation_);
         std::array<std::vector<boundary_fact>, 3> facts;
         in_agreement(comm_, [&] {
-            for (const auto& [number, part] : tiles_) {
-                const auto more = numbering_type::facts_at_boundary(columns, part);
+            for (std::size_t t = 0; t < tiles_.size(); ++t) {
+                const auto more = numbering_type::facts_at_boundary(columns_of(schemes_[t], generation_),
+                                                                    tiles_[t].part);
                 for (std::size_t i = 0; i < facts.size(); ++i)
                     facts[i].insert(facts[i].end(), more[i].begin(), more[i].end());
             }
         });
         for (auto& list : facts)
             list = all_of_ranks(comm_, list);
-        in_agreement(comm_, [&] { steps_.emplace_back(counts(), columns, std::move(facts)); });
+        in_agreement(comm_, [&] { steps_.emplace_back(counts(), columns_of(scheme_, generation_), std::move(facts)); });
     }
 
     void require_agreement()

@@ -135,7 +135,10 @@ bool carry_property(const hierarchy<M, Scheme>& levels, int from, int to, M& fin
     if (not source)
         return false;
     const unset_values<Handle, M> unset(levels[from], true);
-    carry_map<Handle>(levels, from, to, source, add_unset<Handle>(fine, name, unset.template of<T>(name)), rule);
+    const T nothing = unset.template of<T>(name);
+    auto target = add_unset<Handle>(fine, name, nothing);
+    carry_map<Handle>(levels, from, to, source, target, rule);
+    store_beside_faces<Handle>(fine, target, nothing);
     return true;
 }
 
@@ -165,7 +168,7 @@ using types_without_own_means = decltype(std::tuple_cat(
 /// On vertices, what can be averaged goes by the masks of the scheme, as the points do, and the rest stays with the vertices that
 /// come from a vertex. Faces inherit from their parent, edges from the edge along which they lie. On half-edges what can be averaged
 /// is that of corners, linear in each face, with its seams; the rest stays with those that lie along a half-edge. All others have what
-/// the map gives to new elements, where the library has such values, else T().
+/// the map gives to new elements, where the library has such values that are no coordinates, else T(), zero where that is left open.
 /// What by_rule names goes by that rule instead.
 /// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without connectivity
 /// per property that is averaged or has a rule, and one pass over the levels for the others of a kind; a copy of the values of level `from`.

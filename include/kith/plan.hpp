@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/mesh/basic_mesh.hpp>
-#include <kith/step/scheme.hpp>
+#include <kith/step/level_state.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -49,7 +49,8 @@ partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, 
             throw mesh_error(name + ": the mesh has " + std::to_string(control.boundary_edges) +
                              " boundary edges; close it first, or take a scheme with a boundary rule");
     partial_plan result{{plan_level(control, 0, point_bytes, index_bytes)}};
-    for (int level = 1; level <= levels; ++level) {
+    coming_scheme of_level(scheme, generation);
+    for (int level = 1; level <= levels; ++level, ++of_level) {
         const counts& last = result.levels.back().counts;
         const std::string has = "level " + std::to_string(level) + " has ";
         // A step multiplies by 16 at most, and there are more bytes than elements.
@@ -59,7 +60,7 @@ partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, 
             break;
         }
         const auto planned = plan_level(
-            next_counts(scheme, last, generation + level - 1), int(numbers::common_degree), point_bytes, index_bytes);
+            next_counts(*of_level, last, of_level.generation()), int(numbers::common_degree), point_bytes, index_bytes);
         const counts& next = planned.counts;
         if (index_bytes < 8 and
             std::max({next.vertices, 2 * next.edges}) >= (std::uint64_t(1) << (8 * index_bytes)) - 1) {

@@ -90,7 +90,7 @@ M refine_with_fields(const M& mesh, Scheme& scheme, int levels, const refine_opt
     Scheme last = scheme;
     std::tuple<> none;
     M fine = detail::refine_with(mesh, last, none, levels, options);
-    scheme = std::move(last);
+    swap_states(scheme, last);
     return fine;
 }
 

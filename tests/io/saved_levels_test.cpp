@@ -81,6 +81,17 @@ TEST(saved_levels, levels_with_chosen_faces_are_made_again)
     EXPECT_TRUE(same_bits(again.finest(), levels.finest()));
 }
 
+TEST(saved_levels, what_was_undone_is_not_chosen)
+{
+    hierarchy levels(native(shapes::shaken(shapes::house())), selected(catmull_clark()));
+    levels.refine_if([](auto f) { return f.value == 0; });
+    levels.undo(1);
+    auto again = loaded(saved(levels), selected(catmull_clark()));
+    again.refine();
+    levels.refine();
+    EXPECT_TRUE(same_bits(again.finest(), levels.finest()));
+}
+
 TEST(saved_levels, are_those_that_were_saved)
 {
     for_each_of_all_schemes_and_shape([](const auto& scheme, const mesh3d& mesh) {

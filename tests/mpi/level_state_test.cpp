@@ -17,9 +17,10 @@ void expect_same(std::span<const kith::numbered_tile<tile3d>> tiles, const mesh3
         EXPECT_EQ(n, 1U);
 }
 
-/// Rank 0 has the state, the others the options only.
+/// Rank 0 has the mesh and the state, the others the options only.
 template <class Scheme>
-void expect_same_on_ranks(const mesh3d& mesh, const Scheme& scheme, const Scheme& options, const kith::partition& parts)
+void expect_same_from_one_rank(const mesh3d& mesh, const Scheme& scheme, const Scheme& options,
+                               const kith::partition& parts)
 {
     const Scheme& mine = world().is_root() ? scheme : options;
     const auto whole = kith::refine(mesh, scheme, 3);
@@ -31,7 +32,13 @@ void expect_same_on_ranks(const mesh3d& mesh, const Scheme& scheme, const Scheme
         refinement.refine();
         expect_same(refinement.tiles(), kith::refine(mesh, scheme, level));
     }
+}
 
+template <class Scheme>
+void expect_same_on_ranks(const mesh3d& mesh, const Scheme& scheme, const Scheme& options, const kith::partition& parts)
+{
+    expect_same_from_one_rank(mesh, scheme, options, parts);
+    const auto whole = kith::refine(mesh, scheme, 3);
     tiles3d tiles, same; // on their ranks already: then every rank says what the state is
     kith::tile_cutter cutter(mesh, scheme, parts.part_of, parts.parts);
     for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size())) {
@@ -66,4 +73,17 @@ TEST(level_state, is_the_same_on_all_ranks_in_both_modes_and_by_exchange)
         expect_same_on_ranks(mesh, own_state::some_drawn(mesh), own_state::drawn{}, parts);
         expect_same_on_ranks(mesh, own_state::some_drawn(mesh), own_state::drawn{}, in_blocks(mesh, 3));
     }
+}
+
+TEST(level_state, conditions_of_columns_may_ask_it)
+{
+    const auto mesh = native(shapes::shaken(shapes::triangulated(shapes::grid(4, 5))));
+    own_state::capped_dual scheme;
+    scheme.kept.at_vertex.resize(mesh.vertex_count());
+    for (std::size_t v = 0; v < mesh.vertex_count(); v += 2)
+        scheme.kept.at_vertex[v] = 1;
+    auto plain = scheme;
+    plain.kept = {};
+    EXPECT_NE(kith::refine(mesh, plain, 1).face_count(), kith::refine(mesh, scheme, 1).face_count());
+    expect_same_from_one_rank(mesh, scheme, own_state::capped_dual{}, in_blocks(mesh, 3));
 }

@@ -37,7 +37,10 @@ int steps_of(const Np& np)
 {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
-    return int(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1));
+    const auto steps = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1);
+    if (not std::in_range<int>(steps))
+        throw mesh_error(std::to_string(steps) + " iterations were asked for, more than anything can hold");
+    return int(steps);
 }
 
 /// What schemes with creases have.

@@ -77,7 +77,7 @@ public:
         using value = typename Array::value_type;
         const auto size = get<std::uint64_t>();
         const auto bytes = take(size, sizeof(value));
-        Array result(size);
+        Array result = made<Array>(size);
         if (size != 0)
             std::memcpy(result.data(), bytes.data(), bytes.size());
         return result;
@@ -85,6 +85,17 @@ public:
     [[nodiscard]] bool is_at_end() const { return bytes_.empty(); }
 
 private:
+    template <class Array>
+    static Array made(std::size_t size)
+    {
+        if constexpr (std::constructible_from<Array, std::size_t>) {
+            return Array(size);
+        } else { // a string
+            Array result;
+            result.resize(size);
+            return result;
+        }
+    }
     std::span<const std::byte> take(std::size_t count, std::size_t size)
     {
         if (count > bytes_.size() / size)

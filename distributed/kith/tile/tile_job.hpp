@@ -49,18 +49,6 @@ Scheme scheme_of_tile(const Scheme& scheme, const Tile& part)
                                     corners});
 }
 
-/// Makes a scheme that refines no element here the scheme of the next level: its state may count levels.
-template <mesh Mesh, scheme Scheme>
-void advance_without_elements(Scheme& scheme, int generation)
-{
-    if constexpr (has_state<Scheme>) {
-        const Mesh nothing;
-        const level_of<Mesh> level(nothing);
-        const numbering_of<Scheme, typename level_of<Mesh>::index_type> ids(level, columns_of(scheme, generation));
-        advance(scheme, level, generation, ids, nothing);
-    }
-}
-
 } // namespace detail
 
 } // namespace kith

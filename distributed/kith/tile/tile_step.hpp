@@ -65,7 +65,7 @@ public:
             if (is_owned_[f] != 0)
                 owned.push_back(index(f));
         auto part = cutter.cut(cutter.faces_around(owned, rings));
-        scheme = scheme_of_part(scheme_, part.numbers());
+        take_part(scheme, scheme_, part.numbers());
 
         const level_of<basic_mesh<point, index>> level(fine_);
         Tile result;

@@ -179,7 +179,7 @@ struct along_sides {
         const auto fine = step.fine();
         storage<T> result(fine.corner_count());
         detail::for_new_corners(fine, step.ids, [&](const auto& c, const auto& face) {
-            result[c.index()] = T();
+            result[c.index()] = detail::value_of_nothing<T>();
             if (parent_kind(face.first) != element_kind::face)
                 return;
             const std::size_t from = c.prev().v().index(), to = c.v().index();

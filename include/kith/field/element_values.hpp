@@ -82,7 +82,7 @@ public:
         if (end != size()) {
             storage<T> longer(end);
             std::copy(values_.begin(), values_.end(), longer.begin());
-            std::fill(longer.begin() + size(), longer.end(), T());
+            std::fill(longer.begin() + size(), longer.end(), detail::value_of_nothing<T>());
             values_ = std::move(longer);
         }
         for_each_in(part, [&](std::size_t here, std::size_t there) { values_[there] = more[here]; });

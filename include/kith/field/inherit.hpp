@@ -5,6 +5,7 @@
 #include <kith/association/numbering.hpp>
 #include <kith/base/affine.hpp>
 #include <kith/base/for_parts.hpp>
+#include <kith/property/unset_values.hpp>
 #include <kith/step/level_state.hpp>
 
 #include <concepts>
@@ -18,7 +19,7 @@
 
 namespace kith {
 
-/// Of elements that inherit nothing: the value T().
+/// Of elements that inherit nothing: the value T(), zero where that is left open.
 struct no_value {};
 
 namespace detail {
@@ -29,7 +30,7 @@ template <class T, class Born, element Element>
 T born_value(const Born& born, const Element& element, std::span<const T> values)
 {
     if constexpr (std::same_as<Born, no_value>)
-        return T();
+        return value_of_nothing<T>();
     else if constexpr (std::invocable<const Born&, const Element&, std::span<const T>>)
         return T(std::invoke(born, element, values));
     else {

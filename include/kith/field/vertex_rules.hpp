@@ -22,7 +22,7 @@ template <class T, finished_step Step>
 storage<T> values_at_new_vertices(const Step& step)
 {
     storage<T> result(step.fine_vertices());
-    std::fill(result.begin() + step.ids.vertices.total(), result.end(), T());
+    std::fill(result.begin() + step.ids.vertices.total(), result.end(), value_of_nothing<T>());
     return result;
 }
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <kith/base/affine.hpp>
+#include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
 
 #include <cstddef>
+#include <ranges>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -87,11 +90,14 @@ struct subdivision_matrix {
     }
 
     /// Any values of the coarser level, one per vertex, carried to the finer one; T() by a row without entries.
-    /// Precondition: values.size() == columns. Cost: O(entries).
+    /// Errors: mesh_error unless there are `columns` values. Cost: O(entries).
     template <affine_value T>
     [[nodiscard]] std::vector<T> apply(std::span<const T> values) const
     {
         using traits = affine<T>;
+        if (values.size() != columns)
+            throw mesh_error("a subdivision matrix over " + std::to_string(columns) + " elements was given " +
+                             std::to_string(values.size()) + " values; give it one for each");
         const auto term = [&](std::size_t k) {
             typename traits::sum result = traits::load(values[std::size_t(column[k])]);
             traits::scale(result, static_cast<typename traits::scalar>(weight[k]));
@@ -110,6 +116,13 @@ struct subdivision_matrix {
             result.push_back(traits::store(total));
         }
         return result;
+    }
+
+    template <std::ranges::contiguous_range Values>
+        requires affine_value<std::ranges::range_value_t<Values>>
+    [[nodiscard]] auto apply(const Values& values) const
+    {
+        return apply(std::span<const std::ranges::range_value_t<Values>>(values));
     }
 
     /// Restriction to its prolongation. Cost: O(entries).

@@ -74,8 +74,7 @@ template <scheme Scheme, std::unsigned_integral Index>
 void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<Index>& part)
 {
     if constexpr (scheme_of_places<Scheme>)
-        detail::for_each_state(
-            scheme, whole, [&](auto& state, const auto& of_whole) { state = detail::state_of_part(of_whole, part); });
+        detail::take_part(scheme, whole, part);
 }
 
 /// What the state of a scheme says of the elements of a level, as a part of the keys of neighbourhoods: so that faces are alike

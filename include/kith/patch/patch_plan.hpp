@@ -52,14 +52,26 @@ struct patch_plan {
     [[nodiscard]] const counts& last() const { return levels.back(); }
     [[nodiscard]] double faces_of_patch() const { return double(last().faces) / double(of_begin().faces); }
 
+    /// Whether these are the counts of a level where patches may begin, and of the next one by its scheme. Not so where its state
+    /// says of which tuples elements are made, in another way than it does of no elements at all.
+    template <reaching_scheme Scheme>
+    [[nodiscard]] bool foresees(const auto& level, const Scheme& scheme, int generation) const
+    {
+        const counts& here = of_begin();
+        return level.vertices == here.vertices and level.edges() == here.edges and level.faces == here.faces and
+               next_counts(scheme, here, generation) == levels[std::size_t(begin) + 1];
+    }
+
     /// Begins at a level. Precondition: it lies before the last one. Cost: O(levels).
     template <reaching_scheme Scheme>
     void begin_at(int level, const Scheme& scheme, int generation)
     {
         begin = level;
         bases.clear();
-        for (std::size_t i = std::size_t(begin); i + 1 < levels.size(); ++i)
-            bases.push_back(bases_of_columns(scheme, levels[i], generation + int(i)));
+        coming_scheme of_level(scheme, generation);
+        for (std::size_t i = 0; i + 1 < levels.size(); ++i, ++of_level)
+            if (int(i) >= begin)
+                bases.push_back(bases_of_columns(*of_level, levels[i], of_level.generation()));
         rings = rings_before_steps(scheme, bases.size()).front();
     }
 };
@@ -76,8 +88,9 @@ std::optional<patch_plan> plan_patches(const counts& control, bool has_degree, c
         not ignores_numbers(without_state(scheme)))
         return {};
     patch_plan plan{has_degree ? 0 : 1, levels, 0, {control}, {}};
-    for (int level = 0; level < levels; ++level)
-        plan.levels.push_back(next_counts(scheme, plan.last(), generation + level));
+    coming_scheme of_level(scheme, generation);
+    for (int level = 0; level < levels; ++level, ++of_level)
+        plan.levels.push_back(next_counts(*of_level, plan.last(), of_level.generation()));
     while (plan.begin > plan.first and levels - plan.begin < column_path::most_columns and
            plan.last().faces / plan.levels[std::size_t(plan.begin) - 1].faces <= most_faces_of_patch)
         --plan.begin;

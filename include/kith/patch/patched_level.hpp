@@ -43,6 +43,8 @@ public:
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
                                              bool with_edges = false)
     {
+        if (not plan.foresees(mesh.topology(), scheme, mesh.generation()))
+            return {};
         const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
         const templates kept(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size());
         constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little

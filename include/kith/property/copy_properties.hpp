@@ -13,6 +13,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -74,11 +75,18 @@ public:
     template <class... T>
     void copy_all(std::tuple<T...>*)
     {
-        for (const std::string& name : from_access::template names<FromHandle>(from_)) {
-            const standard_property which = meaning_of(name);
-            const one_property one{name, to_access::template standard_name<ToHandle>(which), which};
-            if (not(copy<T>(one) or ...))
-                leave_out(name, "its type is none of those that are looked for; name it, convert<mesh, type>(...)");
+        const std::vector<std::string> names = from_access::template names<FromHandle>(from_);
+        for (auto name = names.begin(); name != names.end(); ++name) {
+            if (std::find(names.begin(), name, *name) != name)
+                continue;
+            const standard_property which = meaning_of(*name);
+            const one_property one{*name, to_access::template standard_name<ToHandle>(which), which};
+            // Several may have one name, each with another type.
+            const auto properties = std::size_t(std::count(name, names.end(), *name));
+            std::vector<std::type_index> copied;
+            (copy_once<T>(one, properties, copied), ...);
+            for (std::size_t left = copied.size(); left < properties; ++left)
+                leave_out(*name, "its type is none of those that are looked for; name it, convert<mesh, type>(...)");
         }
     }
 
@@ -101,6 +109,14 @@ private:
     template <class T, standard_property Which>
     static constexpr bool is_own = std::is_void_v<own_type<Which>> or std::same_as<T, own_type<Which>>;
 
+    /// Copies the one of this type, unless all are copied that have the name.
+    template <class T>
+    void copy_once(const one_property& one, std::size_t properties, std::vector<std::type_index>& copied)
+    {
+        const std::type_index type = typeid(T);
+        if (copied.size() < properties and std::ranges::find(copied, type) == copied.end() and copy<T>(one))
+            copied.push_back(type);
+    }
     /// Whether it is of this type.
     template <class T>
     bool copy(const one_property& one)
@@ -121,7 +137,7 @@ private:
                 return true;
             }
         const std::string& to_name = is_standard and keeps_type ? one.standard_name : one.name;
-        if (is_free(one.name, to_name, bool(to_access::template find<ToHandle, T>(to_, to_name)))) {
+        if (is_free<T>(one.name, to_name)) {
             auto to = to_access::template add<ToHandle, T>(to_, to_name);
             for (std::size_t i = 0; i < from_handles_.size(); ++i)
                 to[to_handles_[i]] = from[from_handles_[i]];
@@ -141,8 +157,7 @@ private:
     template <class Own>
     void write(const numbers_of_values<number>& values, const one_property& one)
     {
-        const bool is_there = bool(to_access::template find<ToHandle, Own>(to_, one.standard_name));
-        if (not is_free(one.name, one.standard_name, is_there))
+        if (not is_free<Own>(one.name, one.standard_name))
             return;
         const number_conversion<number> rule{
             one.which == standard_property::color, values.round, numbers_of_values<number>::template rounded<Own>};
@@ -161,24 +176,32 @@ private:
     {
     }
     /// Whether the new mesh has room for a property of this name, which it then has; else it is left out.
-    bool is_free(const std::string& name, const std::string& to_name, bool is_there_in_its_type)
+    template <class T>
+    bool is_free(const std::string& name, const std::string& to_name)
     {
         const auto there = to_access::template names<ToHandle>(to_);
+        const bool is_there_in_its_type = bool(to_access::template find<ToHandle, T>(to_, to_name));
+        const auto made = std::ranges::find(made_, to_name, &made_property::name);
+        const bool is_shared = made != made_.end() and made->from == name and not is_there_in_its_type and
+                               requires { requires to_access::types_share_names; };
         std::string why;
         if (to_access::is_reserved(to_name))
             why = "the new mesh keeps that name for itself";
-        else if (std::ranges::find(made_, to_name) != made_.end())
+        else if (made != made_.end() and not is_shared)
             why = "another property has become '" + to_name + "'";
-        else if (std::ranges::find(there, to_name) != there.end() and not is_there_in_its_type)
+        else if (std::ranges::find(there, to_name) != there.end() and not is_there_in_its_type and not is_shared)
             why = "the new mesh has '" + to_name + "' in another type";
         if (not why.empty()) {
             leave_out(name, std::move(why));
             return false;
         }
-        made_.push_back(to_name);
+        made_.push_back({to_name, name});
         report_.carried.push_back(name);
         return true;
     }
+    struct made_property {
+        std::string name, from;
+    };
     void leave_out(const std::string& name, std::string why) { report_.left_out.push_back({name, std::move(why)}); }
 
     const From& from_;
@@ -186,7 +209,7 @@ private:
     conversion_report& report_;
     std::vector<FromHandle> from_handles_;
     std::vector<ToHandle> to_handles_;
-    std::vector<std::string> made_;
+    std::vector<made_property> made_;
 };
 
 template <class... More, mesh From, mesh To>

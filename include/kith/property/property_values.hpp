@@ -53,6 +53,18 @@ void store_inherited(To to, const std::vector<Handle>& handles, const inherited_
         to[handles[i]] = heirs[i] == 0 ? all.nothing : T(all.values[heirs[i] - 1]);
 }
 
+/// Half-edges that no face has inherit nothing.
+template <class Handle, mesh M, class T, class To>
+void store_beside_faces(const M& mesh, To& to, const T& nothing)
+{
+    using traits = mesh_traits<M>;
+    if constexpr (std::same_as<Handle, typename traits::halfedge>)
+        for (const auto e : traits::edges(mesh))
+            for (const Handle h : {traits::halfedge_of(mesh, e), traits::opposite(mesh, traits::halfedge_of(mesh, e))})
+                if (traits::is_boundary(mesh, h))
+                    to[h] = nothing;
+}
+
 template <class Number, class T, class From, class Handle>
 storage<four_numbers<Number>> load_averaged(const From& from, const std::vector<Handle>& handles)
 {
@@ -184,14 +196,18 @@ private:
                                std::span<const coordinates> values)
     {
         const T nothing = averaged_value<T>::template store<number>(mean.nothing);
-        store_averaged<number, T>(add_unset<Handle>(fine, mean.name, nothing), handles, values);
+        auto to = add_unset<Handle>(fine, mean.name, nothing);
+        store_averaged<number, T>(to, handles, values);
+        store_beside_faces<Handle>(fine, to, nothing);
     }
     template <class T>
     static void write_inherited(M& fine, const std::string& name, const std::vector<Handle>& handles,
                                 const inherited_values& values, std::span<const std::uint32_t> heirs)
     {
         const auto& all = static_cast<const inherited_values_of<T>&>(values);
-        store_inherited<T>(add_unset<Handle>(fine, name, all.nothing), handles, all, heirs);
+        auto to = add_unset<Handle>(fine, name, all.nothing);
+        store_inherited<T>(to, handles, all, heirs);
+        store_beside_faces<Handle>(fine, to, all.nothing);
     }
 
     std::vector<Handle> handles_;

@@ -4,11 +4,14 @@
 #include "scheme.hpp"
 
 #include <kith/level/lift.hpp>
+#include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh/mesh_traits.hpp>
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -110,6 +113,9 @@ concept finished_step = requires(const S& step) {
 ///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of which it says
 ///                                        something, in values that can be copied as bytes: all that the state of a part says
 ///                                        beside what that of a part without elements does. Who has none may say anything anywhere
+///
+/// It follows from the numbers of the elements and from the step, not from where vertices are: state of levels that are there stays when
+/// points move. Columns may look at it as far as that of a part without elements tells, such as a number of steps.
 ///
 /// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
 template <scheme Scheme>
@@ -220,6 +226,16 @@ void advance(Scheme& scheme, const Level& coarse, int generation, const Numberin
     }
 }
 
+/// Exchanges the state of two schemes of one type. What else they hold, which need not be assignable, is the same in both.
+template <scheme Scheme>
+void swap_states(Scheme& a, Scheme& b)
+{
+    const auto of_a = detail::states_of(a), of_b = detail::states_of(b);
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (std::swap(std::get<I>(of_a), std::get<I>(of_b)), ...);
+    }(std::make_index_sequence<std::tuple_size_v<decltype(of_a)>>());
+}
+
 namespace detail {
 
 template <class State, std::unsigned_integral Index>
@@ -238,14 +254,88 @@ State state_of_part(const State& state, const part_numbers<Index>& part)
         return state;
 }
 
+/// Makes a scheme that of a part of a level, of which another one that is the same but for its state, or itself, is the scheme.
+template <scheme Scheme, std::unsigned_integral Index>
+void take_part(Scheme& scheme, const Scheme& of_level, const part_numbers<Index>& part)
+{
+    for_each_state(scheme, of_level, [&](auto& state, const auto& whole) { state = state_of_part(whole, part); });
+}
 /// The scheme of a part of a level: the same, with the state of that part.
 template <scheme Scheme, std::unsigned_integral Index>
 Scheme scheme_of_part(Scheme scheme, const part_numbers<Index>& part)
 {
-    for_each_state(scheme, [&](auto& state) { state = state_of_part(std::as_const(state), part); });
+    take_part(scheme, scheme, part);
     return scheme;
 }
 
+/// Makes a scheme that refines no element here the scheme of the next level: its state may count levels.
+template <mesh Mesh, scheme Scheme>
+void advance_without_elements(Scheme& scheme, int generation)
+{
+    if constexpr (has_state<Scheme>) {
+        const Mesh nothing;
+        const level_of<Mesh> level(nothing);
+        const numbering_of<Scheme, typename level_of<Mesh>::index_type> ids(level, columns_of(scheme, generation));
+        advance(scheme, level, generation, ids, nothing);
+    }
+}
+
+template <class... Columns>
+constexpr bool know_all_tuples(const std::tuple<Columns...>*)
+{
+    return (std::is_empty_v<decltype(Columns::where)> and ...);
+}
+template <class State>
+concept has_parts = requires(const State& state) { state.of_part(part_numbers<std::uint32_t>()); };
+template <class... State>
+constexpr bool have_parts(const std::tuple<State&...>*)
+{
+    return (has_parts<State> and ...);
+}
+
+/// The columns of a scheme may look at its state.
+template <scheme Scheme>
+constexpr bool may_ask_state()
+{
+    using columns = columns_type<Scheme>;
+    return has_state<Scheme> and not(know_all_tuples(static_cast<const decltype(columns::vertices.list)*>(nullptr)) and
+                                     know_all_tuples(static_cast<const decltype(columns::edges.list)*>(nullptr)) and
+                                     know_all_tuples(static_cast<const decltype(columns::faces.list)*>(nullptr)));
+}
+
 } // namespace detail
+
+/// The scheme of one level after the other before there are any, as its columns tell it: where they may look at its state, with that of a
+/// part without elements.
+template <scheme Scheme>
+class coming_scheme {
+    static constexpr bool changes = detail::may_ask_state<Scheme>() and
+                                    detail::have_parts(
+                                        static_cast<const decltype(detail::states_of(std::declval<const Scheme&>()))*>(
+                                            nullptr));
+
+public:
+    /// That of a control mesh of this generation, which must outlive this.
+    coming_scheme(const Scheme& scheme, int generation) : control_(scheme), generation_(generation)
+    {
+        if constexpr (changes)
+            later_.emplace(detail::scheme_of_part(scheme, part_numbers<std::uint32_t>()));
+    }
+
+    [[nodiscard]] const Scheme& operator*() const { return later_ ? *later_ : control_; }
+    [[nodiscard]] int generation() const { return generation_; }
+    coming_scheme& operator++()
+    {
+        if constexpr (changes)
+            detail::advance_without_elements<basic_mesh<>>(*later_, generation_);
+        ++generation_;
+        return *this;
+    }
+
+private:
+    const Scheme& control_;
+    std::optional<Scheme> later_;
+    int generation_;
+};
 
 } // namespace kith

@@ -117,7 +117,8 @@ public:
             const auto e = coarse.edges()[edge];
             if (is_cut(ids, e)) {
                 for (const auto& v : {e.org(), e.dst()})
-                    if (const double child = child_sharpness(v, e, large); child > 0)
+                    // At the boundary all is sharp anyway: what was given there passes by itself.
+                    if (const double child = e.is_boundary() ? s - 1 : child_sharpness(v, e, large); child > 0)
                         result.edges_.append(ids.edges.template id<tuple_kind::ve>(index_tuple(v, e).value), child);
             } else if constexpr (keeps_edges<Numbering>) {
                 if (const auto kept = ids.edges.template id<tuple_kind::e>(edge); kept != ids.edges.none)

@@ -121,7 +121,7 @@ private:
         for (int step = 0; step < steps and not left.empty(); ++step) {
             auto part = step == 0 ? cut(mesh_, cutter_, left, rings.at(step)) : cut_anew(fine, left, rings.at(step));
             to_part(left, part);
-            scheme = scheme_of_part(std::move(scheme), part.numbers());
+            take_part(scheme, scheme, part.numbers());
             if constexpr (needs_closed<Scheme>)
                 part.mesh = close_rims(part.mesh);
             numbering_of<Scheme, Index> ids;
@@ -223,7 +223,9 @@ private:
     }
     static bool is_one_point(const level_type& level, const seeker& s)
     {
-        const auto is_near = [&](const auto& p, const auto& q) { return not(difference(p, q) > s.same); };
+        const auto is_near = [&](const auto& p, const auto& q) {
+            return difference(p, q) <= s.same;
+        }; // not so of points that are no numbers
         const auto face_is = [&](const auto& f, const Point& p) {
             for (const auto u : f.vertices())
                 if (not is_near(u.point(), p))
