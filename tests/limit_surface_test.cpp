@@ -262,6 +262,19 @@ TEST(limit_surface, normals_are_those_of_the_sphere_that_the_surface_comes_near_
 }
 
 /// A tile with rings of shadows knows the limits of its faces as the whole mesh does, bit for bit.
+TEST(limit_surface, normals_that_cancel_out_are_zero)
+{
+    const auto pillow = native(
+        shapes::shape{{{0, 0, 0}, {1, .25, 0}, {1.5, 1, .5}, {-.25, 1, .125}}, {{0, 1, 2, 3}, {3, 2, 1, 0}}});
+    const auto check = [&](const auto& scheme) {
+        for (const auto& normal : limit_surface_of(pillow, scheme).normals)
+            EXPECT_EQ(normal, kith::normal_vector{});
+    };
+    check(kith::catmull_clark());
+    check(kith::linear());
+    check(kith::nasri_hasbini());
+}
+
 TEST(limit_surface, of_a_tile_is_that_of_the_whole)
 {
     std::size_t vertices = 0;

@@ -49,6 +49,13 @@ for name in kith.schemes:
     points, faces = kith.refine(cube if closed is quads else cube[[0, 3, 5, 6]], closed, name, 2)
     assert np.isfinite(points).all() and len(faces) > len(closed)
 
+# Kobbelt's point of the edge 0 4, by hand: a tension brings the weight of what lies opposite with it.
+w = 0.5
+g = w / (8 + w)
+beyond = [cube[l].sum(axis=0) / 3 + g * (cube[k[0]] - cube[k].sum(axis=0) / 3) for l, k in (([1, 2, 4], [3, 5, 6]), ([0, 5, 6], [7, 1, 2]))]
+by_hand = (8 + w) / 16 * (cube[0] + cube[4]) - w / 16 * (beyond[0] + beyond[1])
+assert np.isclose(kith.refine(cube, quads, "kobbelt", 1, tension=w)[0], by_hand, atol=1e-15).all(axis=1).sum() == 1
+
 # What cannot be done says why.
 for wrong, why in [
     (lambda: kith.refine(cube, quads, "lopo"), "is none of"),

@@ -114,7 +114,7 @@ Scheme configured(const scheme_options& options, const mesh& control)
     }
     if (options.tension) {
         if constexpr (requires { scheme.tension; })
-            scheme.tension = *options.tension;
+            scheme = Scheme{.tension = *options.tension}; // other weights follow from it
         else
             throw has_no("tension");
     }

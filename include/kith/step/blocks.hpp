@@ -50,7 +50,10 @@ template <level Level, element Element, class F>
 void for_each_by_number(const block_elements<Level, Element>& range, const F& f)
 {
     const std::size_t size = range.all.size();
-    detail::for_numbers_inlined(range.all, range.begin(size), range.end(size), f);
+    if constexpr (detail::inlines_masks<Level>)
+        detail::for_numbers_inlined(range.all, range.begin(size), range.end(size), f);
+    else
+        detail::for_numbers(range.all, range.begin(size), range.end(size), f);
 }
 template <level Level, element Element, class F>
 void for_each(const block_elements<Level, Element>& range, const F& f)

@@ -59,6 +59,11 @@ normal_vector brought_near_one(const Vector& v)
     return scaled(v, -exponent.value());
 }
 
+inline double length_of(const normal_vector& n)
+{
+    return std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+}
+
 } // namespace detail
 
 /// The vector of length one in the direction of v, whatever its size; nothing for zero and for what is not finite.
@@ -66,7 +71,7 @@ template <class Vector>
 std::optional<normal_vector> unit_vector(const Vector& v)
 {
     auto n = detail::brought_near_one(v);
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const double length = detail::length_of(n);
     if (not(length > 0) or not std::isfinite(length))
         return std::nullopt;
     for (double& x : n)
@@ -86,7 +91,7 @@ std::optional<normal_vector> unit_normal(const Vector& first, const Vector& seco
 }
 
 /// For each wanted vertex the mean of its faces' normals, each weighed by its area (Newell's formula), of length one; zero where
-/// no face has an area. Sums are formed with exponents of their own, so that they neither overflow nor vanish.
+/// no face has an area, or where they cancel out, as those of two faces back to back do. Sums are formed with exponents of their own, so that they neither overflow nor vanish.
 /// Precondition: `wanted` is empty, which means all, or has a mark per vertex. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> positions,
@@ -104,6 +109,7 @@ std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mes
         for (int exponent = exponent_of(f); const Index v : mesh.face(f))
             exponents[v] = std::max(exponents[v], exponent);
     std::vector<normal_vector> result(mesh.vertex_count(), normal_vector{});
+    std::vector<double> total(mesh.vertex_count(), 0); // length of what is added
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         const auto face = mesh.face(f);
         if (std::ranges::none_of(face, is_wanted))
@@ -119,14 +125,19 @@ std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mes
         }
         if (not detail::is_finite(normal))
             continue;
+        const double length = detail::length_of(normal);
         for (const Index v : face) {
             const int shift = 2 * (exponent - exponents[v]);
             for (std::size_t k = 0; k < 3; ++k)
                 result[v][k] += shift == 0 ? normal[k] : std::scalbn(normal[k], shift);
+            total[v] += std::scalbn(length, shift);
         }
     }
-    for (auto& n : result)
-        n = unit_vector(n).value_or(normal_vector{});
+    constexpr double rounding = 0x1p-45;
+    for (std::size_t v = 0; v < result.size(); ++v) {
+        const bool cancels_out = detail::length_of(result[v]) <= rounding * total[v];
+        result[v] = cancels_out ? normal_vector{} : unit_vector(result[v]).value_or(normal_vector{});
+    }
     return result;
 }
 
