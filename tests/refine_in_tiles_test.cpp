@@ -4,8 +4,12 @@
 #include "thread_count.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/kobbelt.hpp>
+#include <kith/loop.hpp>
 #include <kith/part/checksum.hpp>
 #include <kith/refine_in_tiles.hpp>
+#include <kith/require_reach.hpp>
 
 #include <gtest/gtest.h>
 
@@ -102,4 +106,47 @@ TEST(tiles_at_once, is_one_per_thread_unless_there_are_too_few)
     EXPECT_EQ(kith::tiles_at_once(3), 1U); // with four threads in its loops
     EXPECT_EQ(kith::tiles_at_once(0), 1U);
     EXPECT_EQ(kith::tiles_at_once(64, 0), 1U);
+}
+
+namespace {
+
+/// Kobbelt's scheme with another word about its reach.
+struct other_reach {
+    int beyond_half = 0;
+
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{
+            .name = "other reach",
+            .faces = kith::face_shape::quads,
+            .trusted = true,
+            .reach = [](const other_reach& s, int rings) { return (rings + 1) / 2 + s.beyond_half; }};
+    }
+    static constexpr auto columns() { return kith::kobbelt::columns(); }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        kith::kobbelt()(r);
+    }
+};
+
+} // namespace
+
+TEST(require_reach, believes_what_is_true)
+{
+    const auto house = native(shapes::shaken(shapes::open_house()));
+    kith::require_reach(house, kith::catmull_clark());
+    kith::require_reach(house, kith::doo_sabin());
+    kith::require_reach(native(shapes::shaken(shapes::triangulated(shapes::open_house()))), kith::loop());
+    kith::require_reach(native(shapes::shaken(shapes::torus(5, 6))), other_reach{2});
+}
+
+TEST(require_reach, names_what_is_different)
+{
+    const auto text = error_text<kith::mesh_error>(
+        [&] { kith::require_reach(native(shapes::shaken(shapes::torus(5, 6))), other_reach{0}); });
+    EXPECT_TRUE(text.starts_with("other reach: around face ")) << text;
+    EXPECT_NE(text.find("rings than in the whole mesh; a step reads more rings than traits().reach says"),
+              std::string::npos)
+        << text;
 }

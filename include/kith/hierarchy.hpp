@@ -184,7 +184,7 @@ public:
     }
 
     /// Moves the vertices of a level, and those of all finer levels with them: the same bits as refining a mesh with these points,
-    /// without making its connectivity again. Points in the order of dense numbers.
+    /// without making its connectivity again; state of the levels, which does not follow from places, stays. Points in the order of dense numbers.
     /// Errors: mesh_error unless there is a point per vertex, all finite; nothing is moved then. Where memory runs out, finer levels may stay
     /// as they were. Cost: that of `carry`.
     void move_points(int level, std::span<const typename traits::point> points)

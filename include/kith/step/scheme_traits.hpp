@@ -34,7 +34,8 @@ struct scheme_traits {
     Next next{};          ///< refused: counts of the next level follow from the columns, see next_counts
     /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take.
     Require require{};
-    /// int reach(int rings): for tiles, the rings of faces around a tile that a step uses up; see reaching_scheme.
+    /// int reach(int rings): the rings of faces around a tile that a step uses up; see reaching_scheme. Tiles, `evaluator` and `refine`
+    /// believe it; `require_reach` tries it on a mesh.
     Reach reach{};
     /// bool is_marked(const auto& edge): for tiles, where columns pick edges by marks; see marks_edges.
     IsMarked is_marked{};

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "refine_in_tiles.hpp"
+
+#include <kith/base/error.hpp>
+#include <kith/refine.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace kith {
+
+namespace detail {
+
+/// What of a tile is not as in the whole mesh; nothing where all is.
+template <tile_like Tile, class Mesh>
+std::string difference_in_tile(const Tile& part, const Mesh& whole)
+{
+    for (std::size_t v = 0; v < part.vertex_ids.size(); ++v)
+        if (not(part.mesh.point(v) == whole.point(part.vertex_ids[v])))
+            return "vertex " + std::to_string(part.vertex_ids[v]);
+    for (std::size_t f = 0; f < part.face_ids.size(); ++f)
+        if (not std::ranges::equal(
+                part.mesh.face(f), whole.face(part.face_ids[f]), {}, [&](auto v) { return part.vertex_ids[v]; }))
+            return "face " + std::to_string(part.face_ids[f]);
+    return {};
+}
+
+} // namespace detail
+
+/// Tries a scheme's word about its reach on a mesh. Each face is refined as a tile of its own with 0, 1 and 2 rings in the end, and all
+/// that the tile has must be what refining the whole mesh makes. `refine` of many faces, `evaluator`, tiles and ranks believe that word. A mesh
+/// tells more that has all that the scheme tells apart: a boundary, extraordinary vertices, creases.
+/// Errors: mesh_error that names what is different; those of `refine`. Cost: that of refining each face with its rings.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+void require_reach(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels = 2)
+{
+    partition parts{std::vector<std::uint32_t>(mesh.face_count()), mesh.face_count()};
+    std::iota(parts.part_of.begin(), parts.part_of.end(), 0U);
+    for (int level = 1; level <= levels; ++level) {
+        const auto whole = detail::refine_levels(mesh, scheme, level, connect::everything);
+        for (int rings = 0; rings <= 2; ++rings) {
+            tiled_refinement tiles(mesh, scheme, level, parts, rings);
+            for (std::size_t face = 0; face < tiles.tiles(); ++face)
+                if (const auto different = detail::difference_in_tile(tiles.refine(face, connect::everything), whole);
+                    not different.empty())
+                    throw mesh_error(std::string(scheme_name<Scheme>()) + ": around face " + std::to_string(face) +
+                                     ", " + different + " of level " + std::to_string(level) + " is another one for " +
+                                     std::to_string(rings) +
+                                     " rings than in the whole mesh; a step reads more rings than traits().reach says, "
+                                     "or asks for numbers of elements");
+        }
+    }
+}
+
+} // namespace kith
