@@ -213,7 +213,7 @@ private:
             return;
         const std::size_t normal = keyword_.normal ? 3 : 0, texture = keyword_.texture ? 2 : 0;
         const std::size_t color = numbers.size() - std::min(numbers.size(), normal + texture);
-        if (numbers.size() < normal + texture or (keyword_.color ? color != 3 and color != 4 : color != 0)) {
+        if (numbers.size() < normal + texture or (color != 0 and not(keyword_.color and (color == 3 or color == 4)))) {
             has_other_numbers_ = true;
             return;
         }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -92,6 +93,10 @@ private:
             text_cursor<text_kind::plain> text(tag.text);
             while (text.to_content()) {
                 const int letter = text.whole<int>([] { return std::string("a letter of a word"); });
+                if (letter < std::numeric_limits<signed char>::min() or
+                    letter > std::numeric_limits<unsigned char>::max())
+                    throw file_error("the words '" + shown(tag.attribute("Name")) + "' have the letter " +
+                                     std::to_string(letter) + ", which is none");
                 if (letter != 0)
                     word += letter > 0 and letter < ' ' ? '_' : char(letter); // lines of OBJ end there
                 else
@@ -208,19 +213,24 @@ private:
         return result;
     }
     /// A name that no other attribute has, and that is one word; some say in PLY where vertices are and which ones a face has.
-    static std::string free_name(std::string name, const std::vector<attribute>& others)
+    /// `given`: for each name, which other one has been given for it last.
+    static std::string free_name(std::string name, const std::vector<attribute>& others,
+                                 std::map<std::string, std::string>& given)
     {
         constexpr std::array<std::string_view, 5> taken{"x", "y", "z", "vertex_indices", "vertex_index"};
         std::ranges::replace_if(name, [](char c) { return (c >= 0 and c <= ' ') or c == 127; }, '_');
+        std::string& last = given[name];
+        name = last.empty() ? name : last + '_';
         while (name.empty() or std::ranges::find(taken, name) != taken.end() or
                std::ranges::find(others, name, &attribute::name) != others.end())
             name += '_';
-        return name;
+        return last = name;
     }
     /// Of the elements with these numbers.
     void add_attributes(const std::string& section, const std::vector<std::size_t>& elements,
                         std::vector<attribute>& attributes)
     {
+        std::map<std::string, std::string> given;
         for (const xml_tag& tag : arrays_[section]) {
             const vtu_array array = vtu_array_of(tag);
             if (array.components > most_components)
@@ -238,7 +248,7 @@ private:
                 if (section == "CellData")
                     take_labels(a);
                 if (a.labels.empty())
-                    a.name = free_name(a.name, attributes);
+                    a.name = free_name(a.name, attributes, given);
                 attributes.push_back(std::move(a));
             }
         }

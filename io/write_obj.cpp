@@ -2,11 +2,13 @@
 #include "written_parts.hpp"
 
 #include <kith/format/obj_tag.hpp>
+#include <kith/output/ply_words.hpp>
 #include <kith/text/counted.hpp>
 
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -70,6 +72,15 @@ private:
     std::vector<std::uint32_t> line_of_; ///< by corner
 };
 
+/// A line that goes on with nothing: a backslash at its end would have the next one go on.
+std::string as_line(const std::string& text)
+{
+    std::string line = one_line(text);
+    if (const auto last = line.find_last_not_of(" \t"); last != std::string::npos and line[last] == '\\')
+        line += '_';
+    return line;
+}
+
 /// What is said before a face that has other words than the face before it.
 void write_labels(text_block& text, const attribute_list& labels, std::size_t face)
 {
@@ -79,7 +90,11 @@ void write_labels(text_block& text, const attribute_list& labels, std::size_t fa
             if (a->name != name or label == (face == 0 ? 0 : a->values[face - 1]))
                 continue;
             const std::string& word = a->labels[std::size_t(label)];
-            text << statement << (statement == "s" and word.empty() ? " off" : word.empty() ? "" : " ") << word << '\n';
+            text << statement
+                 << (statement == "s" and word.empty() ? " off"
+                     : word.empty()                    ? ""
+                                                       : " ")
+                 << as_line(word) << '\n';
         }
 }
 
@@ -97,7 +112,7 @@ void write_obj(std::ostream& out, const written_mesh& what)
     if (what.attributes != nullptr)
         for (const std::string& line : what.attributes->file_lines)
             if (holds_file_line(mesh_format::obj, line))
-                header << line << '\n';
+                header << as_line(line) << '\n';
     out << header.text();
     write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
         text << "v " << point_of(what, v);

@@ -10,6 +10,7 @@
 #include <kith/evaluator.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/plan.hpp>
+#include <kith/refine_in_tiles.hpp>
 #include <kith/refine_with_fields.hpp>
 #include <kith/selected.hpp>
 
@@ -120,5 +121,9 @@ TEST(level_state, schemes_may_have_rules_that_capture)
     some.refine_if([](auto f) { return f.value % 3 == 0; });
     some.refine();
     EXPECT_GT(some.finest().face_count(), mesh.face_count());
+    kith::tiled_refinement tiles(mesh, scheme, 2, kith::block_partition(mesh, 3));
+    std::vector<int> steps;
+    tiles.refine_levels(1, [&](const auto& kept) { steps.push_back(kept.scheme.count.steps - kept.level); });
+    EXPECT_EQ(steps, std::vector<int>(3, 0));
     EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::blocks(mesh.face_count(), 3), 3), "");
 }

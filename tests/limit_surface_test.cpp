@@ -261,7 +261,6 @@ TEST(limit_surface, normals_are_those_of_the_sphere_that_the_surface_comes_near_
     }
 }
 
-/// A tile with rings of shadows knows the limits of its faces as the whole mesh does, bit for bit.
 TEST(limit_surface, normals_that_cancel_out_are_zero)
 {
     const auto pillow = native(
@@ -275,6 +274,7 @@ TEST(limit_surface, normals_that_cancel_out_are_zero)
     check(kith::nasri_hasbini());
 }
 
+/// A tile with rings of shadows knows the limits of its faces as the whole mesh does, bit for bit.
 TEST(limit_surface, of_a_tile_is_that_of_the_whole)
 {
     std::size_t vertices = 0;

@@ -290,10 +290,15 @@ struct two_and_three {
 template <class Rule>
 struct ruled {
     Rule rule;
+    step_count count{};
 
     static constexpr auto traits()
     {
-        return kith::scheme_traits{.name = "ruled", .reach = [](int rings) { return rings / 2 + 1; }};
+        return kith::scheme_traits{.name = "ruled",
+                                   .trusted = true,
+                                   .reach = [](int rings) { return rings / 2 + 1; },
+                                   .state = &ruled::count,
+                                   .ignores_numbers = [](const ruled&) { return true; }};
     }
     static constexpr auto columns() { return kith::quad_split::columns(); }
     template <class R>

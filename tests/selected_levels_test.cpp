@@ -269,16 +269,18 @@ TEST(selected_levels, what_is_kept_stays_as_sharp_as_it_was)
     EXPECT_EQ(levels.scheme(2).scheme().sharpness.edges()[0].second, 1.5);
 }
 
-TEST(selected_levels, what_was_chosen_for_one_hierarchy_is_not_for_another)
+TEST(selected_levels, a_scheme_that_has_chosen_does_the_same_everywhere)
 {
-    hierarchy levels(polygons(), selected(kith::catmull_clark()));
-    levels.refine_if([](auto f) { return f.value == 0; });
-    hierarchy fresh(levels[0], selected(kith::catmull_clark()));
-    fresh.refine();
-    hierarchy other(levels[0], levels.scheme(0));
-    other.refine();
-    EXPECT_TRUE(same_bits(other.finest(), fresh.finest()));
-    levels.undo(1);
-    levels.redo(); // here it is
-    EXPECT_LT(levels.finest().face_count(), fresh.finest().face_count());
+    const auto mesh = polygons();
+    auto scheme = selected(kith::catmull_clark());
+    std::vector<unsigned char> flags(mesh.face_count(), 0);
+    flags[1] = 1;
+    scheme.select(kith::level_of<mesh3d>(mesh), flags);
+    hierarchy levels(mesh, scheme);
+    levels.refine();
+    hierarchy chosen_there(mesh, selected(kith::catmull_clark()));
+    chosen_there.refine_flagged(flags);
+    EXPECT_TRUE(same_bits(levels.finest(), chosen_there.finest()));
+    EXPECT_TRUE(same_bits(kith::refine(mesh, scheme, 1), chosen_there.finest()));
+    EXPECT_TRUE(same_bits(kith::refine(mesh, chosen_there.scheme(0), 1), chosen_there.finest()));
 }

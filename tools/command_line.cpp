@@ -8,6 +8,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 
 namespace kith::tool {
@@ -72,6 +73,9 @@ std::string output_of(const po::variables_map& values)
     const std::string output = required(values, "output");
     if (output.empty())
         throw file_error("the output has no name; name a file with -o");
+    const auto path = [](const std::string& name) { return std::filesystem::path(name).lexically_normal(); };
+    if (values.count("stats") != 0 and path(required(values, "stats")) == path(output))
+        throw usage_error("--stats: " + output + " is the output; name another file");
     return output;
 }
 

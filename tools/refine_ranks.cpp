@@ -82,9 +82,14 @@ std::optional<recipe> read_request(mpi::communicator& comm, rank_request& reques
     });
     settings = comm.broadcast(std::move(settings));
     const auto kinds = comm.broadcast(pack_kinds(request.what.kinds));
+    const auto corners = comm.broadcast(packer().add_array(request.what.words.boundary_corners).take());
     mpi::in_agreement(comm, [&] {
-        if (not comm.is_root() and request.input.empty())
+        if (not comm.is_root() and request.input.empty()) {
             request.what = request_from(unpack_recipe(settings));
+        } else if (not comm.is_root()) { // the file may say it
+            request.what.words.boundary_corners = unpacker(corners).get_array<std::string>();
+            request.what.scheme = make_scheme(request.what.scheme_name, request.what.words);
+        }
         request.what.kinds = unpack_kinds(kinds);
     });
     return kept;

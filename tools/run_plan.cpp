@@ -124,7 +124,7 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     if (not values)
         return 0;
     const int levels = levels_of(*values);
-    const scheme_words words = scheme_words_of(*values);
+    scheme_words words = scheme_words_of(*values);
     any_scheme scheme = make_scheme(required(*values, "scheme"), words);
     for (const char* option : {"tiles-per-rank", "partitioner"})
         if (values->count(option) != 0 and values->count("ranks") == 0)

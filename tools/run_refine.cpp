@@ -121,7 +121,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     const std::string output = output_of(*values);
     const std::string scheme = required(*values, "scheme");
     const mesh_kind mesh = mesh_kind_from(*values);
-    const scheme_words words = scheme_words_of(*values);
+    scheme_words words = scheme_words_of(*values);
     refine_request request{.scheme = make_scheme(scheme, words),
                            .levels = levels_of(*values),
                            .memory = memory_limit_from(*values),

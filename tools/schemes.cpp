@@ -149,7 +149,7 @@ any_scheme make_scheme(const std::string& name, const scheme_words& words)
     return *result;
 }
 
-void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words& words)
+void give_creases(any_scheme& scheme, control_mesh& control, scheme_words& words)
 {
     if (words.ignore_tags)
         control.tags = {};
@@ -170,8 +170,10 @@ void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words&
                 }
                 if (not words.crease_method.empty())
                     s.sharpness.method = method;
-                if (tags.corners and words.preset.empty() and words.boundary_corners.empty())
+                if (tags.corners and words.preset.empty() and words.boundary_corners.empty()) {
                     s.corners = *tags.corners;
+                    words.boundary_corners = word_of(s.corners);
+                }
             } else if (tags.has_creases() or not holes_of(tags, control.mesh).empty()) {
                 throw mesh_error(std::string(scheme_name<Scheme>()) +
                                  " has no rules for the creases, corners or holes of the file; " +

@@ -99,9 +99,10 @@ any_scheme make_scheme(const std::string& name, const scheme_words& words);
 
 /// Cuts the faces of a control mesh into triangles where the words ask for it, and tells the scheme of its creases: those of
 /// the file, and edges sharper than the angle.
-/// Tags that mean something else are noted on standard error; where tags are to be ignored, the mesh has none then.
+/// Tags that mean something else are noted on standard error; where tags are to be ignored, the mesh has none then. The rule of the file for
+/// corners at the boundary, if it counts, is a word then: for who has not read the file.
 /// Errors: mesh_error for tags that do not fit the mesh, and for creases and holes if the scheme has no rules for them.
-void give_creases(any_scheme& scheme, control_mesh& control, const scheme_words& words);
+void give_creases(any_scheme& scheme, control_mesh& control, scheme_words& words);
 
 /// Refuses a mesh that the scheme does not take, with what the programs have to make it one. Errors: mesh_error.
 void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control);

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <span>
 #include <vector>
 
 namespace kith::tool {
@@ -50,6 +52,21 @@ io::mesh_attributes not_in_vtu(io::mesh_attributes& attributes)
     return rest;
 }
 
+/// Whether a face has values at some corners and at others none: in PLY it has none then.
+bool some_faces_lack_some(const control_mesh& control)
+{
+    for (std::size_t f = 0; f < control.mesh.face_count(); ++f) {
+        const std::size_t first = control.mesh.topology().first_corner(f), degree = control.mesh.face(f).size();
+        std::size_t missing = 0;
+        for (const io::attribute& a : control.attributes.corners)
+            missing += std::size_t(std::ranges::count_if(std::span(a.values).subspan(first, degree),
+                                                         [](double x) { return std::isnan(x); }));
+        if (missing != 0 and missing != degree * control.attributes.corners.size())
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 void settle_attributes(control_mesh& control, io::mesh_format format, const attribute_use& use)
@@ -57,6 +74,8 @@ void settle_attributes(control_mesh& control, io::mesh_format format, const attr
     settle_normals(control, use);
     add_not_kept(control, not_held(format, control.attributes));
     keep_held(format, control.attributes);
+    if (format == io::mesh_format::ply and some_faces_lack_some(control))
+        control.not_kept.emplace_back("texture coordinates of faces that have not all of theirs");
 }
 
 void settle_tile_attributes(control_mesh& control, const std::string& output, const attribute_use& use)

@@ -62,6 +62,7 @@ for wrong, why in [
     (lambda: kith.refine(cube, quads, "loop"), "triangulate"),
     (lambda: kith.refine(cube, [[0, 1, 9]], "loop"), "9"),
     (lambda: levels.matrix(3, 0), "level 3"),
+    (lambda: kith.refine(cube, quads, "kobbelt", tension=-8), "between 0 and"),
     (lambda: kith.refine(cube, quads, "kobbelt", sharp_edges=[(0, 1, 1)]), "creases"),
 ]:
     try:

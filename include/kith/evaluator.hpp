@@ -93,7 +93,8 @@ private:
                 const auto& scheme = levels_.scheme(plan->begin);
                 const face_classes<Index> classes(
                     mesh.topology(), plan->rings, state_marks<Index>(mesh.topology(), scheme));
-                patches_ = patched_level<Point, Index, Scheme>::make(mesh, classes, scheme, *plan, costs);
+                if (auto made = patched_level<Point, Index, Scheme>::make(mesh, classes, scheme, *plan, costs))
+                    patches_.emplace(std::move(*made));
             };
             look();
             if (not patches_ and plan->begin + 1 < count_) { // faces of the next level are more alike

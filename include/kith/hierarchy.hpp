@@ -129,8 +129,8 @@ public:
     /// Taken out of a hierarchy that is given up: std::move(levels).finest().
     [[nodiscard]] M finest() && { return std::move(levels_.mesh(depth())); }
 
-    /// The scheme as it is at a level, with the state of that level (creases), and what was chosen for the step from there, which may have
-    /// been undone; another hierarchy that begins with it chooses anew.
+    /// The scheme as it is at a level, with the state of that level (creases), and with what was chosen for the step from there, also where
+    /// that has been undone: what begins with it takes that step first.
     [[nodiscard]] const Scheme& scheme(int level) const { return levels_.entry_at(level).scheme; }
 
     /// The elements of a level as schemes see them: coarse.vertices(), v.corners() and so on.

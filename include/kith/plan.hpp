@@ -59,8 +59,10 @@ partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, 
             result.problem = has + "more elements than 64 bits can count";
             break;
         }
-        const auto planned = plan_level(
-            next_counts(*of_level, last, of_level.generation()), int(numbers::common_degree), point_bytes, index_bytes);
+        const auto planned = plan_level(next_counts(level == 1 ? scheme : *of_level, last, of_level.generation()),
+                                        int(numbers::common_degree),
+                                        point_bytes,
+                                        index_bytes);
         const counts& next = planned.counts;
         if (index_bytes < 8 and
             std::max({next.vertices, 2 * next.edges}) >= (std::uint64_t(1) << (8 * index_bytes)) - 1) {

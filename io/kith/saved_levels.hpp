@@ -104,6 +104,17 @@ void refine_as_saved(hierarchy<M, Scheme>& levels, unpacker& bytes)
     }
 }
 
+/// That of the control mesh, without what was chosen for a step that has been undone.
+template <mesh M, scheme Scheme>
+Scheme control_scheme(const hierarchy<M, Scheme>& levels)
+{
+    Scheme result = levels.scheme(0);
+    if constexpr (selecting_scheme<Scheme, level_of<M>>)
+        if (levels.depth() == 0 and levels.undone() > 0)
+            result.select(levels.elements(0), std::vector<unsigned char>(levels.elements(0).face_count(), 1));
+    return result;
+}
+
 /// The native mesh with the elements of this one.
 template <mesh M>
 auto native(const M& mesh)
@@ -134,7 +145,7 @@ void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
     bytes.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree);
     bytes.add_array(control.points());
     detail::for_each_array(t, [&](const auto& array) { bytes.add_array(array); });
-    kith::detail::pack_state(bytes, levels.scheme(0));
+    kith::detail::pack_state(bytes, detail::control_scheme(levels));
     for (int level = 1; level <= levels.depth(); ++level) {
         if constexpr (selecting_scheme<Scheme, level_of<M>>)
             bytes.add_array(levels.scheme(level - 1).chosen());

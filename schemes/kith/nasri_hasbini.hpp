@@ -15,7 +15,7 @@ namespace kith {
 
 /// Nasri-Hasbini: ternary refinement of bicubic B-splines, three times as fine per step, polygons of any kind.
 /// Published (thesis 2.1.5) are the split and the masks of the regular part. The masks around extraordinary vertices, in
-/// faces that are not quads and at irregular boundary vertices are derived in docs/schemes.md and not the original
+/// faces that are not quads and at irregular boundary vertices are in docs/schemes.md and not the original
 /// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(corners), those of large faces times
 /// the logarithm of their number.
 struct nasri_hasbini {

@@ -27,6 +27,8 @@ compare charts.obj -s catmull-clark -n 3 --uv corners+1 --crease-angle 20
 compare charts.obj -s loop -n 2 --triangulate --uv none --threads 2
 compare charts.obj -s kobbelt -n 2
 compare charts.obj -s catmull-clark -n 2 --limit
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\nt interpolateboundary 1/0/0 2\n' >rule.obj
+compare rule.obj -s catmull-clark -n 2 # by the rule of the file on ranks that have not read it, too
 grid 4 >grid.obj # words, too
 compare grid.obj -s doo-sabin -n 2
 

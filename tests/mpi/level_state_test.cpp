@@ -3,6 +3,7 @@
 #include "../all_shapes.hpp"
 #include "on_ranks.hpp"
 
+#include <kith/ranks/repartition.hpp>
 #include <kith/refine_by_exchange.hpp>
 
 namespace {
@@ -86,4 +87,25 @@ TEST(level_state, conditions_of_columns_may_ask_it)
     plain.kept = {};
     EXPECT_NE(kith::refine(mesh, plain, 1).face_count(), kith::refine(mesh, scheme, 1).face_count());
     expect_same_from_one_rank(mesh, scheme, own_state::capped_dual{}, in_blocks(mesh, 3));
+}
+
+TEST(level_state, schemes_may_have_rules_that_capture)
+{
+    const auto mesh = native(shapes::shaken(shapes::torus(5, 6)));
+    const double weight = 1. / 4;
+    const own_state::ruled scheme{[weight](auto v) { return (1 - weight) * v + weight * average(v.neighbors()); }};
+    expect_same_on_ranks(mesh, scheme, scheme, in_blocks(mesh, 3));
+    const auto parts = in_blocks(mesh, 5);
+    kith::mpi::rank_refinement refinement(world(), mesh, scheme, 2, parts, 0);
+    auto kept = refinement.keep_levels(kith::mpi::sharing::spmd);
+    std::vector<int> rank_of(parts.parts);
+    for (std::size_t t = 0; t < rank_of.size(); ++t)
+        rank_of[t] = int(parts.parts - t) % world().size();
+    const auto moved = kith::mpi::repartition(world(), std::move(kept), rank_of, scheme);
+    std::uint64_t tiles = 0;
+    for (const auto& tile : moved) {
+        EXPECT_EQ(tile.scheme.count.steps, tile.level);
+        tiles += 1;
+    }
+    EXPECT_EQ(world().sum(std::vector{tiles})[0], 3 * parts.parts);
 }

@@ -48,6 +48,39 @@ exits 0
 textured out.obj 7 7
 check "the colour is that of the vertex" awk '$1 == "v" { d = $5 - ($2 + $3) / 9; wrong += d * d > 1e-24 } END { exit wrong > 0 }' out.obj
 
+# A face that has texture coordinates at some corners has none in PLY, which is told.
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3 4\n' >part.obj
+run refine part.obj -s catmull-clark -n 0 -o part.ply
+exits 0
+says 'part.obj: not kept: texture coordinates of faces that have not all of theirs'
+
+# Words end no line and let none go on.
+cat >words.ply <<'END'
+ply
+format ascii 1.0
+comment mtllib C:\tex\
+comment word material 1 C:\red\
+element vertex 4
+property float x
+property float y
+property float z
+element face 2
+property list uchar int vertex_indices
+property int material
+end_header
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+3 0 1 2 1
+3 0 2 3 0
+END
+run refine words.ply -s loop -n 0 -o words.obj
+exits 0
+run info words.obj
+prints '2 faces'
+has words.obj '^usemtl C:.red.*_$'
+
 # Creases stay beside holes, by the numbers that are left.
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 1\nv 3 1 0\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nt hole 1/0/0 0\nt crease 2/1/0 2 6 2.5\nt corner 1/1/0 6 3\n' >creased.obj
 run refine creased.obj -s catmull-clark -n 0 -o out.obj

@@ -217,4 +217,14 @@ if mkdir /dev/shm/kith.$$ 2>/dev/null; then
     says 'kept: is on another file system than out.vtu; put the journal next to the output'
     rm -r /dev/shm/kith.$$
 fi
+
+# The rule of the file for corners at the boundary is in the journal.
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\nt interpolateboundary 1/0/0 2\n' >rule.obj
+run refine rule.obj -s catmull-clark -n 1 -o rule.ply --tiles 2
+exits 0
+run refine rule.obj -s catmull-clark -n 1 -o resumed.ply --tiles 2 --journal rules --only 0
+exits 0
+run refine --journal rules
+exits 0
+same rule.ply resumed.ply
 finish

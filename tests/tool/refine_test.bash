@@ -486,6 +486,9 @@ run refine cube.off -s catmull-clark -n 20 -o refused.off
 exits 1
 says 'level 14 has .* more than a 32-bit index can number; refine fewer times'
 check "no output file" test ! -e refused.off
+run refine cube.off -s catmull-clark -n 1 -o refused.off --stats ./refused.off
+exits 2
+says 'refused.off is the output; name another file'
 if "$kith" refine --help | grep -q -- --threads; then
     for threads in 1 2; do
         run refine cube.off -s catmull-clark -n 6 -o threads$threads.off --threads $threads

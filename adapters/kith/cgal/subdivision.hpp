@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -38,7 +39,8 @@ int steps_of(const Np& np)
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
     const auto steps = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1);
-    if (not std::in_range<int>(steps))
+    using limits = std::numeric_limits<int>;
+    if (const auto n = static_cast<long double>(steps); not(n >= limits::min() and n <= limits::max()))
         throw mesh_error(std::to_string(steps) + " iterations were asked for, more than anything can hold");
     return int(steps);
 }

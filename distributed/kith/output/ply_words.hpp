@@ -15,6 +15,14 @@ namespace kith {
 /// The tag of OBJ, in PLY a comment, that says that the mesh is of an odd generation: schemes whose steps take turns go on with the other one.
 inline constexpr std::string_view odd_generation = "t generation 1/0/0 1";
 
+/// A text without letters that end lines or are no letters.
+inline std::string one_line(std::string text)
+{
+    std::ranges::replace_if(
+        text, [](char c) { return (static_cast<unsigned char>(c) < ' ' and c != '\t') or c == 127; }, '_');
+    return text;
+}
+
 /// The name of a property, which is one word.
 inline std::string ply_name(std::string name)
 {
@@ -27,7 +35,7 @@ inline std::string ply_word_lines(const std::string& property, const std::vector
 {
     std::string result;
     for (std::size_t i = 1; i < words.size(); ++i)
-        result += "comment word " + ply_name(property) + " " + std::to_string(i) + " " + words[i] + "\n";
+        result += "comment word " + ply_name(property) + " " + std::to_string(i) + " " + one_line(words[i]) + "\n";
     return result;
 }
 
@@ -36,7 +44,7 @@ inline std::string ply_file_lines(const std::vector<std::string>& lines)
 {
     std::string result;
     for (const std::string& line : lines)
-        result += "comment " + line + "\n";
+        result += "comment " + one_line(line) + "\n";
     return result;
 }
 

@@ -47,7 +47,7 @@ public:
             index_ += array("UInt32", "tile") + array("UInt32", "rank");
         index_ += arrays_.declarations(field_on::faces) + "</PCellData>\n";
         for (std::uint64_t tile = 0; tile < tiles; ++tile)
-            index_ += "<Piece Source=\"" + source + "/" + name(tile) + "\"/>\n";
+            index_ += "<Piece Source=\"" + detail::xml_text(source + "/" + name(tile)) + "\"/>\n";
         index_ += "</PUnstructuredGrid>\n</VTKFile>\n";
         size_ = index_.size();
     }

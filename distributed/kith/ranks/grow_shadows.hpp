@@ -231,8 +231,8 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
                                               not part.corners_before.empty());
             detail::keep_owned(part, grown);
             if constexpr (has_state<Scheme>) {
-                const Scheme before = std::exchange(schemes[t],
-                                                    kith::detail::scheme_of_part(schemes[t], part_numbers<Index>()));
+                const Scheme before = schemes[t];
+                kith::detail::take_part(schemes[t], before, part_numbers<Index>());
                 kith::detail::take_over(schemes[t], grown, before, kith::detail::elements_of(part));
                 for (std::size_t rank = 0; rank < ranks; ++rank)
                     if (std::ranges::find(wanting[rank], t) != wanting[rank].end())

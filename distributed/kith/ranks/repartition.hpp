@@ -68,6 +68,24 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, const std::vector<kep
     return detail::owned_faces(comm, tiles, all_tiles, [&](const auto& kept) { return kept.level == level; });
 }
 
+namespace detail {
+
+/// Sorted by a key, those of equal keys as they are. What is sorted, such as tiles with schemes, need not be assignable.
+template <class T, class Key>
+std::vector<T> in_order(std::vector<T>&& all, const Key& key)
+{
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return key(all[i]); });
+    std::vector<T> result;
+    result.reserve(all.size());
+    for (const std::size_t i : order)
+        result.push_back(std::move(all[i]));
+    return result;
+}
+
+} // namespace detail
+
 /// A rank for each tile, so that all ranks get about as many faces: the largest tile first, each to the rank that has least
 /// (Graham 1969: at most 4/3 of what would be best). Equal ones go by their numbers, so all ranks find the same. Local.
 inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_tile, int ranks)
@@ -121,7 +139,7 @@ std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles,
                 const auto number = in.template get<std::uint64_t>();
                 tiles.push_back(read(in, number));
             }
-        std::ranges::stable_sort(tiles, {}, &Moving::number);
+        tiles = in_order(std::move(tiles), [](const Moving& tile) { return tile.number; });
     });
     return tiles;
 }
@@ -177,8 +195,7 @@ std::vector<kept_tile<tile<Point, Index>, Scheme>> repartition(communicator& com
             auto [part, its_scheme] = unpack<Point, Index>(packed, scheme);
             return moving{number, level, std::move(part), std::move(its_scheme)};
         });
-    std::ranges::stable_sort(result, {}, [](const moving& kept) { return std::pair(kept.number, kept.level); });
-    return result;
+    return detail::in_order(std::move(result), [](const moving& kept) { return std::pair(kept.number, kept.level); });
 }
 
 } // namespace kith::mpi

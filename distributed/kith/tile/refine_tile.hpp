@@ -52,7 +52,9 @@ void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const whole
     for (int level = 0; level < whole.levels(); ++level) {
         Scheme scheme = here.scheme;
         Tile next = refine_once(here.part, scheme, level, whole);
-        keep(std::exchange(here, {number, level + 1, std::move(next), std::move(scheme)}));
+        swap_states(here.scheme, scheme);
+        here.level = level + 1;
+        keep(kept_tile<Tile, Scheme>{number, level, std::exchange(here.part, std::move(next)), std::move(scheme)});
     }
     keep(std::move(here));
 }

@@ -170,7 +170,8 @@ struct linear_in_faces {
 };
 
 /// The rule of marks on the sides of faces, as half-edges of CGAL and OpenMesh have them: a corner has that of the side which leads to
-/// it. A new side that lies along a side of the face from which its own face comes has the same; all others have T().
+/// it. A new side that lies along a side of the face from which its own face comes has the same; all others have T(), zero where
+/// that is left open.
 /// Cost: O(corners) for faces of bounded degree.
 struct along_sides {
     template <class T, finished_step Step>

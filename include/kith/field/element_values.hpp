@@ -3,6 +3,7 @@
 
 #include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
+#include <kith/property/unset_values.hpp>
 #include <kith/step/level_state.hpp>
 
 #include <concepts>

@@ -17,7 +17,7 @@ namespace kith {
 
 namespace detail {
 
-/// Room for the values at the vertices of the next level; those of the dictionary have T().
+/// Room for the values at the vertices of the next level; those of the dictionary have T(), zero where that is left open.
 template <class T, finished_step Step>
 storage<T> values_at_new_vertices(const Step& step)
 {

@@ -68,7 +68,6 @@ public:
     {
         levels_.push_back(std::make_unique<entry>(std::move(scheme)));
         levels_[0]->hold([&] { return std::move(control); });
-        choose_all(levels_[0]->scheme, elements(0));
     }
 
     [[nodiscard]] int depth() const { return depth_; }
@@ -208,7 +207,7 @@ public:
     }
 
 private:
-    /// What was chosen for a level that is given up, or by another hierarchy, does not count for the next one.
+    /// What was chosen for a level that is given up does not count for the next one.
     static void choose_all([[maybe_unused]] Scheme& scheme, [[maybe_unused]] const level_type& elements)
     {
         if constexpr (selecting_scheme<Scheme, level_type>)

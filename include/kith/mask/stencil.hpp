@@ -89,7 +89,7 @@ struct subdivision_matrix {
         return result;
     }
 
-    /// Any values of the coarser level, one per vertex, carried to the finer one; T() by a row without entries.
+    /// Any values of the coarser level, one per vertex, carried to the finer one; by a row without entries T(), zero where that is left open.
     /// Errors: mesh_error unless there are `columns` values. Cost: O(entries).
     template <affine_value T>
     [[nodiscard]] std::vector<T> apply(std::span<const T> values) const
@@ -103,11 +103,12 @@ struct subdivision_matrix {
             traits::scale(result, static_cast<typename traits::scalar>(weight[k]));
             return result;
         };
+        static const T nothing = T(); // what is static is cleared before it is constructed
         std::vector<T> result;
         result.reserve(rows());
         for (std::size_t i = 0; i < rows(); ++i) {
             if (begin_of_row(i) == begin_of_row(i + 1)) {
-                result.push_back(T());
+                result.push_back(nothing);
                 continue;
             }
             typename traits::sum total = term(begin_of_row(i));

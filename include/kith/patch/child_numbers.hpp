@@ -20,6 +20,8 @@ struct column_bases {
     using by_kind = std::array<std::uint64_t, 7>;
     by_kind vertices{}, edges{}, faces{};
 
+    friend bool operator==(const column_bases&, const column_bases&) = default;
+
     /// Of the columns that make vertices, edges or faces: v, e or f.
     [[nodiscard]] const by_kind& of(tuple_kind made) const
     {

@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace kith {
 
@@ -89,7 +89,7 @@ private:
                 if (place != schemes_.end())
                     return place->second;
                 if (schemes_.size() == most_schemes)
-                    schemes_.erase(schemes_.begin());
+                    schemes_.pop_front();
                 schemes_.emplace_back(scheme, ++last_number_);
                 return last_number_;
             }
@@ -138,7 +138,7 @@ private:
         }
 
         std::mutex mutex_;
-        std::vector<std::pair<Scheme, std::size_t>> schemes_; // and their numbers
+        std::list<std::pair<Scheme, std::size_t>> schemes_; // and their numbers
         std::size_t last_number_ = 0;
         lists young_, old_;
         std::size_t bytes_ = 0; // of the young ones

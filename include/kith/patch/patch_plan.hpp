@@ -59,7 +59,8 @@ struct patch_plan {
     {
         const counts& here = of_begin();
         return level.vertices == here.vertices and level.edges() == here.edges and level.faces == here.faces and
-               next_counts(scheme, here, generation) == levels[std::size_t(begin) + 1];
+               next_counts(scheme, here, generation) == levels[std::size_t(begin) + 1] and
+               bases_of_columns(scheme, here, generation) == bases.front();
     }
 
     /// Begins at a level. Precondition: it lies before the last one. Cost: O(levels).

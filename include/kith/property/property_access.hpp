@@ -26,6 +26,10 @@ namespace kith {
 ///   starts_with_a_value<T>             whether they are never left open
 ///   add<Handle, T>(mesh, name, unset)  as above, where new with this value
 ///
+/// and where several properties may have one name, each with another type:
+///
+///   types_share_names                  true
+///
 /// and where there are properties of a mesh as a whole:
 ///
 ///   names_of_whole(mesh)               their names

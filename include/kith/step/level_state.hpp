@@ -115,7 +115,8 @@ concept finished_step = requires(const S& step) {
 ///                                        beside what that of a part without elements does. Who has none may say anything anywhere
 ///
 /// It follows from the numbers of the elements and from the step, not from where vertices are: state of levels that are there stays when
-/// points move. Columns may look at it as far as that of a part without elements tells, such as a number of steps.
+/// points move. Conditions of columns may look at it; `when` and counts of later levels as far as that of a
+/// part without elements tells, such as a number of steps. `reach` holds for that of every level.
 ///
 /// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
 template <scheme Scheme>

@@ -91,7 +91,8 @@ std::optional<normal_vector> unit_normal(const Vector& first, const Vector& seco
 }
 
 /// For each wanted vertex the mean of its faces' normals, each weighed by its area (Newell's formula), of length one; zero where
-/// no face has an area, or where they cancel out, as those of two faces back to back do. Sums are formed with exponents of their own, so that they neither overflow nor vanish.
+/// no face has an area, or where they cancel out, as those of two faces back to back do.
+/// Sums are formed with exponents of their own, so that they neither overflow nor vanish.
 /// Precondition: `wanted` is empty, which means all, or has a mark per vertex. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> positions,
@@ -135,7 +136,7 @@ std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mes
     }
     constexpr double rounding = 0x1p-45;
     for (std::size_t v = 0; v < result.size(); ++v) {
-        const bool cancels_out = detail::length_of(result[v]) <= rounding * total[v];
+        const bool cancels_out = detail::length_of(result[v]) < rounding * total[v];
         result[v] = cancels_out ? normal_vector{} : unit_vector(result[v]).value_or(normal_vector{});
     }
     return result;
