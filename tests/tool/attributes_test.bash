@@ -78,7 +78,7 @@ END
 run refine words.ply -s loop -n 0 -o words.obj
 exits 0
 run info words.obj
-prints '2 faces'
+prints 'face degrees +3 to 3 .2 of 3.'
 has words.obj '^usemtl C:.red.*_$'
 
 # Creases stay beside holes, by the numbers that are left.
