@@ -47,8 +47,8 @@ double bytes_on_mesh(const planned_level& level, mesh_kind mesh)
 }
 
 /// Of a vertex on the way to the limit surface: its place there, a mark, the normal with the vertex that it is of, and the
-/// normals in order.
-constexpr double bytes_of_limit = 24 + 1 + 32 + 24;
+/// normals in order, with an exponent and a length while they are made.
+constexpr double bytes_of_limit = 24 + 1 + 32 + 24 + 4 + 8;
 
 /// What a job on a mesh that is not kith's takes whatever its size: pages of the program's code that it alone runs, and blocks
 /// that the other library's allocator begins.
