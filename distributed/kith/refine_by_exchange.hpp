@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/mpi/in_agreement.hpp>
+#include <kith/neighbourhood/coming_scheme.hpp>
 #include <kith/number/corners_at_vertices.hpp>
 #include <kith/number/whole_lineage.hpp>
 #include <kith/part/partition.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/mesh/basic_mesh.hpp>
-#include <kith/step/level_state.hpp>
+#include <kith/neighbourhood/coming_scheme.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,6 +3,7 @@
 
 #include "tile_step.hpp"
 
+#include <kith/neighbourhood/coming_scheme.hpp>
 #include <kith/number/column_facts.hpp>
 #include <kith/number/corners_at_vertices.hpp>
 #include <kith/number/whole_lineage.hpp>

@@ -5,6 +5,7 @@
 #include "refine_part.hpp"
 
 #include <kith/lane/lanes.hpp>
+#include <kith/neighbourhood/coming_scheme.hpp>
 #include <kith/neighbourhood/face_classes.hpp>
 
 #include <algorithm>
