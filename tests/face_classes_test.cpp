@@ -51,6 +51,8 @@ TEST(face_classes, are_those_of_walks_around_the_faces)
         const auto mesh = refine(native(shape), kith::catmull_clark{}, 1);
         for (const int rings : {1, 2})
             expect_classes_of_walks(mesh, rings, kith::catmull_clark{});
+        for (const int rings : {1, 2, 3}) // of faces of several degrees
+            expect_classes_of_walks(native(shape), rings, kith::catmull_clark{});
     }
     for (const auto& [name, shape] : shapes::triangle_shapes()) {
         SCOPED_TRACE(name);

@@ -2,12 +2,14 @@
 #include <kith/refine_in_patches.hpp>
 
 #include <kith/refine.hpp>
+#include <kith/split/dual_split.hpp>
 #include <kith/split/quad_split.hpp>
 #include <kith/step/rules.hpp>
 
 #include "every_scheme.hpp"
 #include "patch_templates.hpp"
 #include "same_mesh.hpp"
+#include "shuffled.hpp"
 #include "thread_count.hpp"
 #include "under_sanitizers.hpp"
 #include "written_level.hpp"
@@ -100,6 +102,16 @@ TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
     EXPECT_TRUE(compare(open, kith::loop{}, levels));
     EXPECT_TRUE(compare(open, kith::butterfly{}, levels));
     EXPECT_TRUE(compare(quads, kith::kobbelt{}, levels - 1));
+    for (const auto& mesh : {quads, polygons, triangles}) {
+        EXPECT_TRUE(compare(mesh, kith::doo_sabin{}, levels));
+        for (int levels = 2; levels <= 7; ++levels)
+            EXPECT_TRUE(compare(mesh, kith::mid_edge{}, levels));
+        EXPECT_TRUE(compare(mesh, kith::nasri_hasbini{}, levels - 1));
+    }
+    EXPECT_TRUE(compare(open, kith::nasri_hasbini{}, levels - 1));
+    for (const auto& mesh : {quads, polygons, triangles, open})
+        for (int levels = 2; levels <= 7; ++levels)
+            EXPECT_TRUE(compare(kith::tri_quad(mesh), kith::four_eight{}, levels));
 }
 
 /// A scheme of a user's own: masks inside masks, weights by valence, and a ring that is walked twice.
@@ -173,7 +185,7 @@ TEST(refine_in_patches, takes_more_steps_than_a_patch_has)
 {
     static_assert(has_patches<smoothing>);
     const auto mesh = native(shapes::shaken(shapes::torus(8, 9)));
-    const auto plan = kith::plan_patches(count(mesh.topology()), true, smoothing(), 13, 0);
+    const auto plan = kith::plan_patches(count(mesh.topology()), 4, smoothing(), 13, 0);
     ASSERT_TRUE(plan);
     EXPECT_EQ(plan->bases.size(), std::size_t(kith::column_path::most_columns));
     EXPECT_TRUE(compare(mesh, smoothing(), 13));
@@ -187,6 +199,7 @@ TEST(refine_in_patches, knows_where_the_columns_of_as_many_steps_begin_as_a_path
     std::uint64_t expected = 0;
     for (std::size_t step = 0; step < bases.size(); ++step) {
         bases[step].faces[std::size_t(tuple_kind::vfe)] = 7 + step;
+        bases[step].faces_of_each[std::size_t(tuple_kind::vfe)] = 2 * 4;
         path = path.then(tuple_kind::vfe);
         expected = 7 + step + 2 * 4 * expected; // two for each corner of a quad
     }
@@ -196,8 +209,11 @@ TEST(refine_in_patches, knows_where_the_columns_of_as_many_steps_begin_as_a_path
     // A face of a corner, its side of an edge, the vertex there.
     std::vector<kith::column_bases> three(3);
     three[0].faces[std::size_t(tuple_kind::vf)] = 5;
+    three[0].faces_of_each[std::size_t(tuple_kind::vf)] = 4;
     three[1].edges[std::size_t(tuple_kind::ef)] = 100;
+    three[1].edges_of_each[std::size_t(tuple_kind::ef)] = 4;
     three[2].vertices[std::size_t(tuple_kind::e)] = 1000;
+    three[2].vertices_of_each[std::size_t(tuple_kind::e)] = 1;
     path = kith::column_path().then(tuple_kind::vf).then(tuple_kind::ef).then(tuple_kind::e);
     EXPECT_EQ(path.base(tuple_kind::v, three, 4), 1000U + 100 + 4 * 5);
 }
@@ -207,6 +223,116 @@ TEST(refine_in_patches, takes_a_scheme_of_a_users_own)
     static_assert(has_patches<own_scheme>);
     EXPECT_TRUE(compare(native(shapes::shaken(shapes::house())), own_scheme(), 4));
     EXPECT_TRUE(compare(native(shapes::shaken(shapes::grid(4, 5))), own_scheme(), 3));
+}
+
+/// A dual scheme of a user's own; one that says nothing of valences beside it.
+template <int Valence>
+struct own_dual {
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "own dual",
+                                   .closed_only = true,
+                                   .trusted = true,
+                                   .valence = Valence,
+                                   .reach = [](int rings) { return rings / 2 + 1; },
+                                   .ignores_numbers = [] { return true; }};
+    }
+    static constexpr auto columns() { return kith::dual_split().columns(); }
+
+    template <kith::running_step R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.corners(), [&](auto c) {
+            assoc(c, V) = .6 * c.v() + .3 * average(c.f().vertices()) + .1 * average(c.prev().v(), c.next().v());
+        });
+        kith::dual_split().connect(r);
+    }
+};
+
+TEST(refine_in_patches, takes_a_dual_scheme_that_says_its_valence)
+{
+    static_assert(has_patches<own_dual<4>> and not has_patches<own_dual<0>>);
+    for (const auto& shape : {shapes::house(), shapes::pentacube(), shapes::both(shapes::house(), shapes::torus(3, 5))})
+        for (const int levels : {2, 3, 4})
+            EXPECT_TRUE(compare(native(shapes::shaken(shape)), own_dual<4>(), levels));
+    // Corners of the faces of its vertices follow from the valence from the second level on, and only without a boundary.
+    EXPECT_FALSE(compare(native(shapes::house()), own_dual<4>(), 1));
+    EXPECT_FALSE(compare(native(shapes::shaken(shapes::grid(6, 7))), kith::doo_sabin{}, 3));
+}
+
+/// 4-8 that says of several steps that they need a ring less.
+struct nearsighted : kith::four_eight {
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{
+            .name = "nearsighted",
+            .faces = kith::face_shape::triangles,
+            .trusted = true,
+            .reach = [](int rings, int steps) { return std::max(1, reach_of(kith::four_eight(), rings, steps) - 1); },
+            .is_marked = [](const auto& e) { return kith::bisection_split::is_marked(e); },
+            .ignores_numbers = [] { return true; }};
+    }
+};
+
+TEST(refine_in_patches, needs_the_rings_that_4_8_says_of_several_steps)
+{
+    int wrong = 0;
+    for (std::uint64_t seed = 1; seed <= (under_sanitizers ? 1 : 3); ++seed) {
+        const auto shape = shapes::with_flips(shapes::shaken(shapes::triangulated(shapes::torus(6, 7))), seed, 500);
+        const auto mesh = kith::tri_quad(native(shapes::with_joins(shape, seed, 400)));
+        for (int levels = 3; levels <= (under_sanitizers ? 4 : 7); ++levels) {
+            EXPECT_TRUE(compare(mesh, kith::four_eight{}, levels)) << seed;
+            const kith::patch_refinement<std::array<double, 3>, std::uint32_t, nearsighted> patches(
+                mesh, {}, levels, all_templates);
+            wrong += not same_level(made_by(patches, mesh, nearsighted(), connect::everything),
+                                    level_by_level(mesh, kith::four_eight(), levels, connect::everything));
+        }
+    }
+    EXPECT_GT(wrong, 0);
+}
+
+TEST(refine_in_patches, takes_the_marks_of_any_level)
+{
+    for (const auto& shape : {shapes::house(), shapes::grid(3, 4)}) {
+        const auto mesh = kith::tri_quad(native(shapes::shaken(shape)));
+        EXPECT_FALSE(compare(mesh, kith::four_eight{}, 1)); // marked edges come first from the next level on
+        for (int done = 1; done <= 2; ++done)
+            EXPECT_TRUE(compare(refine(mesh, kith::four_eight{}, done), kith::four_eight{}, 5));
+    }
+    // Its boundary is not marked as its generation says, so that levels have other counts than foreseen.
+    const auto open = kith::tri_quad(native(shapes::shaken(shapes::grid(3, 4))));
+    const auto other = of_generation(open, open.generation() + 1);
+    const kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::four_eight> patches(
+        other, kith::four_eight{}, 4, all_templates);
+    ASSERT_TRUE(patches.is_worth_looking());
+    auto coarse = other;
+    kith::four_eight of_level;
+    EXPECT_FALSE(patches.refine(coarse, of_level, connect::everything));
+}
+
+TEST(refine_in_patches, knows_where_the_corners_of_faces_of_any_degree_begin)
+{
+    using kith::tuple_kind;
+    const auto kind = [](tuple_kind k) { return std::size_t(k); };
+    std::vector<kith::column_bases> bases(2);
+    for (auto& step : bases) {
+        step.degrees[kind(tuple_kind::e)] = 4;
+        step.faces_of_each[kind(tuple_kind::f)] = step.faces_of_each[kind(tuple_kind::e)] = 1;
+        step.vertices_of_each[kind(tuple_kind::vf)] = 1;
+    }
+    bases[0].corners[kind(tuple_kind::e)] = 50;
+    bases[0].edges[kind(tuple_kind::ef)] = 7;
+    bases[1].corners[kind(tuple_kind::f)] = 3;
+    bases[1].corners[kind(tuple_kind::e)] = 200;
+    bases[1].vertices[kind(tuple_kind::vf)] = 1000;
+    const auto path = [](tuple_kind first, tuple_kind second) { return kith::column_path().then(first).then(second); };
+    // The face of an edge, its face, and the first corner of that; a side, its face.
+    EXPECT_EQ(path(tuple_kind::e, tuple_kind::f).base(tuple_kind::vf, bases, 0), 3U + 50);
+    EXPECT_EQ(path(tuple_kind::ef, tuple_kind::e).base(tuple_kind::vf, bases, 0), 200U + 4 * 7);
+    // The vertex of the first corner of the face of an edge.
+    EXPECT_EQ(path(tuple_kind::e, tuple_kind::vf).base(tuple_kind::v, bases, 0), 1000U + 50);
 }
 
 TEST(refine_in_patches, keeps_templates_for_one_scheme_and_any_mesh)
@@ -322,8 +448,6 @@ TEST(refine_in_patches, is_left_out_where_it_would_be_wrong_or_of_no_use)
     EXPECT_TRUE(looks(native(shapes::tetrahedron()), kith::loop{}, 9)); // few kinds, whatever they are
     // Its columns ask where the boundary is.
     EXPECT_FALSE(looks(native(shapes::triangulated(shapes::grid(40, 40))), kith::sqrt3{}, 6));
-    // New faces of vertices and edges; columns that pick marked edges.
-    static_assert(not has_patches<kith::doo_sabin> and not has_patches<kith::four_eight>);
 }
 
 TEST(refine_in_patches, tells_a_thin_tube_from_a_thick_one)

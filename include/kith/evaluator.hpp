@@ -83,8 +83,7 @@ private:
             if (not has_lanes())
                 return;
             const connectivity<Index>& control = levels_[0].topology();
-            const bool has_degree = control.degree == int(numbering_of<Scheme, Index>::common_degree);
-            auto plan = plan_patches(count(control), has_degree, levels_.scheme(0), count_, generation_);
+            auto plan = plan_patches(count(control), control.degree, levels_.scheme(0), count_, generation_);
             if (not plan)
                 return;
             const auto look = [&] {

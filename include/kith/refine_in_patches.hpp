@@ -26,8 +26,8 @@ public:
                      const patch_costs& costs = {})
         : costs_(costs)
         , last_generation_(control.generation() + levels)
-        , plan_(plan_patches(count(control.topology()), control.topology().degree == int(degree), scheme, levels,
-                             control.generation()))
+        , plan_(
+              plan_patches(count(control.topology()), control.topology().degree, scheme, levels, control.generation()))
     {
         if (not is_worth_looking())
             return;
@@ -68,9 +68,7 @@ public:
     }
 
 private:
-    using numbering = numbering_of<Scheme, Index>;
     using patches = patched_level<Point, Index, Scheme>;
-    static constexpr std::size_t degree = numbering::common_degree;
 
     /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a kind of its own. After as
     /// many steps as there are rings around a patch there are few kinds; patches begin there.
@@ -97,7 +95,7 @@ private:
         storage<Point> points(last.vertices);
         connectivity<Index> fine;
         fine.vertices = last.vertices;
-        fine.allocate_faces(last.faces, int(degree), [](std::size_t) { return degree; });
+        allocate_faces(fine, mesh.topology(), plan_->bases);
         if (last_level == connect::everything) {
             fine.corner_halfedge = storage<Index>(fine.corners());
             fine.halfedge_corner = storage<Index>(2 * last.edges);

@@ -28,11 +28,14 @@ struct doo_sabin {
     doo_sabin_boundary boundary = doo_sabin_boundary::thesis;
     doo_sabin_weights weights = doo_sabin_weights::cosine;
 
+    friend bool operator==(const doo_sabin&, const doo_sabin&) = default;
+
     /// Reach: a point needs its face only; its boundary rule asks what lies across two of the face's edges, or all of them.
     static constexpr auto traits()
     {
         return scheme_traits{.name = "doo-sabin",
                              .trusted = true,
+                             .valence = 4,
                              .require = [](const auto& level, int) { require_three_faces<doo_sabin>(level); },
                              .reach =
                                  [](const doo_sabin& s, int rings) {
@@ -41,7 +44,8 @@ struct doo_sabin {
                                      case doo_sabin_boundary::clamped: return rings / 2 + 2;
                                      default: return (rings + 1) / 2 + 1;
                                      }
-                                 }};
+                                 },
+                             .ignores_numbers = [] { return true; }};
     }
     [[nodiscard]] constexpr dual_split split() const { return {.cap_boundary = boundary != doo_sabin_boundary::drop}; }
     [[nodiscard]] constexpr auto columns() const { return split().columns(); }

@@ -6,21 +6,27 @@
 #include <kith/split/bisection_split.hpp>
 #include <kith/step/rules.hpp>
 
+#include <algorithm>
+
 namespace kith {
 
 /// 4-8: the four-directional box spline by bisection, twice the triangles per step. Velho & Zorin 2001; the masks are those
 /// of the box spline of degree six (docs/schemes.md). C4, at extraordinary vertices C1. Takes a tri-quad mesh, which
 /// `tri_quad` makes of any mesh. Cost: O(corners).
 struct four_eight {
-    /// Reach: along unmarked edges a step makes no ring thinner, docs/distributed.md.
+    /// Reach: along unmarked edges a step makes no ring thinner; two steps halve all edges, docs/distributed.md.
     static constexpr auto traits()
     {
         return scheme_traits{.name = "4-8",
                              .faces = face_shape::triangles,
                              .trusted = true,
                              .require = [](const auto& level, int) { bisection_split::require_marks(level); },
-                             .reach = [](int rings) { return rings + 1; },
-                             .is_marked = [](const auto& e) { return bisection_split::is_marked(e); }};
+                             .reach = [](int rings, int steps) -> int {
+                                 const bool is_counted = rings == 0 and steps <= 6;
+                                 return is_counted ? std::min(steps, (steps + 3) / 2) : rings + steps;
+                             },
+                             .is_marked = [](const auto& e) { return bisection_split::is_marked(e); },
+                             .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns() { return bisection_split::columns(); }
 

@@ -10,12 +10,21 @@ namespace kith {
 /// the regular part; triangles that stay are the weak spot). Meant for closed meshes: a boundary loop keeps its number of
 /// edges and contracts. Cost: O(corners).
 struct mid_edge {
+    /// Reach: two steps are one of the dual split, in which a point needs its face only, docs/distributed.md.
     static constexpr auto traits()
     {
         return scheme_traits{.name = "mid-edge",
                              .trusted = true,
+                             .valence = 4,
                              .require = [](const auto& level, int) { require_three_faces<mid_edge>(level); },
-                             .reach = [](int rings) { return rings + 1; }};
+                             .reach =
+                                 [](int rings, int steps) {
+                                     rings += steps % 2;
+                                     for (; steps > 1; steps -= 2)
+                                         rings = rings / 2 + 1;
+                                     return rings;
+                                 },
+                             .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns() { return mid_edge_split::columns(); }
 

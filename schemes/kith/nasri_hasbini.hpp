@@ -21,8 +21,10 @@ namespace kith {
 struct nasri_hasbini {
     static constexpr auto traits()
     {
-        return scheme_traits{
-            .name = "nasri-hasbini", .trusted = true, .reach = [](int rings) { return (rings + 1) / 3 + 1; }};
+        return scheme_traits{.name = "nasri-hasbini",
+                             .trusted = true,
+                             .reach = [](int rings) { return (rings + 1) / 3 + 1; },
+                             .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns() { return ternary_split::columns(); }
 

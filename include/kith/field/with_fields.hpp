@@ -41,6 +41,7 @@ public:
                              .faces = own.faces,
                              .closed_only = own.closed_only,
                              .trusted = own.trusted,
+                             .valence = own.valence,
                              .require = own.require,
                              .reach = own.reach,
                              .is_marked = own.is_marked,

@@ -10,9 +10,12 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace kith {
@@ -28,12 +31,12 @@ public:
     using number = sequence_numbers::number;
     static constexpr std::size_t most_corners = std::size_t(1) << 30;
 
-    /// Preconditions: the mesh has its edges, faces of one degree and at most `most_corners`; rings > 0. Cost: O(corners) per ring, on all threads.
+    /// Preconditions: the mesh has its edges and at most `most_corners`; rings > 0. Cost: O(corners) per ring, on all threads.
     face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks)
         : class_(mesh.faces, 0), place_in_fan_(mesh.corners())
     {
-        for (std::size_t f = 0; not marks.empty() and f < mesh.faces; ++f)
-            class_[f] = number(mesh.degree) * marks.number_of_face(f);
+        if (not marks.empty() or mesh.degree == 0)
+            look_at_each(mesh, marks);
         for (int ring = 0; ring < rings; ++ring) {
             look_at_fans(mesh);
             look_at_faces(mesh, ring + 1 == rings);
@@ -53,6 +56,20 @@ public:
     }
 
 private:
+    /// What is seen of each face alone: its degree, and what the state says.
+    void look_at_each(const connectivity<Index>& mesh, state_marks<Index>& marks)
+    {
+        number used = 0; // of the numbers of items
+        std::map<std::pair<std::uint32_t, Index>, number> first_items;
+        for (std::size_t f = 0; f < mesh.faces; ++f) {
+            const Index degree = mesh.first_corner(f + 1) - mesh.first_corner(f);
+            const std::uint32_t mark = marks.empty() ? 0 : marks.number_of_face(f);
+            const auto [place, is_new] = first_items.try_emplace({mark, degree}, used);
+            if (is_new)
+                used += number(degree);
+            class_[f] = place->second;
+        }
+    }
     void look_at_fans(const connectivity<Index>& mesh)
     {
         sequence_numbers kinds;
@@ -69,9 +86,10 @@ private:
                 do {
                     const Index h = mesh.corner_halfedge[c];
                     // With divisors that the compiler knows.
-                    const Index face = degree == 4 ? c / 4 : degree == 3 ? c / 3 : Index(c / degree);
+                    const Index face = degree == 4 ? c / 4 : degree == 3 ? c / 3 : mesh.corner_face[c];
+                    const Index first = degree != 0 ? degree * face : mesh.face_corner[face];
                     const bool is_boundary = mesh.halfedge_corner[h ^ 1] == mesh.none;
-                    fan += char32_t(4 * (class_[face] + number(c - degree * face)) + 2 * (h % 2) + is_boundary);
+                    fan += char32_t(4 * (class_[face] + number(c - first)) + 2 * (h % 2) + is_boundary);
                     corners.push_back(c);
                     c = mesh.next_in_fan(c);
                 } while (c != mesh.none and c != start);
@@ -88,7 +106,9 @@ private:
         detail::for_parts(mesh.faces, true, [&](std::size_t begin, std::size_t end) {
             sequence_numbers::reader class_of(classes);
             for (std::size_t f = begin; f < end; ++f) {
-                const auto made = class_of(std::u32string_view(place_in_fan_.data() + degree * f, degree));
+                const std::size_t first = degree != 0 ? degree * f : mesh.face_corner[f];
+                const std::size_t corners = degree != 0 ? degree : mesh.face_corner[f + 1] - first;
+                const auto made = class_of(std::u32string_view(place_in_fan_.data() + first, corners));
                 class_[f] = is_last ? made.sequence : made.first_item;
             }
         });
@@ -101,14 +121,11 @@ private:
     storage<char32_t> place_in_fan_; // of corners: which place in which kind of fan
 };
 
-/// How many classes a sample of faces has, divided by its faces; 1 where faces have several degrees. Preconditions: the
-/// mesh has its edges and faces. Cost: that of one to two times `most_looks` walks at most.
+/// How many classes a sample of faces has, divided by its faces. Preconditions: the mesh has its edges and faces. Cost: that of one to two times `most_looks` walks at most.
 template <std::unsigned_integral Index>
 double share_of_classes(const connectivity<Index>& mesh, int rings, std::size_t most_looks = 1024)
 {
     constexpr std::size_t enough = 128;
-    if (mesh.degree == 0)
-        return 1;
     face_walk<Index> walk(mesh, rings);
     std::unordered_set<std::u16string> classes;
     const std::size_t step = mesh.faces / most_looks | 1; // odd: of four children of a face not always the same one

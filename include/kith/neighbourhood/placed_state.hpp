@@ -82,7 +82,7 @@ void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<
 template <std::unsigned_integral Index>
 class state_marks {
 public:
-    /// Precondition: the mesh, which must outlive this, has its edges and faces of one degree. Errors: mesh_error for a state of
+    /// Precondition: the mesh, which must outlive this, has its edges. Errors: mesh_error for a state of
     /// elements that do not exist. Cost: O(1) where there is no state, else O(elements).
     template <scheme Scheme>
     state_marks(const connectivity<Index>& mesh, const Scheme& scheme) : mesh_(mesh)

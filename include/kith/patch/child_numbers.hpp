@@ -2,8 +2,10 @@
 #pragma once
 
 #include <kith/base/storage.hpp>
+#include <kith/mesh/connectivity.hpp>
 #include <kith/step/scheme.hpp>
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <concepts>
@@ -11,60 +13,189 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace kith {
 
-/// Where the columns of a step of a whole mesh begin: the new element of a tuple has the number base + index of the tuple.
+/// The elements from whose numbers those of tuples follow: v, e or f, or vf, the first corners of faces where these have several
+/// degrees, 0.
+constexpr tuple_kind numbered_elements(tuple_kind kind, std::size_t degree)
+{
+    switch (kind) {
+    case tuple_kind::v: return tuple_kind::v;
+    case tuple_kind::e:
+    case tuple_kind::ve: return tuple_kind::e;
+    case tuple_kind::f: return tuple_kind::f;
+    default: return degree == 0 ? tuple_kind::vf : tuple_kind::f;
+    }
+}
+/// By how much the indices of tuples grow with the number of such an element, where faces have this degree.
+constexpr std::size_t tuples_of_each(tuple_kind kind, std::size_t degree)
+{
+    const bool of_faces = kind != tuple_kind::f and numbered_elements(kind, degree) == tuple_kind::f;
+    return tuples_per_element(kind) * (of_faces ? degree : 1);
+}
+
+/// The columns of a step of a whole mesh: the new element of a tuple has the number base + of_each * number of the element that the tuple belongs
+/// to + which of its tuples it is.
 struct column_bases {
     using by_kind = std::array<std::uint64_t, 7>;
     by_kind vertices{}, edges{}, faces{};
+    by_kind vertices_of_each{}, edges_of_each{}, faces_of_each{};
+    by_kind corners{};     ///< the first one of the faces of a column
+    by_kind degrees{};     ///< of these faces; 0: those of the faces that they come from
+    by_kind face_counts{}; ///< how many they are
 
     friend bool operator==(const column_bases&, const column_bases&) = default;
 
-    /// Of the columns that make vertices, edges or faces: v, e or f.
-    [[nodiscard]] const by_kind& of(tuple_kind made) const
+    /// Where a column of vertices, edges or faces begins, v, e or f, or the corners of such faces, vf.
+    [[nodiscard]] std::uint64_t base(tuple_kind made, tuple_kind kind) const
     {
-        return made == tuple_kind::v ? vertices : made == tuple_kind::e ? edges : faces;
+        switch (made) {
+        case tuple_kind::v: return vertices[std::size_t(kind)];
+        case tuple_kind::e: return edges[std::size_t(kind)];
+        case tuple_kind::f: return faces[std::size_t(kind)];
+        default: return corners[std::size_t(kind)];
+        }
     }
+    /// How many an element has.
+    [[nodiscard]] std::uint64_t of_each(tuple_kind made, tuple_kind kind) const
+    {
+        switch (made) {
+        case tuple_kind::v: return vertices_of_each[std::size_t(kind)];
+        case tuple_kind::e: return edges_of_each[std::size_t(kind)];
+        case tuple_kind::f: return faces_of_each[std::size_t(kind)];
+        default: return has_corners_of_face(kind) ? 1 : degrees[std::size_t(kind)] * faces_of_each[std::size_t(kind)];
+        }
+    }
+    /// The new faces have the corners of those that they come from.
+    [[nodiscard]] bool has_corners_of_face(tuple_kind kind) const { return degrees[std::size_t(kind)] == 0; }
 };
-
-/// The elements from whose numbers those of tuples follow: v, e or f.
-constexpr tuple_kind numbered_elements(tuple_kind kind)
-{
-    return kind == tuple_kind::v                             ? tuple_kind::v
-           : kind == tuple_kind::e or kind == tuple_kind::ve ? tuple_kind::e
-                                                             : tuple_kind::f;
-}
-/// How many tuples there are of each of these elements, where faces have this degree.
-constexpr std::size_t tuples_of_each(tuple_kind kind, std::size_t degree)
-{
-    const bool of_corners = numbered_elements(kind) == tuple_kind::f and kind != tuple_kind::f;
-    return tuples_per_element(kind) * (of_corners ? degree : 1);
-}
 
 namespace detail {
 
+/// Where the numbers of a column are base + a multiple of the number of an element, where there is no boundary or anywhere: all of its tuples
+/// are picked, or marks tell, of edges or of the corners of each face as many.
+template <class Column>
+constexpr bool is_affine(bool closed)
+{
+    using where = decltype(Column::where);
+    if constexpr (numbers_by_marks<where>)
+        return numbered_elements(Column::kind, 1) == tuple_kind::e or
+               (Column::kind == tuple_kind::vf or Column::kind == tuple_kind::ef);
+    else if constexpr (picks_at_boundary<where>)
+        return closed;
+    else
+        return not has_condition<where>;
+}
+/// So are those of corners: of faces of one degree, of that of the face that they come from, or of as many corners as a vertex has faces, where
+/// the scheme says that these are as many everywhere.
+template <class Column, bool HasValence>
+inline constexpr bool has_affine_corners = fixed_degree_of<decltype(Column::degree)> != 0 or
+                                           (Column::kind == tuple_kind::f and
+                                            std::same_as<decltype(Column::degree), same_degree>) or
+                                           (Column::kind == tuple_kind::v and HasValence);
+
 template <class List>
-column_bases::by_kind bases_of(const List& columns, const counts& coarse, int generation)
+struct affine_columns;
+template <template <class...> class List, class... C>
+struct affine_columns<List<C...>> {
+    static constexpr bool affine(bool closed) { return (is_affine<C>(closed) and ...); }
+    template <bool HasValence>
+    static constexpr bool corners = (has_affine_corners<C, HasValence> and ...);
+    static constexpr bool by_valence = ((C::kind == tuple_kind::v and fixed_degree_of<decltype(C::degree)> == 0) or
+                                        ...);
+    static constexpr bool by_marks = (numbers_by_marks<decltype(C::where)> or ...);
+};
+template <scheme Scheme>
+using affine_vertices = affine_columns<decltype(columns_type<Scheme>::vertices)>;
+template <scheme Scheme>
+using affine_edges = affine_columns<decltype(columns_type<Scheme>::edges)>;
+template <scheme Scheme>
+using affine_faces = affine_columns<decltype(columns_type<Scheme>::faces)>;
+
+/// Calls f(numbers, i, column) for each of some columns with their numbers.
+template <class List, class F>
+void for_each_base(const List& columns, const counts& coarse, int generation, const F& f)
 {
     const auto numbers = counted_columns<List>::count(columns, coarse, generation);
-    column_bases::by_kind result{};
-    for (std::size_t i = 0; i < numbers.size; ++i)
-        result[std::size_t(numbers.kinds[i])] = numbers.base(i);
-    return result;
+    std::size_t i = 0;
+    std::apply([&](const auto&... column) { (f(numbers, i++, column), ...); }, columns.list);
 }
 
 } // namespace detail
 
-/// Precondition: no column leaves out some of its tuples on a mesh with these counts. Cost: O(1).
+/// The number of each new element is an affine function of that of one that it comes from: of a mesh without a boundary, or of any.
+template <scheme Scheme>
+constexpr bool numbers_are_affine(bool closed)
+{
+    return detail::affine_vertices<Scheme>::affine(closed) and detail::affine_edges<Scheme>::affine(closed) and
+           detail::affine_faces<Scheme>::affine(closed);
+}
+/// So are those of all corners.
+template <scheme Scheme>
+inline constexpr bool has_affine_numbers =
+    numbers_are_affine<Scheme>(true) and detail::affine_faces<Scheme>::template corners<traits_of<Scheme>.valence != 0>;
+/// Vertices tell how many corners some new faces have.
+template <scheme Scheme>
+inline constexpr bool has_faces_by_valence = detail::affine_faces<Scheme>::by_valence;
+/// Marks tell what is picked, from the first refined level on: there the marked edges come first.
+template <scheme Scheme>
+inline constexpr bool has_numbers_by_marks = detail::affine_vertices<Scheme>::by_marks or
+                                             detail::affine_edges<Scheme>::by_marks or
+                                             detail::affine_faces<Scheme>::by_marks;
+
+/// Precondition: numbers are affine on a mesh with these counts. Cost: O(1).
 template <countable_scheme Scheme>
 column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int generation)
 {
     const auto columns = columns_of(scheme, generation);
-    return {detail::bases_of(columns.vertices, coarse, generation),
-            detail::bases_of(columns.edges, coarse, generation),
-            detail::bases_of(columns.faces, coarse, generation)};
+    constexpr std::size_t degree = numbering_of<Scheme, std::uint32_t>::common_degree;
+    column_bases result;
+    const auto to = [&](column_bases::by_kind& bases, column_bases::by_kind& of_each) {
+        return [&]<tuple_kind Kind, class W, class D>(const auto& numbers, std::size_t i, const column<Kind, W, D>& c) {
+            const auto kind = std::size_t(Kind);
+            bases[kind] = numbers.base(i);
+            of_each[kind] = tuples_of_each(Kind, degree);
+            if constexpr (detail::numbers_by_marks<W>) {
+                const std::uint64_t marked = c.where.keep.marked(coarse, generation);
+                if constexpr (numbered_elements(Kind, 1) == tuple_kind::e)
+                    bases[kind] -= c.where.keep.picked(0, marked); // they follow one another
+                else
+                    of_each[kind] = c.where.keep.before(tuples_of_each(Kind, degree), marked);
+            }
+        };
+    };
+    detail::for_each_base(columns.vertices, coarse, generation, to(result.vertices, result.vertices_of_each));
+    detail::for_each_base(columns.edges, coarse, generation, to(result.edges, result.edges_of_each));
+    detail::for_each_base(columns.faces, coarse, generation, to(result.faces, result.faces_of_each));
+    detail::for_each_base(
+        columns.faces,
+        coarse,
+        generation,
+        [&]<tuple_kind Kind, class W, class D>(const auto& numbers, std::size_t i, const column<Kind, W, D>&) {
+            const auto kind = std::size_t(Kind);
+            const bool by_valence = Kind == tuple_kind::v and detail::fixed_degree_of<D> == 0;
+            result.corners[kind] = numbers.first_corner_in(i);
+            result.degrees[kind] = by_valence ? std::uint64_t(traits_of<Scheme>.valence) : detail::fixed_degree_of<D>;
+            result.face_counts[kind] = numbers.count(i);
+        });
+    return result;
+}
+
+/// Whether the corners of the next level are as many as the columns and the valence tell, and so are the vertices of this one. Precondition:
+/// next_counts has told those of the next level.
+template <countable_scheme Scheme>
+bool agree_on_corners(const Scheme& scheme, const counts& coarse, const counts& fine, int generation)
+{
+    const auto columns = columns_of(scheme, generation);
+    const auto faces = detail::counted_columns<decltype(columns.faces)>::count(columns.faces, coarse, generation);
+    if constexpr (has_faces_by_valence<Scheme>)
+        if (coarse.boundary_edges != 0 or coarse.corners() != traits_of<Scheme>.valence * coarse.vertices)
+            return false;
+    return faces.total_corners() == fine.corners();
 }
 
 /// A column of a step of a whole mesh: of which tuples it is, and where it begins.
@@ -78,6 +209,7 @@ struct whole_column {
 template <class N>
 concept inherited_number = requires(const N& n, const whole_column& column, std::uint64_t i) {
     { n.child(column, i, i) } -> std::same_as<N>;
+    { n.of_each(i, i) } -> std::same_as<N>; // of what there is so often of each element
 };
 
 /// The columns that have led to an element, one after the other. Where they begin is another number in each mesh.
@@ -95,17 +227,23 @@ public:
         return result;
     }
     /// The number of the first child of the first child and so on of the ancestor with number 0, in a mesh whose steps have these bases;
-    /// `last`: whether it is a vertex, an edge or a face, v, e or f. 0 for no columns at all. Precondition: there is one for each step.
+    /// `last`: whether it is a vertex, an edge, a face or the first corner of one: v, e, f or vf. 0 for no columns at all. Precondition: there is one for each step.
     [[nodiscard]] std::uint64_t base(tuple_kind last, std::span<const column_bases> bases, std::size_t degree) const
     {
         if (kinds_ == 0)
             return 0;
+        // What each step has made is told by the column after it.
+        std::array<tuple_kind, most_columns> made;
+        made[bases.size() - 1] = last;
+        for (std::size_t step = bases.size() - 1; step > 0; --step) {
+            const tuple_kind kind = kind_before(bases.size() - step - 1);
+            const bool of_corners = made[step] == tuple_kind::vf and bases[step].has_corners_of_face(kind);
+            made[step - 1] = of_corners ? tuple_kind::vf : numbered_elements(kind, degree);
+        }
         std::uint64_t number = 0;
         for (std::size_t step = 0; step < bases.size(); ++step) {
-            const std::size_t steps_left = bases.size() - step - 1;
-            const tuple_kind made = steps_left == 0 ? last : numbered_elements(kind_before(steps_left - 1));
-            const tuple_kind kind = kind_before(steps_left);
-            number = bases[step].of(made)[std::size_t(kind)] + tuples_of_each(kind, degree) * number;
+            const tuple_kind kind = kind_before(bases.size() - step - 1);
+            number = bases[step].base(made[step], kind) + bases[step].of_each(made[step], kind) * number;
         }
         return number;
     }
@@ -149,14 +287,24 @@ struct owned_number {
     {
         return {Index(column.base + which + each * number), owned};
     }
+    [[nodiscard]] owned_number of_each(std::uint64_t which, std::uint64_t each) const
+    {
+        return {Index(which + each * number), owned};
+    }
 };
 
-/// The numbers of all elements of a part of a level whose faces have one degree.
+/// The numbers of all elements of a part of a level.
 template <inherited_number Number>
 struct part_of_whole {
     storage<Number> vertices, edges, faces;
-    std::size_t degree = 0;
+    storage<Number> first_corners; ///< of faces, where these may have several degrees
+    std::size_t degree = 0;        ///< of all faces; 0: they may have several
 
+    /// That of the i-th corner of a face.
+    [[nodiscard]] Number corner(std::size_t face, std::size_t i) const
+    {
+        return degree != 0 ? faces[face].of_each(i, degree) : first_corners[face].of_each(i, 1);
+    }
     /// Those of a part of the part: of the elements listed.
     template <std::unsigned_integral Index>
     [[nodiscard]] part_of_whole of_part(std::span<const Index> some_vertices, std::span<const Index> some_edges,
@@ -168,41 +316,103 @@ struct part_of_whole {
                 result[i] = all[which[i]];
             return result;
         };
-        return {some(vertices, some_vertices), some(edges, some_edges), some(faces, some_faces), degree};
+        return {some(vertices, some_vertices),
+                some(edges, some_edges),
+                some(faces, some_faces),
+                degree != 0 ? storage<Number>() : some(first_corners, some_faces),
+                degree};
     }
-    /// Those of the next level of the part, which a step has made with these ids; without edges where nobody asks for them.
+    /// Those of the next level of the part, which a step has made of this one with these ids; without edges where nobody asks for them.
     /// Cost: O(elements).
-    template <level_numbering Numbering>
-    [[nodiscard]] part_of_whole next(const Numbering& ids, const column_bases& bases, bool with_edges = true) const
+    template <level_numbering Numbering, std::unsigned_integral Index>
+    [[nodiscard]] part_of_whole next(const connectivity<Index>& part, const Numbering& ids, const column_bases& bases,
+                                     bool with_edges = true) const
     {
-        return {children(ids.vertices, bases.vertices),
-                with_edges ? children(ids.edges, bases.edges) : storage<Number>(),
-                children(ids.faces, bases.faces),
+        return {children(part, ids.vertices, bases, tuple_kind::v),
+                with_edges ? children(part, ids.edges, bases, tuple_kind::e) : storage<Number>(),
+                children(part, ids.faces, bases, tuple_kind::f),
+                Numbering::common_degree != 0 ? storage<Number>() : children(part, ids.faces, bases, tuple_kind::vf),
                 Numbering::common_degree};
     }
 
 private:
-    template <element_ids Ids>
-    [[nodiscard]] storage<Number> children(const Ids& ids, const column_bases::by_kind& bases) const
+    template <std::unsigned_integral Index, element_ids Ids>
+    [[nodiscard]] storage<Number> children(const connectivity<Index>& part, const Ids& ids, const column_bases& bases,
+                                           tuple_kind made) const
     {
         storage<Number> result(ids.total());
         [&]<std::size_t... I>(std::index_sequence<I...>) {
-            (add_column<Ids::kinds[I]>(ids, bases[std::size_t(Ids::kinds[I])], result), ...);
+            (add_column<Ids::kinds[I]>(part, ids, bases, made, result), ...);
         }(std::make_index_sequence<Ids::size>());
         return result;
     }
-    template <tuple_kind Kind, element_ids Ids>
-    void add_column(const Ids& ids, std::uint64_t base, storage<Number>& result) const
+    template <tuple_kind Kind, std::unsigned_integral Index, element_ids Ids>
+    void add_column(const connectivity<Index>& part, const Ids& ids, const column_bases& bases, tuple_kind made,
+                    storage<Number>& result) const
     {
-        constexpr tuple_kind of = numbered_elements(Kind);
-        const std::size_t each = tuples_of_each(Kind, degree);
-        const storage<Number>& parents = of == tuple_kind::v ? vertices : of == tuple_kind::e ? edges : faces;
+        const whole_column column{Kind, bases.base(made, Kind)};
+        const bool of_corners = made == tuple_kind::vf and bases.has_corners_of_face(Kind);
+        const tuple_kind of = of_corners ? tuple_kind::vf : numbered_elements(Kind, degree);
+        const std::uint64_t of_each = bases.of_each(made, Kind);
+        const std::uint64_t step = made == tuple_kind::vf and not of_corners ? bases.degrees[std::size_t(Kind)] : 1;
+        const std::size_t tuples = tuples_of_each(Kind, degree);
+        const bool some_are_picked = step * tuples != of_each; // as many of each face
+        const storage<Number>& parents = of == tuple_kind::v   ? vertices
+                                         : of == tuple_kind::e ? edges
+                                         : of == tuple_kind::f ? faces
+                                                               : first_corners;
         std::size_t tuple = 0;
-        for (const Number& parent : parents)
-            for (std::size_t which = 0; which < each; ++which, ++tuple)
+        for (std::size_t x = 0; x < parents.size(); ++x) {
+            const std::size_t corners = Kind == tuple_kind::f or of != tuple_kind::vf
+                                            ? 1
+                                            : part.first_corner(x + 1) - part.first_corner(x);
+            std::uint64_t picked = 0;
+            for (std::size_t which = 0; which < tuples * corners; ++which, ++tuple)
                 if (const auto id = ids.template id<Kind>(tuple); id != Ids::none)
-                    result[id] = parent.child({Kind, base}, which, each);
+                    result[id] = parents[x].child(column, step * (some_are_picked ? picked++ : which), of_each);
+        }
     }
 };
+
+/// Room for the faces of the level that some steps of a whole mesh make. Cost: as `connectivity::allocate_faces`.
+template <std::unsigned_integral Index>
+void allocate_faces(connectivity<Index>& fine, const connectivity<Index>& coarse, std::span<const column_bases> bases)
+{
+    struct run {
+        std::size_t faces;
+        std::size_t degree; // 0: as the coarse mesh has them
+    };
+    std::vector<run> runs{{coarse.faces, std::size_t(coarse.degree)}};
+    for (const column_bases& step : bases) {
+        std::vector<std::size_t> kinds;
+        for (std::size_t kind = 0; kind < step.faces.size(); ++kind)
+            if (step.face_counts[kind] != 0)
+                kinds.push_back(kind);
+        std::ranges::sort(kinds, {}, [&](std::size_t kind) { return step.faces[kind]; });
+        std::vector<run> next;
+        for (const std::size_t kind : kinds)
+            if (step.degrees[kind] == 0)
+                next.insert(next.end(), runs.begin(), runs.end());
+            else
+                next.push_back({step.face_counts[kind], step.degrees[kind]});
+        runs = std::move(next);
+    }
+    std::size_t count = 0;
+    for (const run& r : runs)
+        count += r.faces;
+    const std::size_t first = runs.empty() ? 0 : runs.front().degree;
+    const bool are_alike = (first == 3 or first == 4) and
+                           std::ranges::all_of(runs, [&](const run& r) { return r.degree == first; });
+    auto at = runs.begin();
+    std::size_t face_of_run = 0;
+    fine.allocate_faces(count, are_alike ? int(first) : 0, [&](std::size_t) {
+        while (face_of_run == at->faces) {
+            ++at;
+            face_of_run = 0;
+        }
+        const std::size_t face = face_of_run++;
+        return at->degree != 0 ? at->degree : coarse.first_corner(face + 1) - coarse.first_corner(face);
+    });
+}
 
 } // namespace kith

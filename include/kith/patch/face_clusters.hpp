@@ -8,7 +8,6 @@
 #include <kith/step/step.hpp>
 
 #include <algorithm>
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <span>
@@ -89,7 +88,7 @@ private:
             const bool with_edges = to.has_edges() or to.writer != nullptr;
             const auto fine = with_edges ? refine_mesh<connect::everything>(before_last, scheme, ids)
                                          : refine_mesh<connect::faces>(before_last, scheme, ids);
-            copy_owned(fine, numbers.next(ids, clusters_.bases_.back(), with_edges), to);
+            copy_owned(fine, numbers.next(before_last.topology(), ids, clusters_.bases_.back(), with_edges), to);
         }
 
     private:
@@ -105,11 +104,17 @@ private:
                 return result;
             };
             numbers_in_whole numbers{
-                owned(part.vertex_from, [&](Index v) { return is_one_[whole.vertex_corner[v] / degree]; }),
+                owned(part.vertex_from, [&](Index v) { return is_one_[whole.face_of(whole.vertex_corner[v])]; }),
                 owned(part.edge_from,
-                      [&](Index e) { return is_one_[whole.halfedge_corner[2 * std::size_t(e)] / degree]; }),
+                      [&](Index e) { return is_one_[whole.face_of(whole.halfedge_corner[2 * std::size_t(e)])]; }),
                 owned(part.face_from, [&](Index f) { return is_one_[f]; }),
+                {},
                 degree};
+            if (degree == 0) {
+                numbers.first_corners = storage<owned_number<Index>>(part.face_from.size());
+                for (std::size_t f = 0; f < part.face_from.size(); ++f)
+                    numbers.first_corners[f] = {whole.first_corner(part.face_from[f]), is_one_[part.face_from[f]]};
+            }
             for (const Index f : faces)
                 is_one_[f] = false;
             return numbers;
@@ -126,7 +131,8 @@ private:
     {
         const connectivity<Index>& fine = part.topology();
         const auto corner_in_whole = [&](Index c) {
-            return Index(degree * numbers.faces[c / degree].number + c % degree);
+            const Index face = fine.face_of(c);
+            return numbers.corner(face, c - fine.first_corner(face)).number;
         };
         const auto halfedge_in_whole = [&](Index h) { return Index(2 * numbers.edges[h / 2].number + h % 2); };
         for (std::size_t v = 0; v < numbers.vertices.size(); ++v)
@@ -137,17 +143,18 @@ private:
                 if (to.writer != nullptr)
                     to.writer->set_start(number, halfedge_in_whole(fine.corner_halfedge[fine.vertex_corner[v]]));
             }
-        std::array<face_line<Index>, degree> lines;
+        std::vector<face_line<Index>> lines;
         for (std::size_t f = 0; to.writer != nullptr and f < fine.faces; ++f) {
             if (not numbers.faces[f].owned)
                 continue;
-            for (std::size_t i = 0; i < degree; ++i)
-                lines[i] = {numbers.vertices[fine.corner_vertex[degree * f + i]].number,
-                            halfedge_in_whole(fine.corner_halfedge[degree * f + i])};
+            lines.clear();
+            for (Index c = fine.first_corner(f); c < fine.first_corner(f + 1); ++c)
+                lines.push_back(
+                    {numbers.vertices[fine.corner_vertex[c]].number, halfedge_in_whole(fine.corner_halfedge[c])});
             to.writer->set_face(numbers.faces[f].number, lines);
         }
         for (std::size_t c = 0; to.has_faces() and c < fine.corners(); ++c) {
-            if (not numbers.faces[c / degree].owned)
+            if (not numbers.faces[fine.face_of(Index(c))].owned)
                 continue;
             const Index corner = corner_in_whole(Index(c));
             to.corner_vertex[corner] = numbers.vertices[fine.corner_vertex[c]].number;

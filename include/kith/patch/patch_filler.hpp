@@ -24,7 +24,7 @@ template <class Point, std::unsigned_integral Index, std::size_t Degree>
 class patch_filler {
     using scalar = scalar_of<Point>;
     using pack = typename lanes<scalar>::type;
-    using writer = patch_writer<Point, Index, Degree>;
+    using writer = patch_writer<Point, Index>;
     static constexpr std::size_t size = std::tuple_size_v<Point>;
     static constexpr std::size_t width = writer::width;
     static constexpr std::size_t packs = size * width / lanes<scalar>::count; // of a point of each face
@@ -37,8 +37,8 @@ public:
     /// How many numbers are found for the faces of a class that are filled in one call.
     static std::size_t numbers_found(const template_type& t) { return (t.inputs.size() + t.sources.size()) * at_once; }
 
-    /// For faces of a mesh that all have this degree, as have those of the level that is written: past the caches if that is too
-    /// large to be in them when it is read.
+    /// For faces of a mesh that all have this degree, as have those of the level that is written, or any, 0: past the caches if that
+    /// level is too large to be in them when it is read.
     patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
         : coarse_(&coarse), writer_(to, past_caches), finder_(coarse.topology())
     {

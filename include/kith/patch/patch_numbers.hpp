@@ -13,8 +13,8 @@
 
 namespace kith {
 
-/// What is numbered: vertices, two sides of each edge, corners of faces.
-enum class number_kind : unsigned char { vertex, side, corner };
+/// What is numbered: vertices, two sides of each edge, faces and their corners.
+enum class number_kind : unsigned char { vertex, side, face, corner };
 
 /// The numbers that a patch writes and those of the places where it does, which all follow from the numbers of few coarse
 /// elements: a number is an offset plus a multiple, which is a factor times the number of a source, plus where the columns begin
@@ -43,13 +43,24 @@ public:
         std::uint32_t count;
     };
 
-    /// What is added to a multiple of the number of a source in a mesh whose steps have these bases and whose faces have this degree.
+    /// Faces that follow one another and have as many corners.
+    struct face_run {
+        Index offset;
+        place of;
+        std::uint32_t degree, count;
+    };
+
+    /// What is added to a multiple of the number of a source in a mesh whose steps have these bases and whose faces have this degree, or
+    /// several: 0.
     static Index base(const multiple& m, std::span<const column_bases> bases, std::size_t degree)
     {
         switch (m.kind) {
         case number_kind::vertex: return Index(m.path.base(tuple_kind::v, bases, degree));
         case number_kind::side: return Index(2 * m.path.base(tuple_kind::e, bases, degree));
-        default: return Index(degree * m.path.base(tuple_kind::f, bases, degree));
+        case number_kind::face: return Index(m.path.base(tuple_kind::f, bases, degree));
+        default:
+            return degree != 0 ? Index(degree * m.path.base(tuple_kind::f, bases, degree))
+                               : Index(m.path.base(tuple_kind::vf, bases, degree));
         }
     }
 
@@ -90,6 +101,20 @@ public:
             if (last.count == 1)
                 last.step = std::uint16_t(n.offset - last.offset);
             ++last.count;
+        }
+        return result;
+    }
+    /// Of faces that have so many corners each.
+    [[nodiscard]] std::vector<face_run> runs_of_faces(std::span<const affine_number<Index>> numbers,
+                                                      std::span<const std::uint32_t> degrees)
+    {
+        std::vector<face_run> result;
+        for (std::size_t f = 0; f < numbers.size(); ++f) {
+            const place of = find(number_kind::face, numbers[f]);
+            if (result.empty() or result.back().of != of or result.back().degree != degrees[f] or
+                Index(numbers[f].offset - result.back().offset) != result.back().count)
+                result.push_back({numbers[f].offset, of, degrees[f], 0});
+            ++result.back().count;
         }
         return result;
     }

@@ -10,40 +10,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace kith {
 
-namespace detail {
-
-/// New faces come from faces and corners: then each face has its own descendants.
-template <class... Columns>
-constexpr bool faces_come_from_faces(const std::tuple<Columns...>*)
-{
-    return ((Columns::kind == tuple_kind::f or Columns::kind == tuple_kind::vf or Columns::kind == tuple_kind::ef or
-             Columns::kind == tuple_kind::vfe) and
-            ...);
-}
-
-template <scheme Scheme>
-inline constexpr bool has_patches = faces_come_from_faces(
-    static_cast<const decltype(columns_of(std::declval<const Scheme&>(), 0).faces.list)*>(nullptr));
-
-} // namespace detail
-
 /// A scheme whose last steps may be made patch by patch: its numbers follow from the tuples in one way everywhere, and its
 /// reach is known.
 template <class Scheme, class Point, class Index>
-concept patchable_scheme = fits_lanes<Point> and reaching_scheme<Scheme> and orderable_scheme<Scheme, Index> and
-                           detail::has_patches<Scheme>;
+concept patchable_scheme = fits_lanes<Point> and reaching_scheme<Scheme> and separable_scheme<Scheme, Index> and
+                           has_affine_numbers<Scheme>;
 
 /// Which steps of a refinement are made patch by patch.
 struct patch_plan {
-    int first;                       ///< the first level whose faces all have the degree of refined ones
+    int first;                       ///< the first level that is like refined ones: in degrees, valences and marks
     int begin;                       ///< the level whose faces own patches of the last one
     int rings;                       ///< by which the class of a face says all of its patch
     std::vector<counts> levels;      ///< from the control mesh to the last one
@@ -78,21 +61,28 @@ struct patch_plan {
     }
 };
 
-/// A patch has at most some hundred faces. Nothing for a mesh on which the numbers of the scheme do not follow in one way, whose
+/// `degree`: of all faces of the control mesh; 0: they have several. A patch has at most some hundred faces. Nothing for a mesh on which the numbers of the scheme do not follow in one way, whose
 /// order it does not ignore even where its state says nothing, which is too large, or where there is no step to make. Precondition: the
 /// levels can be counted. Cost: O(levels).
 template <reaching_scheme Scheme>
-std::optional<patch_plan> plan_patches(const counts& control, bool has_degree, const Scheme& scheme, int levels,
+std::optional<patch_plan> plan_patches(const counts& control, int degree, const Scheme& scheme, int levels,
                                        int generation)
 {
     constexpr std::uint64_t most_faces_of_patch = 100;
-    if (levels < 1 or not detail::is_free_of_order<Scheme>(control.boundary_edges == 0) or
+    if (levels < 1 or not numbers_are_affine<Scheme>(control.boundary_edges == 0) or
         not ignores_numbers(without_state(scheme)))
         return {};
-    patch_plan plan{has_degree ? 0 : 1, levels, 0, {control}, {}};
+    constexpr std::size_t degree_of_refined = numbering_of<Scheme, std::uint32_t>::common_degree;
+    const bool is_like_refined = not has_faces_by_valence<Scheme> and not has_numbers_by_marks<Scheme> and
+                                 (degree_of_refined == 0 or degree_of_refined == std::size_t(degree));
+    patch_plan plan{is_like_refined ? 0 : 1, levels, 0, {control}, {}};
     coming_scheme of_level(scheme, generation);
-    for (int level = 0; level < levels; ++level, ++of_level)
+    for (int level = 0; level < levels; ++level, ++of_level) {
         plan.levels.push_back(next_counts(*of_level, plan.last(), of_level.generation()));
+        if (level >= plan.first and
+            not agree_on_corners(*of_level, plan.levels[std::size_t(level)], plan.last(), of_level.generation()))
+            return {};
+    }
     while (plan.begin > plan.first and levels - plan.begin < column_path::most_columns and
            plan.last().faces / plan.levels[std::size_t(plan.begin) - 1].faces <= most_faces_of_patch)
         --plan.begin;

@@ -22,12 +22,14 @@ template <std::floating_point Scalar, std::unsigned_integral Index>
 struct patch_template {
     using numbers = patch_numbers<Index>;
 
-    std::vector<walk_step> steps;        ///< to the faces that inputs and sources lie in
-    std::vector<walked_element> inputs;  ///< the vertices that fill the first slots of the program
-    lane_program<Scalar> program;        ///< its outputs are the points of the owned vertices
-    std::vector<walked_element> sources; ///< the elements whose numbers others follow from
-    std::vector<typename numbers::multiple> multiples;
+    std::vector<walk_step> steps;                      ///< to the faces that inputs and sources lie in
+    std::vector<walked_element> inputs;                ///< the vertices that fill the first slots of the program
+    lane_program<Scalar> program;                      ///< its outputs are the points of the owned vertices
+    std::vector<walked_element> sources;               ///< the elements whose numbers others follow from
+    std::vector<typename numbers::multiple> multiples; ///< those that only the numbers of faces follow from come last,
+    std::size_t multiples_of_others;                   ///< after so many
     std::vector<typename numbers::run> vertices, corners, halfedges; ///< the places that are written
+    std::vector<typename numbers::face_run> faces;                   ///< that the corners are of, in the same order
     typename numbers::list vertex_corner, vertex_halfedge, corner_vertex, corner_halfedge,
         halfedge_corner; ///< what is written, run after run
 
@@ -35,7 +37,7 @@ struct patch_template {
     {
         const auto of = [](const auto&... list) { return ((list.size() * sizeof(list[0])) + ...); };
         const auto of_numbers = [&](const auto&... list) { return (of(list.offset, list.of) + ...); };
-        return program.bytes() + of(steps, inputs, sources, multiples, vertices, corners, halfedges) +
+        return program.bytes() + of(steps, inputs, sources, multiples, vertices, corners, halfedges, faces) +
                of_numbers(vertex_corner, vertex_halfedge, corner_vertex, corner_halfedge, halfedge_corner);
     }
 };

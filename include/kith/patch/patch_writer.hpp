@@ -34,7 +34,7 @@ struct patch_output {
 
 /// Writes what faces of one class own, `width` of them side by side, each in a lane, to the places that follow from their numbers:
 /// where a level is larger than the caches, past these.
-template <class Point, std::unsigned_integral Index, std::size_t Degree>
+template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patch_writer {
     using scalar = scalar_of<Point>;
@@ -87,7 +87,8 @@ private:
     {
         ensure_size(multiples_, t.multiples.size() * width);
         Index* to = multiples_.data();
-        for (const auto& m : t.multiples) {
+        for (const auto& m :
+             std::span(t.multiples).first(to_.writer != nullptr ? t.multiples.size() : t.multiples_of_others)) {
             const Index base = *bases++;
             for (std::size_t lane = 0; lane < width; ++lane)
                 *to++ = Index(base + m.factor * sources[m.source * at_once + lane]);
@@ -146,21 +147,22 @@ private:
     {
         using line = face_line<Index>;
         std::size_t first = 0;
-        for (const run& r : t.corners) {
-            ensure_size(lines_, width * r.count);
-            for (std::size_t i = 0; i < r.count; ++i) {
+        for (const auto& r : t.faces) {
+            const std::size_t corners = r.degree * r.count;
+            ensure_size(lines_, width * corners);
+            for (std::size_t i = 0; i < corners; ++i) {
                 const std::size_t c = first + i;
                 const Index* const vertex = multiples_.data() + t.corner_vertex.of[c] * width;
                 const Index* const halfedge = multiples_.data() + t.corner_halfedge.of[c] * width;
                 for (std::size_t lane = 0; lane < width; ++lane)
-                    lines_[r.count * lane + i] = line{Index(t.corner_vertex.offset[c] + vertex[lane]),
+                    lines_[corners * lane + i] = line{Index(t.corner_vertex.offset[c] + vertex[lane]),
                                                       Index(t.corner_halfedge.offset[c] + halfedge[lane])};
             }
             for (std::size_t lane = 0; lane < count; ++lane)
-                to.set_faces(Index(Index(r.offset + multiple(r.of, lane)) / Degree),
-                             Degree,
-                             std::span<const line>(lines_.data() + r.count * lane, r.count));
-            first += r.count;
+                to.set_faces(Index(r.offset + multiple(r.of, lane)),
+                             r.degree,
+                             std::span<const line>(lines_.data() + corners * lane, corners));
+            first += corners;
         }
     }
     [[gnu::always_inline]] void write_starts(level_writer<Point, Index>& to, const template_type& t, std::size_t count)

@@ -52,18 +52,19 @@ public:
         if (not may_be_kept and not estimate.is_gain_without_kept())
             return {};
         face_walk<Index> walk(mesh.topology(), plan.rings);
-        const auto models = models_of(classes, walk, [&](class_number c) { return may_be_kept or estimate.gains(c); });
         state_marks<Index> marks(mesh.topology(), scheme);
         std::vector<typename templates::pointer> of_class(classes.count());
         std::vector<template_choice> choices(classes.count(), template_choice::none);
-        for (class_number c = 0; c < classes.count(); ++c)
-            if (models[c] != no_face) {
-                walk.around(models[c]);
+        const auto models = models_of(
+            classes,
+            walk,
+            [&](class_number c) { return may_be_kept or estimate.gains(c); },
+            [&](class_number c) {
                 of_class[c] = kept.find(marks.key(walk));
                 choices[c] = of_class[c] != nullptr ? template_choice::kept
                              : estimate.gains(c)    ? template_choice::made
                                                     : template_choice::none;
-            }
+            });
         if (not estimate.is_gain(choices))
             return {};
         template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
@@ -144,10 +145,10 @@ private:
     };
 
     /// For each class that may have a template a face for which it can be made: one of the first faces of the class, if the
-    /// neighbourhood of one of them is a disk.
-    template <class MayHaveOne>
+    /// neighbourhood of one of them is a disk. found(class) is called when it has been walked around.
+    template <class MayHaveOne, class Found>
     static std::vector<Index> models_of(const face_classes<Index>& classes, face_walk<Index>& walk,
-                                        const MayHaveOne& may_have_one)
+                                        const MayHaveOne& may_have_one, const Found& found)
     {
         constexpr unsigned char most_looks = 8;
         std::vector<Index> models(classes.count(), no_face);
@@ -165,6 +166,7 @@ private:
                 if (walk.is_disk()) {
                     models[c] = Index(f);
                     looks_left[c] = 0;
+                    found(c);
                 }
                 left -= looks_left[c] == 0;
             }

@@ -17,14 +17,17 @@
 
 namespace kith {
 
-/// The rings around some faces that are needed on each level before a step, if there are to be none on the last level. At least
+/// The rings around some faces that are enough on each level before a step, if there are to be none on the last level. At least
 /// one, so that the fans of all their vertices are whole.
 template <reaching_scheme Scheme>
 std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps)
 {
     std::vector<int> rings(steps + 1, 0);
     for (std::size_t step = steps; step > 0; --step)
-        rings[step - 1] = std::max(1, reach_of(scheme, rings[step]));
+        rings[step - 1] = std::max(1,
+                                   detail::says_reach_of_steps<Scheme, traits_type<Scheme>>
+                                       ? reach_of(scheme, 0, int(steps - step + 1))
+                                       : reach_of(scheme, rings[step]));
     rings.pop_back();
     return rings;
 }
@@ -34,7 +37,8 @@ std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps)
 /// face whether it is wanted; after a step all is cut off that no wanted face needs, where that costs less than refining it:
 /// for a wanted face as much as making `cost_of_cut` faces. Precondition: the rings of the first step are there.
 /// Errors and cost: those of the steps.
-template <scheme Scheme, class Point, std::unsigned_integral Index, inherited_number Number, class IsOwn, class Refine>
+template <reaching_scheme Scheme, class Point, std::unsigned_integral Index, inherited_number Number, class IsOwn,
+          class Refine>
 basic_mesh<Point, Index> refine_part(basic_mesh<Point, Index> part, Scheme& scheme, part_of_whole<Number>& numbers,
                                      std::span<const column_bases> bases, std::span<const int> rings,
                                      const IsOwn& is_own, double cost_of_cut, const Refine& refine)
@@ -43,7 +47,7 @@ basic_mesh<Point, Index> refine_part(basic_mesh<Point, Index> part, Scheme& sche
     for (std::size_t step = 0; step + 1 < bases.size(); ++step) {
         basic_mesh<Point, Index> fine = refine(part, scheme, ids);
         advance(scheme, level_of<basic_mesh<Point, Index>>(part), part.generation(), ids, fine);
-        numbers = numbers.next(ids, bases[step]);
+        numbers = numbers.next(part.topology(), ids, bases[step]);
         const double made_of_each = std::pow(double(fine.face_count()) / double(part.face_count()),
                                              bases.size() - step - 1);
         part = std::move(fine);

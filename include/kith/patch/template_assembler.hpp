@@ -26,23 +26,25 @@ namespace kith {
 template <std::unsigned_integral Index>
 class sources_of_part {
 public:
-    /// Of the connectivity of a part, which must outlive this and whose faces have one degree, where its faces come from, increasing,
-    /// and those that were walked around, the first of them the one that owns.
-    sources_of_part(const connectivity<Index>& part, std::span<const Index> face_from,
+    /// Of the connectivity of a part, which must outlive this, where its faces come from, increasing, and those that were walked
+    /// around, the first of them the one that owns. `degree`: of all faces of any level; 0: they may have several.
+    sources_of_part(const connectivity<Index>& part, std::size_t degree, std::span<const Index> face_from,
                     std::span<const unsigned char> edge_is_turned, std::span<const Index> walked)
         : topology_(part)
-        , degree_(std::size_t(part.degree))
-        , at_(topology_.vertices + topology_.edges() + topology_.faces, nowhere)
+        , degree_(degree)
+        , at_(topology_.vertices + topology_.edges() + 2 * topology_.faces, nowhere)
         , centre_(position(face_from, walked[0]))
         , turned_(edge_is_turned.begin(), edge_is_turned.end())
     {
         for (std::size_t f = 0; f < walked.size(); ++f) {
             const std::size_t face = position(face_from, walked[f]);
-            for (std::size_t i = 0; i < degree_; ++i) {
-                const std::size_t c = degree_ * face + i;
-                const walked_corner corner{std::uint16_t(f), std::uint16_t(i)};
-                for (const std::size_t id :
-                     {vertex(topology_.corner_vertex[c]), edge(topology_.corner_halfedge[c] / 2), of_face(face)})
+            const Index first = topology_.first_corner(face), end = topology_.first_corner(face + 1);
+            for (Index c = first; c < end; ++c) {
+                const walked_corner corner{std::uint16_t(f), std::uint16_t(c - first)};
+                for (const std::size_t id : {vertex(topology_.corner_vertex[c]),
+                                             edge(topology_.corner_halfedge[c] / 2),
+                                             of_face(face),
+                                             corners_of(face)})
                     if (at_[id].face == nowhere.face)
                         at_[id] = corner;
             }
@@ -59,25 +61,31 @@ public:
                 number = {0, 1, id++};
             return result;
         };
-        part_of_whole<affine_number<Index>> result{{}, {}, {}, degree_};
+        part_of_whole<affine_number<Index>> result{{}, {}, {}, {}, degree_};
         result.vertices = in_turn(topology_.vertices);
         result.edges = in_turn(topology_.edges());
         result.faces = in_turn(topology_.faces);
+        if (degree_ == 0)
+            result.first_corners = in_turn(topology_.faces);
         return result;
     }
     [[nodiscard]] walked_element source(std::uint32_t id) const
     {
-        return {id < edge(0) ? tuple_kind::v : id < of_face(0) ? tuple_kind::e : tuple_kind::f, at_[id]};
+        return {id < edge(0)         ? tuple_kind::v
+                : id < of_face(0)    ? tuple_kind::e
+                : id < corners_of(0) ? tuple_kind::f
+                                     : tuple_kind::vf,
+                at_[id]};
     }
     [[nodiscard]] std::size_t size() const { return at_.size(); }
-    [[nodiscard]] std::uint32_t centre() const { return std::uint32_t(of_face(centre_)); }
     [[nodiscard]] bool is_owned(std::uint32_t id) const
     {
         if (id < edge(0))
-            return topology_.vertex_corner[id] / degree_ == centre_;
+            return topology_.face_of(topology_.vertex_corner[id]) == centre_;
         if (id < of_face(0))
-            return topology_.halfedge_corner[2 * (id - edge(0))] / degree_ == centre_ and not turned_[id - edge(0)];
-        return id == centre();
+            return topology_.face_of(topology_.halfedge_corner[2 * (id - edge(0))]) == centre_ and
+                   not turned_[id - edge(0)];
+        return id == of_face(centre_) or id == corners_of(centre_);
     }
 
 private:
@@ -90,6 +98,7 @@ private:
     [[nodiscard]] std::size_t vertex(std::size_t v) const { return v; }
     [[nodiscard]] std::size_t edge(std::size_t e) const { return topology_.vertices + e; }
     [[nodiscard]] std::size_t of_face(std::size_t f) const { return topology_.vertices + topology_.edges() + f; }
+    [[nodiscard]] std::size_t corners_of(std::size_t f) const { return of_face(topology_.faces) + f; }
 
     const connectivity<Index>& topology_;
     std::size_t degree_;
@@ -99,7 +108,7 @@ private:
 };
 
 /// Makes a template of what some steps have made of a neighbourhood; knows no scheme.
-template <std::floating_point Scalar, std::unsigned_integral Index, std::size_t Degree>
+template <std::floating_point Scalar, std::unsigned_integral Index>
 class template_assembler {
     using result = patch_template<Scalar, Index>;
     using number = affine_number<Index>;
@@ -118,7 +127,7 @@ public:
         listed_.restart(sources.size());
         const auto owned = in_order(numbers.vertices, [&](const number& n) { return sources.is_owned(n.source); });
         list_vertices(owned, numbers, fine.topology(), made);
-        list_faces(in_order(numbers.faces, [&](const number& n) { return n.source == sources.centre(); }),
+        list_faces(in_order(numbers.faces, [&](const number& n) { return sources.is_owned(n.source); }),
                    numbers,
                    fine.topology(),
                    made);
@@ -169,7 +178,11 @@ private:
         for_elements([&](walked_element& element) { element.at.face = new_place[element.at.face]; });
     }
 
-    static number corner_of(const number& face, std::size_t corner) { return face.of_each(corner, Degree); }
+    static number number_of_corner(const affine_numbers& numbers, const connectivity<Index>& fine, Index corner)
+    {
+        const Index face = fine.face_of(corner);
+        return numbers.corner(face, corner - fine.first_corner(face));
+    }
 
     static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.path, n.offset); }
 
@@ -194,7 +207,7 @@ private:
             vertices.push_back(numbers.vertices[v]);
             const Index h = fine.corner_halfedge[start];
             leaving.push_back(numbers.edges[h / 2].of_each(h % 2, 2));
-            starts.push_back(corner_of(numbers.faces[start / Degree], start % Degree));
+            starts.push_back(number_of_corner(numbers, fine, start));
         }
         made.vertices = listed_.runs(number_kind::vertex, vertices);
         made.vertex_halfedge = listed_.all(number_kind::side, leaving);
@@ -206,18 +219,23 @@ private:
     {
         std::vector<number> corners, vertices, halfedges;
         std::vector<std::pair<number, number>> sides;
-        for (const std::uint32_t f : own)
-            for (std::size_t i = 0; i < Degree; ++i) {
-                const std::size_t c = Degree * f + i;
+        std::vector<number> faces;
+        std::vector<std::uint32_t> degrees;
+        for (const std::uint32_t f : own) {
+            const Index first = fine.first_corner(f), end = fine.first_corner(f + std::size_t(1));
+            faces.push_back(numbers.faces[f]);
+            degrees.push_back(std::uint32_t(end - first));
+            for (Index c = first; c < end; ++c) {
                 const Index h = fine.corner_halfedge[c];
                 const number& edge = numbers.edges[h / 2];
-                corners.push_back(corner_of(numbers.faces[f], i));
+                corners.push_back(numbers.corner(f, c - first));
                 vertices.push_back(numbers.vertices[fine.corner_vertex[c]]);
                 halfedges.push_back(edge.of_each(h % 2, 2));
                 sides.emplace_back(halfedges.back(), corners.back());
                 if (fine.is_boundary(h / 2))
                     sides.emplace_back(edge.of_each(1, 2), number{fine.none, 0, edge.source});
             }
+        }
         made.corners = listed_.runs(number_kind::corner, corners);
         made.corner_vertex = listed_.all(number_kind::vertex, vertices);
         made.corner_halfedge = listed_.all(number_kind::side, halfedges);
@@ -230,6 +248,8 @@ private:
         }
         made.halfedges = listed_.runs(number_kind::side, at);
         made.halfedge_corner = listed_.all(number_kind::corner, across);
+        made.multiples_of_others = listed_.multiples().size();
+        made.faces = listed_.runs_of_faces(faces, degrees);
     }
 
     // Of one template after the other:

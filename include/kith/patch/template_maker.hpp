@@ -30,8 +30,8 @@ class template_maker {
     static constexpr double cost_of_cut = 0; // what is written down costs more
 
 public:
-    /// For the level of a mesh, which has its edges and the degree of refined faces and must outlive this, and one step for
-    /// each of the bases, by the scheme of the level.
+    /// For the level of a mesh, which has its edges and, if there is one, the degree of refined faces and must outlive this, and one
+    /// step for each of the bases, by the scheme of the level.
     template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const column_bases> bases)
         : mesh_(mesh)
         , scheme_(scheme)
@@ -49,7 +49,8 @@ public:
         if (not cutter_)
             cutter_.emplace(mesh_);
         const auto part = cutter_->cut(faces);
-        const sources_of_part<Index> sources(part.mesh.topology(), part.face_from, part.edge_is_turned, walk.faces());
+        const sources_of_part<Index> sources(
+            part.mesh.topology(), std::size_t(degree), part.face_from, part.edge_is_turned, walk.faces());
 
         auto numbers = sources.numbers();
         storage<value> points(part.mesh.vertex_count());
@@ -58,8 +59,11 @@ public:
         tape_.restart(points.size());
         const recording<scalar> here(tape_);
         const auto refine = [&](const basic_mesh<value, Index>& mesh, const Scheme& of_level, numbering& ids) {
-            const level_elements<native_level<value, Index, degree>> level(mesh);
-            return refine_level<connect::everything>(level, of_level, mesh.generation(), ids);
+            if constexpr (degree == 0)
+                return refine_mesh<connect::everything>(mesh, of_level, ids);
+            else
+                return refine_level<connect::everything>(
+                    level_elements<native_level<value, Index, degree>>(mesh), of_level, mesh.generation(), ids);
         };
         Scheme scheme = plain_;
         take_state_of_part(scheme, scheme_, part.numbers());
@@ -69,12 +73,12 @@ public:
             numbers,
             bases_,
             rings_,
-            [&](const affine_number<Index>& face) { return face.source == sources.centre(); },
+            [&](const affine_number<Index>& face) { return sources.is_owned(face.source); },
             cost_of_cut,
             refine);
         numbering ids;
         const auto fine = refine(before_last, scheme, ids);
-        numbers = numbers.next(ids, bases_.back());
+        numbers = numbers.next(before_last.topology(), ids, bases_.back());
         return assembler_.assemble(walk, sources, numbers, fine, tape_);
     }
 
@@ -86,7 +90,7 @@ private:
     std::vector<int> rings_;
     std::optional<submesh_cutter<Point, Index>> cutter_; // from the first template on: often all are kept ones
     tape<scalar> tape_;                                  // of one template after the other
-    template_assembler<scalar, Index, std::size_t(degree)> assembler_;
+    template_assembler<scalar, Index> assembler_;
 };
 
 } // namespace kith

@@ -36,6 +36,11 @@ concept counts_marks = requires(const Where& where, const counts& c, std::uint64
     { where.keep.marked(c, 0) } -> std::convertible_to<std::uint64_t>;
     { where.keep.before(n, n) } -> std::convertible_to<std::uint64_t>;
 };
+/// It says which ones, too, where the marked edges come first.
+template <class Where>
+concept numbers_by_marks = counts_marks<Where> and requires(const Where& where, std::uint64_t n) {
+    { where.keep.picked(n, n) } -> std::convertible_to<std::uint64_t>;
+};
 template <class Where>
 concept counts_tuples = requires(const Where& where, const counts& c) {
     { std::invoke(where.how_many, c) } -> std::convertible_to<std::uint64_t>;

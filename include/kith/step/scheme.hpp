@@ -58,11 +58,18 @@ concept scheme_beside_state = scheme<S> and requires(const S& s) {
 template <class S>
 concept reaching_scheme = scheme<S> and detail::says_reach<S, traits_type<S>>;
 
-/// The rings of faces needed around some faces of a level for `rings` rings on the next.
+/// The rings of faces needed around some faces of a level for `rings` rings after so many steps. Where the scheme speaks of several steps, what lies
+/// between may be wrong at the rim.
 template <reaching_scheme S>
-constexpr int reach_of(const S& scheme, int rings)
+constexpr int reach_of(const S& scheme, int rings, int steps = 1)
 {
-    return detail::ask(traits_of<S>.reach, scheme, rings);
+    if constexpr (detail::says_reach_of_steps<S, traits_type<S>>) {
+        return steps == 0 ? rings : detail::ask(traits_of<S>.reach, scheme, rings, steps);
+    } else {
+        for (; steps > 0; --steps)
+            rings = detail::ask(traits_of<S>.reach, scheme, rings);
+        return rings;
+    }
 }
 
 /// The counts of the next level. Cost: O(1).
@@ -99,13 +106,15 @@ constexpr bool is_free_of_order(bool closed)
 
 } // namespace detail
 
-/// A scheme that may refine a mesh in another order of its elements, with the numbers of the given one: the same bits.
+/// A scheme that may be given a part of a mesh, or a mesh in another order of its elements: the same bits.
 template <class Scheme, class Index>
-concept orderable_scheme = is_trusted<Scheme> and countable_scheme<Scheme> and
+concept separable_scheme = is_trusted<Scheme> and countable_scheme<Scheme> and
                            numbering_of<Scheme, Index>::has_edges and
-                           numbering_of<Scheme, Index>::common_degree != 0 and
-                           detail::is_free_of_order<Scheme>(true) and
                            detail::says_ignores_numbers<Scheme, traits_type<Scheme>>;
+/// One that may refine a mesh in another order of its elements, with the numbers of the given one.
+template <class Scheme, class Index>
+concept orderable_scheme = separable_scheme<Scheme, Index> and numbering_of<Scheme, Index>::common_degree != 0 and
+                           detail::is_free_of_order<Scheme>(true);
 
 /// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh, or its boundary.
 template <class S, level Level>

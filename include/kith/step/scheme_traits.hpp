@@ -31,11 +31,13 @@ struct scheme_traits {
     face_shape faces = face_shape::any; ///< others are refused
     bool closed_only = false;           ///< a boundary is refused
     bool trusted = false; ///< its text has been tested with every association checked: they need no check any more
+    int valence = 0;      ///< of all inner vertices that a step has made, where it is the same everywhere; else 0
     Next next{};          ///< refused: counts of the next level follow from the columns, see next_counts
     /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take.
     Require require{};
-    /// int reach(int rings): the rings of faces around a tile that a step uses up; see reaching_scheme. Tiles, `evaluator` and `refine`
-    /// believe it; `require_reach` tries it on a mesh.
+    /// int reach(int rings), or reach(int rings, int steps) where several steps together use up fewer than one after the other: the rings of
+    /// faces around a tile that they use up; see reaching_scheme. Tiles, `evaluator` and `refine` believe it; `require_reach` tries it on
+    /// a mesh.
     Reach reach{};
     /// bool is_marked(const auto& edge): for tiles, where columns pick edges by marks; see marks_edges.
     IsMarked is_marked{};
@@ -143,7 +145,9 @@ consteval void refuse_former_members()
 }
 
 template <class S, class Traits>
-inline constexpr bool says_reach = answers<int, decltype(Traits::reach), S, int>();
+inline constexpr bool says_reach_of_steps = answers<int, decltype(Traits::reach), S, int, int>();
+template <class S, class Traits>
+inline constexpr bool says_reach = says_reach_of_steps<S, Traits> or answers<int, decltype(Traits::reach), S, int>();
 template <class S, class Traits>
 inline constexpr bool says_ignores_numbers = answers<bool, decltype(Traits::ignores_numbers), S>();
 
@@ -154,8 +158,8 @@ consteval void require_signatures()
     KITH_REFUSE_NEXT(not is_said<decltype(Traits::next)>, "traits() of a scheme say");
 #undef KITH_REFUSE_NEXT
     static_assert(not is_said<decltype(Traits::reach)> or says_reach<S, Traits>,
-                  "traits().reach of a scheme is a function of (int rings), or of (const the_scheme&, int rings), that "
-                  "returns int");
+                  "traits().reach of a scheme is a function of (int rings), (int rings, int steps), or of (const "
+                  "the_scheme&, ...) and these, that returns int");
     static_assert(not is_said<decltype(Traits::ignores_numbers)> or says_ignores_numbers<S, Traits>,
                   "traits().ignores_numbers of a scheme is a function of (), or of (const the_scheme&), that returns "
                   "bool");

@@ -23,11 +23,10 @@ struct limit_defaults {
         return 2;
     }
     /// The rings that a step uses up, for the search of limits without a mask: those of tiles.
-    template <scheme Scheme>
-        requires detail::says_reach<Scheme, traits_type<Scheme>>
+    template <reaching_scheme Scheme>
     static constexpr int reach(const Scheme& scheme, int rings)
     {
-        return detail::ask(traits_of<Scheme>.reach, scheme, rings);
+        return reach_of(scheme, rings);
     }
     /// After how many further steps a normal may be known where a position is: beside irregular vertices one or two.
     static constexpr int tangent_steps = 2;
