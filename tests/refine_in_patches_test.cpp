@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/refine_in_patches.hpp>
 
+#include <kith/evaluator.hpp>
 #include <kith/refine.hpp>
 #include <kith/split/dual_split.hpp>
 #include <kith/split/quad_split.hpp>
@@ -148,7 +149,6 @@ struct smoothing {
     {
         return kith::scheme_traits{.name = "smoothing",
                                    .faces = kith::face_shape::quads,
-                                   .closed_only = true,
                                    .trusted = true,
                                    .reach = [](int rings) { return rings + 1; },
                                    .ignores_numbers = [] { return true; }};
@@ -231,7 +231,6 @@ struct own_dual {
     static constexpr auto traits()
     {
         return kith::scheme_traits{.name = "own dual",
-                                   .closed_only = true,
                                    .trusted = true,
                                    .valence = Valence,
                                    .reach = [](int rings) { return rings / 2 + 1; },
@@ -291,6 +290,62 @@ TEST(refine_in_patches, needs_the_rings_that_4_8_says_of_several_steps)
         }
     }
     EXPECT_GT(wrong, 0);
+}
+
+/// A quad for each edge, between its ends and the points of its two faces, which all edges have: it cannot refine a part of a mesh, which has a
+/// rim, whatever it says of its reach.
+struct quads_of_edges {
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "quads of edges",
+                                   .closed_only = true,
+                                   .trusted = true,
+                                   .reach = [](int rings) { return rings + 1; },
+                                   .ignores_numbers = [] { return true; }};
+    }
+    static constexpr auto columns()
+    {
+        return kith::columns(kith::new_vertices(kith::per_vertex, kith::per_face),
+                             kith::new_edges(kith::per_corner),
+                             kith::new_faces(quads(kith::per_edge)));
+    }
+
+    template <kith::running_step R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.faces(), [&](auto f) {
+            const auto c = f.first_corner();
+            const auto e = c.next_edge();
+            assoc(f, V) = average(f.vertices());
+            assoc(f, V).starts_at(assoc(e, F).corner(e.lcorner() == c ? 3 : 1), assoc(c, E).right());
+        });
+        for_each(coarse.vertices(), [&](auto v) {
+            const auto c = v.first_corner();
+            const auto e = c.next_edge();
+            assoc(v, V) = .5 * v + .5 * average(v.corners().map([](auto c) { return c.next().v(); }));
+            assoc(v, V).starts_at(assoc(e, F).corner(e.lcorner() == c ? 0 : 2), assoc(c.across().next(), E).left());
+        });
+        for_each(coarse.edges(), [&](auto e) {
+            const auto x = e.lcorner(), y = e.rcorner();
+            assoc(e, F) = polygon(assoc(e.org(), V) >> assoc(y.next(), E).left(),
+                                  assoc(y.f(), V) >> assoc(y, E).right(),
+                                  assoc(e.dst(), V) >> assoc(x.next(), E).left(),
+                                  assoc(x.f(), V) >> assoc(x, E).right());
+        });
+    }
+};
+
+TEST(refine_in_patches, leaves_schemes_for_closed_meshes_alone)
+{
+    static_assert(not has_patches<quads_of_edges>);
+    const auto torus = native(shapes::shaken(shapes::torus(9, 10)));
+    const auto fine = refine(torus, quads_of_edges{}, 12); // so many faces that others are refined in patches
+    EXPECT_EQ(fine.face_count(), 2U * 90 << 11);
+    kith::evaluator moved(torus, quads_of_edges{}, 5);
+    const auto points = moved.evaluate(torus.points());
+    EXPECT_TRUE(std::ranges::equal(points, refine(torus, quads_of_edges{}, 5).points()));
 }
 
 TEST(refine_in_patches, takes_the_marks_of_any_level)

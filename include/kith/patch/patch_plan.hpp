@@ -18,11 +18,11 @@
 
 namespace kith {
 
-/// A scheme whose last steps may be made patch by patch: its numbers follow from the tuples in one way everywhere, and its
-/// reach is known.
+/// A scheme whose last steps may be made patch by patch: its numbers follow from the tuples in one way everywhere, its reach is
+/// known, and it takes parts of a mesh, which have a rim.
 template <class Scheme, class Point, class Index>
-concept patchable_scheme = fits_lanes<Point> and reaching_scheme<Scheme> and separable_scheme<Scheme, Index> and
-                           has_affine_numbers<Scheme>;
+concept patchable_scheme = fits_lanes<Point> and reaching_scheme<Scheme> and not needs_closed<Scheme> and
+                           separable_scheme<Scheme, Index> and has_affine_numbers<Scheme>;
 
 /// Which steps of a refinement are made patch by patch.
 struct patch_plan {
