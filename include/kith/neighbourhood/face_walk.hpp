@@ -69,7 +69,7 @@ public:
     [[nodiscard]] std::span<const Index> faces() const { return faces_; }
     /// For each face but the first.
     [[nodiscard]] std::span<const walk_step> steps() const { return steps_; }
-    /// Empty where there are too many faces.
+    /// Empty where there are too many faces or corners.
     [[nodiscard]] const std::u16string& key() const { return key_; }
     /// Whether the neighbourhood is a disk that touches itself nowhere else than around the vertices whose whole fans are in it. Then what
     /// is found by its steps around any face of its class (`face_classes`) is all that there is to tell apart. Not so around a thin

@@ -47,7 +47,8 @@ public:
         return result;
     }
     /// The number of the first child of the first child and so on of the ancestor with number 0, in a mesh whose steps have these bases;
-    /// `last`: whether it is a vertex, an edge, a face or the first corner of one: v, e, f or vf. 0 for no columns at all. Precondition: there is one for each step.
+    /// `last`: whether it is a vertex, an edge, a face or the first corner of one: v, e, f or vf. 0 for no columns at all.
+    /// Precondition: there is one for each step.
     [[nodiscard]] std::uint64_t base(tuple_kind last, std::span<const column_bases> bases, std::size_t degree) const
     {
         if (kinds_ == 0)

@@ -36,8 +36,8 @@ struct scheme_traits {
     /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take.
     Require require{};
     /// int reach(int rings), or reach(int rings, int steps) where several steps together use up fewer than one after the other: the rings of
-    /// faces around a tile that they use up; see reaching_scheme. Tiles, `evaluator` and `refine` believe it; `require_reach` tries it on
-    /// a mesh.
+    /// faces around a tile that they use up; see reaching_scheme. Tiles, `evaluator` and `refine` believe it; `require_reach` tries what
+    /// it says of single steps on a mesh.
     Reach reach{};
     /// bool is_marked(const auto& edge): for tiles, where columns pick edges by marks; see marks_edges.
     IsMarked is_marked{};
