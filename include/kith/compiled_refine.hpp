@@ -4,7 +4,9 @@
 #include "refine.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 /// KITH_COMPILED_REFINE(scheme, mesh): `refine` of this type of mesh by this scheme is compiled once, in the one file of the program
 /// that says `#define KITH_COMPILE_SCHEMES` before it includes this; the others take little longer than their mesh library's
@@ -21,7 +23,7 @@
 /// KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles there, and compiles only what reads and writes its own meshes, if
 /// their coordinates are doubles. The results are the same bits. KITH_COMPILED_FLOATS: so for floats, but for the schemes
 /// that take longest to compile. KITH_COMPILED_ORDER, KITH_COMPILED_PATCHES: the two fast ways to face lists, where a scheme
-/// has them.
+/// has them. KITH_PATCH_PARTS: what patches of all schemes share.
 
 #define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
     How basic_mesh<std::array<Number, 3>> refine_mesh<connect::everything>(                                            \
@@ -43,8 +45,28 @@
 #define KITH_ORDERED_LEVELS(How, Scheme) How basic_mesh<> refine_in_surface_order(basic_mesh<>, Scheme, int);
 #ifdef KITH_HAS_LANES
 #define KITH_PATCHES(How, Scheme) How class patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
+#define KITH_PATCH_PARTS(How, Number)                                                                                  \
+    How class lane_program_maker<Number>;                                                                              \
+    How class template_assembler<Number, std::uint32_t>;                                                               \
+    How class submesh_cutter<recorded<Number>, std::uint32_t>;                                                         \
+    How class submesh_cutter<std::array<Number, 3>, std::uint32_t>;                                                    \
+    How class patch_filler<std::array<Number, 3>, std::uint32_t, 0>;                                                   \
+    How class patch_filler<std::array<Number, 3>, std::uint32_t, 3>;                                                   \
+    How class patch_filler<std::array<Number, 3>, std::uint32_t, 4>;
+#define KITH_PATCH_NUMBERS(How)                                                                                        \
+    How class face_walk<std::uint32_t>;                                                                                \
+    How class face_classes<std::uint32_t>;                                                                             \
+    How class state_marks<std::uint32_t>;                                                                              \
+    How class sources_of_part<std::uint32_t>;                                                                          \
+    How struct part_of_whole<affine_number<std::uint32_t>>;                                                            \
+    How struct part_of_whole<owned_number<std::uint32_t>>;                                                             \
+    How double share_of_classes(const connectivity<std::uint32_t>&, int, std::size_t);                                 \
+    How void allocate_faces(                                                                                           \
+        connectivity<std::uint32_t>&, const connectivity<std::uint32_t>&, std::span<const column_bases>);
 #else
 #define KITH_PATCHES(How, Scheme)
+#define KITH_PATCH_PARTS(How, Number)
+#define KITH_PATCH_NUMBERS(How)
 #endif
 
 #define KITH_COMPILED_SCHEME(Scheme) KITH_SCHEME_STEPS(extern template, Scheme)
@@ -56,3 +78,11 @@
 #define KITH_COMPILE_FLOATS(Scheme) KITH_STEPS_OVER(template, Scheme, float)
 #define KITH_COMPILE_ORDER(Scheme) KITH_ORDERED_LEVELS(template, Scheme)
 #define KITH_COMPILE_PATCHES(Scheme) KITH_PATCHES(template, Scheme)
+
+#ifdef KITH_COMPILED_SCHEMES
+namespace kith {
+KITH_PATCH_PARTS(extern template, double)
+KITH_PATCH_PARTS(extern template, float)
+KITH_PATCH_NUMBERS(extern template)
+} // namespace kith
+#endif

@@ -270,8 +270,10 @@ private:
                                       levels_.generation(0),
                                       sizeof(typename traits::point),
                                       sizeof(index_type));
-            detail::require_bytes<Scheme>(
-                peak_bytes_keeping_last(planned, levels_.kept()), depth() + n, options_.memory_limit);
+            detail::require_bytes(scheme_name<Scheme>(),
+                                  peak_bytes_keeping_last(planned, levels_.kept()),
+                                  depth() + n,
+                                  options_.memory_limit);
         }
     }
 

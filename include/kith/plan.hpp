@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/in_library.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/neighbourhood/coming_scheme.hpp>
 
@@ -8,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,44 +36,41 @@ struct partial_plan {
     std::string problem{}; ///< "level 14 has 1610612738 vertices ..., more than a 32-bit index can number"
 };
 
+namespace detail {
+
+/// What knows no scheme but its name.
+[[noreturn]] void refuse_levels(std::string_view scheme, int levels);
+[[noreturn]] void refuse_boundary(std::string_view scheme, std::uint64_t boundary_edges);
+[[noreturn]] void refuse_plan(std::string_view scheme, const partial_plan& plan, std::size_t index_bytes);
+/// Whether the counts of the next level can be told, which a step multiplies by 16 at most; else what is wrong is told.
+bool is_countable(partial_plan& plan);
+/// Adds the next level; false where it cannot be numbered, and what is wrong is told.
+bool add_level(partial_plan& plan, const counts& next, int degree, std::size_t point_bytes, std::size_t index_bytes);
+
+} // namespace detail
+
 /// Levels 0 to n, or those before the first that has more elements than 64 bits count or `index_bytes` number.
 /// Errors: mesh_error for negative n and for a boundary that the scheme refuses. Cost: O(n).
 template <countable_scheme S>
 partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, int generation = 0,
                             std::size_t point_bytes = 3 * sizeof(double), std::size_t index_bytes = 4)
 {
-    using numbers = numbering<decltype(columns_of(scheme, 0)), std::uint64_t>;
-    const std::string name(scheme_name<S>());
+    constexpr auto degree = int(numbering<decltype(columns_of(scheme, 0)), std::uint64_t>::common_degree);
     if (levels < 0)
-        throw mesh_error(name + ": " + std::to_string(levels) + " levels were asked for; ask for 0 or more");
+        detail::refuse_levels(scheme_name<S>(), levels);
     if constexpr (needs_closed<S>)
         if (control.boundary_edges != 0)
-            throw mesh_error(name + ": the mesh has " + std::to_string(control.boundary_edges) +
-                             " boundary edges; close it first, or take a scheme with a boundary rule");
+            detail::refuse_boundary(scheme_name<S>(), control.boundary_edges);
     partial_plan result{{plan_level(control, 0, point_bytes, index_bytes)}};
     coming_scheme of_level(scheme, generation);
-    for (int level = 1; level <= levels; ++level, ++of_level) {
-        const counts& last = result.levels.back().counts;
-        const std::string has = "level " + std::to_string(level) + " has ";
-        // A step multiplies by 16 at most, and there are more bytes than elements.
-        constexpr std::uint64_t countable = std::uint64_t(1) << 50;
-        if (std::max({last.vertices, last.edges, last.faces, last.boundary_corners}) > countable) {
-            result.problem = has + "more elements than 64 bits can count";
+    for (int level = 1; level <= levels and detail::is_countable(result); ++level, ++of_level)
+        if (not detail::add_level(
+                result,
+                next_counts(level == 1 ? scheme : *of_level, result.levels.back().counts, of_level.generation()),
+                degree,
+                point_bytes,
+                index_bytes))
             break;
-        }
-        const auto planned = plan_level(next_counts(level == 1 ? scheme : *of_level, last, of_level.generation()),
-                                        int(numbers::common_degree),
-                                        point_bytes,
-                                        index_bytes);
-        const counts& next = planned.counts;
-        if (index_bytes < 8 and
-            std::max({next.vertices, 2 * next.edges}) >= (std::uint64_t(1) << (8 * index_bytes)) - 1) {
-            result.problem = has + std::to_string(next.vertices) + " vertices and " + std::to_string(next.edges) +
-                             " edges, more than a " + std::to_string(8 * index_bytes) + "-bit index can number";
-            break;
-        }
-        result.levels.push_back(planned);
-    }
     return result;
 }
 
@@ -84,9 +83,7 @@ std::vector<planned_level> plan(const counts& control, const S& scheme, int leve
 {
     auto result = plan_what_fits(control, scheme, levels, generation, point_bytes, index_bytes);
     if (not result.problem.empty())
-        throw mesh_error(std::string(scheme_name<S>()) + ": " + result.problem + "; refine at most " +
-                         std::to_string(result.levels.size() - 1) + " times" +
-                         (index_bytes < 8 ? ", in tiles, or on a native mesh with a 64-bit index" : ""));
+        detail::refuse_plan(scheme_name<S>(), result, index_bytes);
     return std::move(result.levels);
 }
 
@@ -136,5 +133,50 @@ std::vector<double> shares_of_work(const counts& control, const S& scheme, int l
         share = all == 0 ? 1 : share / all;
     return result;
 }
+
+#ifdef KITH_HAS_BODIES
+
+namespace detail {
+
+KITH_IN_LIBRARY void refuse_levels(std::string_view scheme, int levels)
+{
+    throw mesh_error(std::string(scheme) + ": " + std::to_string(levels) + " levels were asked for; ask for 0 or more");
+}
+KITH_IN_LIBRARY void refuse_boundary(std::string_view scheme, std::uint64_t boundary_edges)
+{
+    throw mesh_error(std::string(scheme) + ": the mesh has " + std::to_string(boundary_edges) +
+                     " boundary edges; close it first, or take a scheme with a boundary rule");
+}
+KITH_IN_LIBRARY void refuse_plan(std::string_view scheme, const partial_plan& plan, std::size_t index_bytes)
+{
+    throw mesh_error(std::string(scheme) + ": " + plan.problem + "; refine at most " +
+                     std::to_string(plan.levels.size() - 1) + " times" +
+                     (index_bytes < 8 ? ", in tiles, or on a native mesh with a 64-bit index" : ""));
+}
+KITH_IN_LIBRARY bool is_countable(partial_plan& plan)
+{
+    constexpr std::uint64_t countable = std::uint64_t(1) << 50; // there are more bytes than elements
+    const counts& last = plan.levels.back().counts;
+    if (std::max({last.vertices, last.edges, last.faces, last.boundary_corners}) <= countable)
+        return true;
+    plan.problem = "level " + std::to_string(plan.levels.size()) + " has more elements than 64 bits can count";
+    return false;
+}
+KITH_IN_LIBRARY bool add_level(partial_plan& plan, const counts& next, int degree, std::size_t point_bytes,
+                               std::size_t index_bytes)
+{
+    if (index_bytes < 8 and std::max(next.vertices, 2 * next.edges) >= (std::uint64_t(1) << (8 * index_bytes)) - 1) {
+        plan.problem = "level " + std::to_string(plan.levels.size()) + " has " + std::to_string(next.vertices) +
+                       " vertices and " + std::to_string(next.edges) + " edges, more than a " +
+                       std::to_string(8 * index_bytes) + "-bit index can number";
+        return false;
+    }
+    plan.levels.push_back(plan_level(next, degree, point_bytes, index_bytes));
+    return true;
+}
+
+} // namespace detail
+
+#endif
 
 } // namespace kith

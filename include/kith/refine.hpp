@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace kith {
@@ -33,19 +34,19 @@ template <scheme Scheme>
 void require_levels(int levels)
 {
     if (levels < 0)
-        throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(levels) +
-                         " levels were asked for; ask for 0 or more");
+        refuse_levels(scheme_name<Scheme>(), levels);
 }
 
 /// Errors: mesh_error if the levels need more bytes than the limit.
-template <scheme Scheme>
-void require_bytes(std::uint64_t need, int levels, std::uint64_t limit)
+void require_bytes(std::string_view scheme, std::uint64_t need, int levels, std::uint64_t limit);
+#ifdef KITH_HAS_BODIES
+KITH_IN_LIBRARY void require_bytes(std::string_view scheme, std::uint64_t need, int levels, std::uint64_t limit)
 {
     if (need > limit)
-        throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(levels) + " levels need " +
-                         std::to_string(need) + " bytes at once, the limit is " + std::to_string(limit) +
-                         "; refine fewer times");
+        throw mesh_error(std::string(scheme) + ": " + std::to_string(levels) + " levels need " + std::to_string(need) +
+                         " bytes at once, the limit is " + std::to_string(limit) + "; refine fewer times");
 }
+#endif
 
 /// Refuses what cannot be numbered or does not fit and returns how many bytes are left; schemes that cannot say their
 /// counts are checked step by step.
@@ -56,7 +57,7 @@ std::uint64_t require_room(const counts& control, const Scheme& scheme, int leve
     if constexpr (countable_scheme<Scheme>) {
         const auto levels_planned = plan(control, scheme, levels, generation, sizeof(Point), sizeof(Index));
         const std::uint64_t need = peak_bytes(levels_planned, keep_levels, options.last_level == connect::faces);
-        require_bytes<Scheme>(need, levels, options.memory_limit);
+        require_bytes(scheme_name<Scheme>(), need, levels, options.memory_limit);
         return options.memory_limit - need;
     } else {
         return options.memory_limit;

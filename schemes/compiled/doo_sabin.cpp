@@ -7,5 +7,6 @@ namespace kith {
 
 KITH_COMPILE_SCHEME(doo_sabin)
 KITH_COMPILE_FLOATS(doo_sabin)
+KITH_COMPILE_PATCHES(doo_sabin)
 
 } // namespace kith

@@ -7,5 +7,6 @@ namespace kith {
 
 KITH_COMPILE_SCHEME(four_eight)
 KITH_COMPILE_FLOATS(four_eight)
+KITH_COMPILE_PATCHES(four_eight)
 
 } // namespace kith

@@ -7,5 +7,6 @@ namespace kith {
 
 KITH_COMPILE_SCHEME(mid_edge)
 KITH_COMPILE_FLOATS(mid_edge)
+KITH_COMPILE_PATCHES(mid_edge)
 
 } // namespace kith

@@ -6,5 +6,6 @@
 namespace kith {
 
 KITH_COMPILE_SCHEME(nasri_hasbini)
+KITH_COMPILE_PATCHES(nasri_hasbini)
 
 } // namespace kith

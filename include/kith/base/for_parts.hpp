@@ -29,12 +29,34 @@ private:
 /// From so many elements on a loop is worth more than one thread.
 inline constexpr std::size_t worth_threads = 4096;
 
+/// A body(begin, end) of a loop, called through a pointer: the threads are compiled once for all bodies. Refers to the body.
+class part_body {
+public:
+    template <class Body>
+    part_body(const Body& body)
+        : body_(&body)
+        , call_([](const void* of, std::size_t begin, std::size_t end) { (*static_cast<const Body*>(of))(begin, end); })
+    {
+    }
+    void operator()(std::size_t begin, std::size_t end) const { call_(body_, begin, end); }
+
+private:
+    const void* body_;
+    void (*call_)(const void*, std::size_t, std::size_t);
+};
+
+// A program may have files with OpenMP and files without.
+#if defined(_OPENMP)
+inline namespace on_threads {
+#else
+inline namespace in_turn {
+#endif
+
 /// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program is compiled with it. Every
 /// value of a level is a gather into its own place, so how the range is cut changes no bit. Of several errors that of the
 /// first part is rethrown.
-template <class Body>
-void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& body,
-               [[maybe_unused]] std::size_t smallest = worth_threads)
+inline void for_parts(std::size_t size, [[maybe_unused]] bool parallel, part_body body,
+                      [[maybe_unused]] std::size_t smallest = worth_threads)
 {
 #if defined(_OPENMP)
     if (parallel and size >= smallest and omp_get_max_threads() > 1) {
@@ -61,5 +83,7 @@ void for_parts(std::size_t size, [[maybe_unused]] bool parallel, const Body& bod
 #endif
     body(std::size_t(0), size);
 }
+
+} // namespace
 
 } // namespace kith::detail

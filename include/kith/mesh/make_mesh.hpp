@@ -9,6 +9,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <ranges>
 #include <span>
@@ -76,7 +77,9 @@ void check_points(const Points& points, mesh_report& report)
     }
 }
 
-inline void check_faces(std::size_t vertices, const face_list& faces, mesh_report& report)
+void check_faces(std::size_t vertices, const face_list& faces, mesh_report& report);
+#ifdef KITH_HAS_BODIES
+KITH_IN_LIBRARY void check_faces(std::size_t vertices, const face_list& faces, mesh_report& report)
 {
     if (faces.size() == 0)
         report.add_no_faces();
@@ -97,6 +100,7 @@ inline void check_faces(std::size_t vertices, const face_list& faces, mesh_repor
             report.add_repeated_corner(f, *twice);
     }
 }
+#endif
 
 /// Copies what lies at the corners of a face in such an order that its smallest vertex comes first.
 template <class Values, class Out>
@@ -120,6 +124,10 @@ connectivity<Index> connect_faces(std::size_t vertices, const face_list& faces)
         from_smallest_vertex(faces[f], faces[f], t.corner_vertex.begin() + faces.first[f]);
     return t;
 }
+#ifdef KITH_COMPILED_SCHEMES
+extern template connectivity<std::uint32_t> connect_faces(std::size_t, const face_list&);
+extern template connectivity<std::size_t> connect_faces(std::size_t, const face_list&);
+#endif
 
 } // namespace detail
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,6 +111,13 @@ void start_fans(connectivity<Index>& t, mesh_report& report)
             report.add_several_fans(v, size[v]);
     }
 }
+
+#ifdef KITH_COMPILED_SCHEMES
+extern template void pair_corners(connectivity<std::uint32_t>&, mesh_report&);
+extern template void pair_corners(connectivity<std::size_t>&, mesh_report&);
+extern template void start_fans(connectivity<std::uint32_t>&, mesh_report&);
+extern template void start_fans(connectivity<std::size_t>&, mesh_report&);
+#endif
 
 } // namespace detail
 

@@ -9,6 +9,7 @@ namespace kith {
 
 KITH_COMPILED_SCHEME(doo_sabin)
 KITH_COMPILED_FLOATS(doo_sabin)
+KITH_COMPILED_PATCHES(doo_sabin)
 
 } // namespace kith
 

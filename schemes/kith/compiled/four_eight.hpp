@@ -9,6 +9,7 @@ namespace kith {
 
 KITH_COMPILED_SCHEME(four_eight)
 KITH_COMPILED_FLOATS(four_eight)
+KITH_COMPILED_PATCHES(four_eight)
 
 } // namespace kith
 

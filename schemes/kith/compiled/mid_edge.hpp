@@ -9,6 +9,7 @@ namespace kith {
 
 KITH_COMPILED_SCHEME(mid_edge)
 KITH_COMPILED_FLOATS(mid_edge)
+KITH_COMPILED_PATCHES(mid_edge)
 
 } // namespace kith
 

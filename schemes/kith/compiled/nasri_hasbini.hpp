@@ -8,6 +8,7 @@
 namespace kith {
 
 KITH_COMPILED_SCHEME(nasri_hasbini)
+KITH_COMPILED_PATCHES(nasri_hasbini)
 
 } // namespace kith
 
