@@ -9,8 +9,9 @@
 #include <cstdint>
 #include <utility>
 
-/// Two schemes as one would write them by hand, once, for one mesh: raw arrays, 32-bit numbers, closed meshes of quads or of
-/// triangles only, no creases, no boundary, no checks. The same order of operations as the schemes of kith, so the same bits.
+/// Two schemes as one would write them by hand, once, for one mesh: raw arrays, 32-bit numbers, closed meshes of quads
+/// or of triangles only, no creases, no boundary, no checks. The same order of operations as the schemes of kith, so
+/// the same bits.
 namespace kith::comparison::by_hand {
 
 using point = std::array<double, 3>;

@@ -15,7 +15,8 @@ int main(int count, char** words)
                                  compare_scheme<polygons, kith::mid_edge>(control, levels, verdicts);
                                  compare_scheme<triangles, kith::interpolatory_sqrt3>(control, levels, verdicts);
                              } else {
-                                 // Faces dropped by mid-edge; vertices beyond the boundary taken from itself by interpolatory sqrt(3).
+                                 // Faces dropped by mid-edge; vertices beyond the boundary taken from itself by
+                                 // interpolatory sqrt(3).
                                  verdicts.skip(control.name, kith::scheme_name<kith::mid_edge>(), "has a boundary");
                                  verdicts.skip(
                                      control.name, kith::scheme_name<kith::interpolatory_sqrt3>(), "has a boundary");

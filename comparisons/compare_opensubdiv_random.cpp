@@ -30,8 +30,8 @@ struct tally {
     double exact = 0, rounded = 0;
 };
 
-/// One run: OpenSubdiv's refinement and kith's, vertex by vertex on each level. Each step of OpenSubdiv starts from kith's
-/// points, so that a difference is told on the level where it arises.
+/// One run: OpenSubdiv's refinement and kith's, vertex by vertex on each level. Each step of OpenSubdiv starts from
+/// kith's points, so that a difference is told on the level where it arises.
 template <class Scheme>
 class random_comparison {
 public:
@@ -137,8 +137,8 @@ private:
         return fine.point(numbers_.our_child_of(x));
     }
 
-    /// Chaikin's method and an edge sharper than 1 one of whose halves gets smooth: OpenSubdiv does not take the midpoint
-    /// but s midpoint + (1 - s) smooth, although s > 1. docs/schemes.md.
+    /// Chaikin's method and an edge sharper than 1 one of whose halves gets smooth: OpenSubdiv does not take the
+    /// midpoint but s midpoint + (1 - s) smooth, although s > 1. docs/schemes.md.
     [[nodiscard]] bool opensubdiv_overshoots(const kith::edge<level_type>& e) const
     {
         const double s = creases().sharpness(e);

@@ -14,8 +14,8 @@ std::map<std::string, std::string> machine();
 
 void print(const std::map<std::string, std::string>& facts);
 
-/// A line per contestant: nanoseconds, those of the same work again, and peak bytes per face of the last level, medians, and
-/// how many times as fast as the first one, with the least and the most of any round.
+/// A line per contestant: nanoseconds, those of the same work again, and peak bytes per face of the last level,
+/// medians, and how many times as fast as the first one, with the least and the most of any round.
 void print(const contest& contest);
 
 /// All runs of all contests. Errors: io::file_error.

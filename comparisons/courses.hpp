@@ -55,8 +55,8 @@ inline figures::shape patch(std::size_t rows, std::size_t columns)
 }
 
 /// A torus of 12 times 24 quads, or of their triangles, or of 24 times 24 where triangles are cut in four, so that all
-/// come to the same number of faces; the same with a boundary; then the mesh of the file, if the scheme takes it. For 4-8
-/// all are made tri-quad meshes, quads by their diagonals.
+/// come to the same number of faces; the same with a boundary; then the mesh of the file, if the scheme takes it. For
+/// 4-8 all are made tri-quad meshes, quads by their diagonals.
 template <class Scheme>
 std::vector<course> courses(const Scheme& scheme, const course_settings& settings)
 {

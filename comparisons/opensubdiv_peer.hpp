@@ -59,7 +59,8 @@ struct opensubdiv_peer {
                std::to_string(OPENSUBDIV_VERSION_MINOR) + '.' + std::to_string(OPENSUBDIV_VERSION_PATCH);
     }
 
-    /// The mesh with nothing refined yet; its creases and boundary corners are the scheme's, and there may be values at corners.
+    /// The mesh with nothing refined yet; its creases and boundary corners are the scheme's, and there may be values at
+    /// corners.
     template <class Scheme>
     static mesh make(const basic_mesh<>& native, const Scheme& scheme, const opensubdiv_corners& corner_values = {})
     {

@@ -19,9 +19,9 @@ struct numbered_corners {
     int count = 0;
 };
 
-/// Cuts the fan of each vertex along the edges that are marked and gives each piece a value of its own, at a few vertices one to
-/// two pieces. Where one edge is marked at a vertex inside, a seam ends there. Four pieces and more are all different: of a value
-/// that comes again there OpenSubdiv may make two. `sum` counts what there is.
+/// Cuts the fan of each vertex along the edges that are marked and gives each piece a value of its own, at a few
+/// vertices one to two pieces. Where one edge is marked at a vertex inside, a seam ends there. Four pieces and more are
+/// all different: of a value that comes again there OpenSubdiv may make two. `sum` counts what there is.
 inline numbered_corners cut_along(const basic_mesh<>& mesh, const std::vector<bool>& is_marked, random_numbers& random,
                                   std::map<std::string, std::size_t>& sum)
 {

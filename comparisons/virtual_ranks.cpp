@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A job for a cluster, on paper and by sample. A torus of quads is cut into as many parts as there are ranks; what each of
-// them would be sent is made and measured. Then some parts, by lot, are refined alone to the last level by Catmull-Clark
-// and verified: each of their control faces once more in a tile of its own, and once more from a level that was refined as
-// a whole. Numbers, vertices and places have to be the same bit for bit.
+// A job for a cluster, on paper and by sample. A torus of quads is cut into as many parts as there are ranks; what each
+// of them would be sent is made and measured. Then some parts, by lot, are refined alone to the last level by
+// Catmull-Clark and verified: each of their control faces once more in a tile of its own, and once more from a level
+// that was refined as a whole. Numbers, vertices and places have to be the same bit for bit.
 // Sample run: virtual_ranks --faces 1000000 --parts 100000 --levels 10 --sample 3
 #include "../tests/figures.hpp"
 

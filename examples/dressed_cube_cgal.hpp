@@ -14,7 +14,8 @@
 using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using mesh = CGAL::Surface_mesh<kernel::Point_3>;
 
-/// A cube; each face has the whole texture and a label, so that all edges are seams. The edges around the top are constrained.
+/// A cube; each face has the whole texture and a label, so that all edges are seams. The edges around the top are
+/// constrained.
 inline mesh dressed_cube()
 {
     mesh cube;

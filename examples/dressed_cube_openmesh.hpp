@@ -12,7 +12,8 @@
 
 using mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
 
-/// A cube; each face has the whole texture and a label, so that all edges are seams. The edges around the top are features.
+/// A cube; each face has the whole texture and a label, so that all edges are seams. The edges around the top are
+/// features.
 inline mesh dressed_cube()
 {
     mesh cube;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dual split in the three ways in which Euler operators can make it (thesis 3.3; Shiue & Peters 2005), as associations:
-// factoring, splitting and tilting. For closed meshes.
+// The dual split in the three ways in which Euler operators can make it (thesis 3.3; Shiue & Peters 2005), as
+// associations: factoring, splitting and tilting. For closed meshes.
 // Sample run: euler_encodings
 
 #include "../tests/figures.hpp"
@@ -117,8 +117,8 @@ struct remove_vertices {
     }
 };
 
-/// Tilting: every edge x -> y carries two vertices, (x, e) in its left face and (y, e) in its right one, and is turned until
-/// it lies across; nothing is temporary.
+/// Tilting: every edge x -> y carries two vertices, (x, e) in its left face and (y, e) in its right one, and is turned
+/// until it lies across; nothing is temporary.
 struct tilting {
     static constexpr auto columns()
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The thirty lines of a cluster user with a CGAL mesh: it lies on rank 0 with heat at its vertices, a material on its faces and
-// constrained edges. All levels of all tiles are kept, moved to other ranks, asked where their faces come from, and the last one
-// becomes one file, the same bytes on any number of ranks.
+// The thirty lines of a cluster user with a CGAL mesh: it lies on rank 0 with heat at its vertices, a material on its
+// faces and constrained edges. All levels of all tiles are kept, moved to other ranks, asked where their faces come
+// from, and the last one becomes one file, the same bytes on any number of ranks.
 // Sample run: mpirun -n 4 levels_on_ranks fine.vtu
 
 #include <kith/catmull_clark.hpp>

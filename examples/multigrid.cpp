@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poisson's equation on a subdivision surface, solved by multigrid: the prolongations are the matrices of the scheme, the
-// coarse operators what they make of the finest one. Discretised by cotangents (Pinkall & Polthier 1993) on the levels of
-// Loop's scheme; as the levels are refined the number of V-cycles stays and the error falls with the square of the width.
-// Sample run: multigrid [plot.svg]
+// Poisson's equation on a subdivision surface, solved by multigrid: the prolongations are the matrices of the scheme,
+// the coarse operators what they make of the finest one. Discretised by cotangents (Pinkall & Polthier 1993) on the
+// levels of Loop's scheme; as the levels are refined the number of V-cycles stays and the error falls with the square
+// of the width. Sample run: multigrid [plot.svg]
 
 #include <kith/eigen.hpp>
 #include <kith/hierarchy.hpp>
@@ -23,7 +23,8 @@ using mesh = kith::basic_mesh<>;
 using vector = Eigen::VectorXd;
 using matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// A bent torus of triangles, none of which is long and thin: each ring is turned against the one before by half an edge.
+/// A bent torus of triangles, none of which is long and thin: each ring is turned against the one before by half an
+/// edge.
 mesh control_mesh()
 {
     constexpr std::size_t around = 20, across = 6;
@@ -70,7 +71,8 @@ discretisation discretise(const mesh& m)
     return {stiffness, mass};
 }
 
-/// V-cycles for stiffness matrices, whose null space are the constants; these come first in `prolongations`, from level 0 up.
+/// V-cycles for stiffness matrices, whose null space are the constants; these come first in `prolongations`, from level
+/// 0 up.
 class multigrid {
 public:
     multigrid(const matrix& finest, const std::vector<matrix>& prolongations) : prolongations_(prolongations)

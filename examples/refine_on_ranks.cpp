@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The twenty lines of a cluster user: a cage on rank 0, its surface on all ranks, looked at tile by tile, never in one place.
-// The bounding box that is printed, and the checksum, are the same on any number of ranks.
+// The twenty lines of a cluster user: a cage on rank 0, its surface on all ranks, looked at tile by tile, never in one
+// place. The bounding box that is printed, and the checksum, are the same on any number of ranks.
 // Sample run: mpirun -n 4 refine_on_ranks
 
 #include "../tests/figures.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An OpenMesh user keeps all levels, asks who is related to whom, in OpenMesh's own handles, saves them and loads them again.
-// Sample run: refine_openmesh
+// An OpenMesh user keeps all levels, asks who is related to whom, in OpenMesh's own handles, saves them and loads them
+// again. Sample run: refine_openmesh
 
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>

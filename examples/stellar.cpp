@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stellar operators (thesis 4.3.3; Velho 2001) as associations: split a face, split an edge, flip an edge. Each step
-// makes a new level, so that what is undone by weld and collapse elsewhere is the level before.
+// The stellar operators (thesis 4.3.3; Velho 2001) as associations: split a face, split an edge, flip an edge. Each
+// step makes a new level, so that what is undone by weld and collapse elsewhere is the level before.
 // Sample run: stellar
 
 #include "../tests/figures.hpp"
@@ -153,8 +153,8 @@ bool sqrt3_by_splits_and_flips(const mesh& control)
     return faces_of(flipped) == faces_of(kith::refine(control, kith::sqrt3(), 1));
 }
 
-/// Every edge split, one after the other, then each edge flipped that joins an old vertex to a new one without being half
-/// of an old edge.
+/// Every edge split, one after the other, then each edge flipped that joins an old vertex to a new one without being
+/// half of an old edge.
 bool triangle_split_by_splits_and_flips(const mesh& control)
 {
     const std::size_t old = control.vertex_count();

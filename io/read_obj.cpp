@@ -68,8 +68,8 @@ using cursor = text_cursor<text_kind::with_continuations>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Lines of one to three numbers to which corners refer, before or behind them: `vt` or `vn`. What is not finite, as some
-/// programs write the normals of a face without area, is none.
+/// Lines of one to three numbers to which corners refer, before or behind them: `vt` or `vn`. What is not finite, as
+/// some programs write the normals of a face without area, is none.
 class referred_lines {
 public:
     explicit referred_lines(const char* name) : name_(name) {}
@@ -296,8 +296,8 @@ private:
                          "at most, here is more: '" +
                          shown(rest) + "'");
     }
-    /// The words up to the end of the line, with a blank between them. At the end of the file the last one may end in what
-    /// would join the next line.
+    /// The words up to the end of the line, with a blank between them. At the end of the file the last one may end in
+    /// what would join the next line.
     void read_tag()
     {
         const auto begin = text_;

@@ -143,8 +143,8 @@ private:
             text_.refuse("the file is too short for " + counted(vertices_, "vertex") + " and " +
                          counted(faces_, "face"));
     }
-    /// Vertices and faces have lines of their own, where colors may follow them. But the format does not ask for that, and
-    /// some files have all their numbers in a line: then nothing but what the keyword says stands between them.
+    /// Vertices and faces have lines of their own, where colors may follow them. But the format does not ask for that,
+    /// and some files have all their numbers in a line: then nothing but what the keyword says stands between them.
     bool lines_hold_elements()
     {
         const auto numbers_in_line = [](cursor text) {
@@ -206,7 +206,8 @@ private:
             text_.refuse(what() + " has too many numbers; each vertex has a line of its own");
         take_numbers(vertex, std::span(numbers).first(more));
     }
-    /// What stands behind the coordinates of a vertex: normal, color, texture, as far as the keyword says; some have nothing.
+    /// What stands behind the coordinates of a vertex: normal, color, texture, as far as the keyword says; some have
+    /// nothing.
     void take_numbers(std::size_t vertex, std::span<const double> numbers)
     {
         if (numbers.empty())

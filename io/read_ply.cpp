@@ -210,8 +210,8 @@ private:
                 soup_.attributes.corners.push_back(
                     {std::string(texture_names[i]), element.properties[texture].value, std::move(texture_[i]), {}});
     }
-    /// The attributes that the properties of an element become, by their numbers in `attributes`; those that are left out have
-    /// the number of none.
+    /// The attributes that the properties of an element become, by their numbers in `attributes`; those that are left
+    /// out have the number of none.
     static std::vector<std::size_t> columns_of(const ply_element& element, std::vector<attribute>& attributes)
     {
         std::vector<std::size_t> result(element.properties.size(), none);

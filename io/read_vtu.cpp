@@ -212,8 +212,8 @@ private:
             result.push_back(array.name + (array.components == 1 ? "" : "_" + std::to_string(i)));
         return result;
     }
-    /// A name that no other attribute has, and that is one word; some say in PLY where vertices are and which ones a face has.
-    /// `given`: for each name, which other one has been given for it last.
+    /// A name that no other attribute has, and that is one word; some say in PLY where vertices are and which ones a
+    /// face has. `given`: for each name, which other one has been given for it last.
     static std::string free_name(std::string name, const std::vector<attribute>& others,
                                  std::map<std::string, std::string>& given)
     {

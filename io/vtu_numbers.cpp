@@ -59,7 +59,8 @@ int base64_digit(char c)
     return found == digits.npos ? -1 : int(found);
 }
 
-/// The first so many bytes, as many of them as there are. The length may be encoded by itself, so that = is not the end.
+/// The first so many bytes, as many of them as there are. The length may be encoded by itself, so that = is not the
+/// end.
 std::string from_base64(std::string_view text, std::size_t size)
 {
     std::string result;

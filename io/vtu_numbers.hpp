@@ -58,8 +58,8 @@ public:
     /// What comes behind the arrays: the element AppendedData, and all that follows.
     void set_appended(const xml_tag& tag, std::string_view rest);
 
-    /// So many values for each component. Errors: file_error where they are not there, or do not fit their type, and for an order of bytes or
-    /// a compression that is not read.
+    /// So many values for each component. Errors: file_error where they are not there, or do not fit their type, and
+    /// for an order of bytes or a compression that is not read.
     [[nodiscard]] vtu_values values(const vtu_array& array, std::size_t count) const;
 
 private:

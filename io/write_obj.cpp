@@ -16,8 +16,8 @@ namespace kith::io {
 
 namespace {
 
-/// Lines of numbers to which corners refer. Corners of a vertex with the same numbers share a line, so that programs which go by
-/// the numbers of lines find the seams where values differ, and nowhere else.
+/// Lines of numbers to which corners refer. Corners of a vertex with the same numbers share a line, so that programs
+/// which go by the numbers of lines find the seams where values differ, and nowhere else.
 class referred_lines {
 public:
     referred_lines(const basic_mesh<>& mesh, const attribute_list& of_corners, const attribute_list& of_vertices)

@@ -20,8 +20,8 @@
 #include <span>
 #include <vector>
 
-/// For each concept a class that has what the concept asks, and nothing else: what compiles with it asks for no more than what
-/// is written.
+/// For each concept a class that has what the concept asks, and nothing else: what compiles with it asks for no more
+/// than what is written.
 namespace archetypes {
 
 /// Neither copied nor moved, nor made of nothing.

@@ -68,7 +68,8 @@ void expect_cgals_surfaces()
         [](auto& m, unsigned n) { ours::Sqrt3_subdivision(m, params::number_of_iterations(n)); });
 }
 
-/// Calls test(name, function of a graph and of a number of steps, scheme, shape) for every scheme and a shape that it takes.
+/// Calls test(name, function of a graph and of a number of steps, scheme, shape) for every scheme and a shape that it
+/// takes.
 template <class Test>
 void for_each_function(const Test& test)
 {

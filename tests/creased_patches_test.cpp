@@ -172,7 +172,8 @@ TEST(creased_patches, refuses_creases_of_another_mesh)
         "the state of the scheme: edge 9600 does not exist, there are 9600; make the state for this mesh and level");
 }
 
-/// Catmull-Clark whose face points are drawn to the first corner, at faces that have a number, which their children halve.
+/// Catmull-Clark whose face points are drawn to the first corner, at faces that have a number, which their children
+/// halve.
 class pulls {
 public:
     kith::sparse_values<double> of_faces;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nothing may cost more than O(n log n) in a valence or in the degree of a face. No test is timed: the additions of values and
-// the steps from half-edge to half-edge are counted instead.
+// Nothing may cost more than O(n log n) in a valence or in the degree of a face. No test is timed: the additions of
+// values and the steps from half-edge to half-edge are counted instead.
 #include "large_shapes.hpp"
 #include "native_shape.hpp"
 

@@ -54,7 +54,8 @@ inline shape pentacube()
     return result;
 }
 
-/// rows * columns quads, closed in both directions, valence 4 everywhere; V, E, F = 288, 576, 288 unless told otherwise.
+/// rows * columns quads, closed in both directions, valence 4 everywhere; V, E, F = 288, 576, 288 unless told
+/// otherwise.
 inline shape torus(std::size_t rows = 12, std::size_t columns = 24)
 {
     const double turn = 2 * std::acos(-1.);
@@ -72,8 +73,8 @@ inline shape torus(std::size_t rows = 12, std::size_t columns = 24)
 
 using cell = std::array<int, 3>;
 
-/// The surface of unit cubes, each given by its corner nearest the origin. Precondition: no two of them touch in an edge
-/// or a corner only.
+/// The surface of unit cubes, each given by its corner nearest the origin. Precondition: no two of them touch in an
+/// edge or a corner only.
 inline shape cubes(const std::vector<cell>& cells)
 {
     shape result;

@@ -13,8 +13,9 @@
 
 namespace shapes {
 
-/// Faces grown along a boundary at random, to and fro between a few vertices, so that all kinds of small closed and bounded
-/// surfaces come up, the same for the same seed; of `degree` corners each, of 3 to 5 if it is 0. Some are no manifold.
+/// Faces grown along a boundary at random, to and fro between a few vertices, so that all kinds of small closed and
+/// bounded surfaces come up, the same for the same seed; of `degree` corners each, of 3 to 5 if it is 0. Some are no
+/// manifold.
 inline shape grown(std::uint32_t seed, std::size_t degree)
 {
     std::minstd_rand random(seed);

@@ -400,8 +400,8 @@ TEST(hierarchy, is_what_it_was_when_it_is_stopped)
 
 namespace {
 
-/// Triangles around the middle of each face, which is in no column: that of a quad is kept under two opposite vertices and known under
-/// the other two as well, that of any other face is kept under the face.
+/// Triangles around the middle of each face, which is in no column: that of a quad is kept under two opposite vertices
+/// and known under the other two as well, that of any other face is kept under the face.
 struct fans_about_diagonals {
     static constexpr auto traits() { return kith::scheme_traits{.name = "fans-about-diagonals"}; }
     static constexpr auto columns()

@@ -225,7 +225,8 @@ TEST(limit_surface, of_the_triangulated_cube_on_a_deep_level)
     expect_all(cube, kith::unified{.degree = 8}, 3, 3, 2e-2);
 }
 
-/// Coordinates times a power of two move limits alike and change no bit of a normal, as long as they are numbers at all.
+/// Coordinates times a power of two move limits alike and change no bit of a normal, as long as they are numbers at
+/// all.
 TEST(limit_surface, normals_neither_overflow_nor_vanish)
 {
     for_each_of_all_schemes_and_shape([]<class Scheme>(const Scheme& scheme, const mesh3d& mesh) {

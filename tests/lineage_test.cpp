@@ -45,8 +45,8 @@ struct matched_linear {
     }
 };
 
-/// Triangles around a vertex in the middle of each face, which is in no column, and edges that are matched. The middle is known by the face,
-/// or, where two of its vertices do not touch, by these, so that it is under a pair of vertices.
+/// Triangles around a vertex in the middle of each face, which is in no column, and edges that are matched. The middle
+/// is known by the face, or, where two of its vertices do not touch, by these, so that it is under a pair of vertices.
 struct matched_fans {
     static constexpr auto traits() { return kith::scheme_traits{.name = "matched-fans"}; }
     static constexpr auto columns()
@@ -74,8 +74,8 @@ struct matched_fans {
     }
 };
 
-/// The descendants of all elements of a level are all elements of a finer one, each once, and each has the element as its
-/// ancestor.
+/// The descendants of all elements of a level are all elements of a finer one, each once, and each has the element as
+/// its ancestor.
 template <class Levels>
 void expect_family_trees(const Levels& levels, int coarser, int finer)
 {
@@ -228,7 +228,8 @@ TEST(lineage, of_vertices_of_the_dictionary_leads_up_and_down_over_all_levels)
     for (std::size_t f = 0; f < house.face_count(); ++f) {
         const auto middle = handles::vertex{std::uint32_t(house.vertex_count() + f)};
         EXPECT_EQ(levels.ancestor(1, middle, 0).f, handles::face{std::uint32_t(f)});
-        // On later levels all faces are triangles, so the middle has no vertex more, but an edge to each of the new ones.
+        // On later levels all faces are triangles, so the middle has no vertex more, but an edge to each of the new
+        // ones.
         const auto down = levels.descendants(0, handles::face{std::uint32_t(f)}, 3);
         const std::size_t n = house.face(f).size();
         EXPECT_EQ(down.vertices().size(), 1 + n + 3 * n);

@@ -61,8 +61,8 @@ std::vector<Corner> fan_of(const Corner& from)
     return result;
 }
 
-/// The numbers of the vertices within some rings of faces around those of the first corners, in an order that depends on the
-/// connectivity alone: neighbourhoods that look the same are numbered the same.
+/// The numbers of the vertices within some rings of faces around those of the first corners, in an order that depends
+/// on the connectivity alone: neighbourhoods that look the same are numbered the same.
 template <class Corner>
 std::vector<std::size_t> patch(std::vector<Corner> found, int rings)
 {

@@ -98,8 +98,8 @@ public:
     }
 };
 
-/// A scheme with two states of its own: Catmull-Clark whose face points are drawn to the vertex of the largest number, and
-/// whose vertices stay where their number is large.
+/// A scheme with two states of its own: Catmull-Clark whose face points are drawn to the vertex of the largest number,
+/// and whose vertices stay where their number is large.
 struct drawn {
     numbers kept;
     kith::creases sharp;
@@ -172,7 +172,8 @@ struct numbers_at_corners : numbers {
     }
 };
 
-/// Corners become vertices, as in Doo-Sabin's scheme; of boundary vertices of three or more faces those get one that have a number.
+/// Corners become vertices, as in Doo-Sabin's scheme; of boundary vertices of three or more faces those get one that
+/// have a number.
 struct capped_dual {
     numbers_at_corners kept;
 

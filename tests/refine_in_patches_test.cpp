@@ -260,7 +260,8 @@ TEST(refine_in_patches, takes_a_dual_scheme_that_says_its_valence)
     for (const auto& shape : {shapes::house(), shapes::pentacube(), shapes::both(shapes::house(), shapes::torus(3, 5))})
         for (const int levels : {2, 3, 4})
             EXPECT_TRUE(compare(native(shapes::shaken(shape)), own_dual<4>(), levels));
-    // Corners of the faces of its vertices follow from the valence from the second level on, and only without a boundary.
+    // Corners of the faces of its vertices follow from the valence from the second level on, and only without a
+    // boundary.
     EXPECT_FALSE(compare(native(shapes::house()), own_dual<4>(), 1));
     EXPECT_FALSE(compare(native(shapes::shaken(shapes::grid(6, 7))), kith::doo_sabin{}, 3));
 }
@@ -296,8 +297,8 @@ TEST(refine_in_patches, needs_the_rings_that_4_8_says_of_several_steps)
     EXPECT_GT(wrong, 0);
 }
 
-/// A quad for each edge, between its ends and the points of its two faces, which all edges have: it cannot refine a part of a mesh, which has a
-/// rim, whatever it says of its reach.
+/// A quad for each edge, between its ends and the points of its two faces, which all edges have: it cannot refine a
+/// part of a mesh, which has a rim, whatever it says of its reach.
 struct quads_of_edges {
     static constexpr auto traits()
     {

@@ -94,7 +94,8 @@ TEST(refine_in_surface_order, is_left_out_where_it_would_be_wrong_or_of_no_use)
     EXPECT_FALSE(is_worth_ordering(torus.topology(), creased, 2));
     EXPECT_TRUE(
         same_bits(refine(torus, creased, 2, {.last_level = connect::faces}), refined_as_given(torus, creased, 2)));
-    // Faces of several degrees; columns that pick marked edges; no ring to read, so that it does not say ignores_numbers.
+    // Faces of several degrees; columns that pick marked edges; no ring to read, so that it does not say
+    // ignores_numbers.
     static_assert(not is_orderable<kith::doo_sabin> and not is_orderable<kith::four_eight>);
     static_assert(not is_orderable<kith::linear>);
 }

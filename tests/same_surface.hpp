@@ -17,8 +17,8 @@ struct surface {
     std::vector<std::vector<std::size_t>> faces;
 };
 
-/// What keeps two surfaces from being the same but for numbers; "" if each vertex of one lies within the tolerance of another
-/// vertex of the other and their faces are the same then. No two vertices of one may be that close.
+/// What keeps two surfaces from being the same but for numbers; "" if each vertex of one lies within the tolerance of
+/// another vertex of the other and their faces are the same then. No two vertices of one may be that close.
 inline std::string difference(const surface& a, const surface& b, double tolerance = 1e-12)
 {
     if (a.points.size() != b.points.size() or a.faces.size() != b.faces.size())

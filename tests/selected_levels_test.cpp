@@ -45,7 +45,8 @@ hierarchy<mesh3d, selected<kith::loop>> some_levels(unsigned seed)
     return levels;
 }
 
-/// Each element of a level has one ancestor on a coarser one, and is one of its descendants; all these are as many as there are.
+/// Each element of a level has one ancestor on a coarser one, and is one of its descendants; all these are as many as
+/// there are.
 template <class Levels>
 void expect_family(const Levels& levels, int coarser, int finer)
 {

@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-/// Faces that are chosen on a mesh of another library make the levels that they make on the native one, whether by flags, by handles
-/// or by a condition, and the library has no complaints.
+/// Faces that are chosen on a mesh of another library make the levels that they make on the native one, whether by
+/// flags, by handles or by a condition, and the library has no complaints.
 template <class M, class Scheme>
 void expect_levels_of_native(const Scheme& scheme, const shapes::shape& shape)
 {

@@ -25,7 +25,8 @@ inline mesh3d of_generation(const mesh3d& mesh, int generation)
     return {kith::storage<shapes::point>(mesh.points()), mesh.topology(), generation};
 }
 
-/// The same surface with vertices and faces in another order; faces then start at another corner, their smallest vertex.
+/// The same surface with vertices and faces in another order; faces then start at another corner, their smallest
+/// vertex.
 template <class Scheme>
 mesh3d shuffled(const mesh3d& mesh, std::uint32_t seed)
 {

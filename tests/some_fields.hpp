@@ -95,8 +95,8 @@ auto without_values(const Scheme& scheme)
     return kith::detail::scheme_of_part(scheme, kith::part_numbers<std::uint32_t>());
 }
 
-/// Says where the fields of two schemes of one type differ first; `number<field_on>(i)` is the number in `theirs` of what has
-/// the number i in `ours`.
+/// Says where the fields of two schemes of one type differ first; `number<field_on>(i)` is the number in `theirs` of
+/// what has the number i in `ours`.
 template <class Scheme, class Number>
 std::string difference(const Scheme& ours, const Scheme& theirs, const Number& number)
 {

@@ -29,7 +29,8 @@ bool has_row(const kith::subdivision_matrix& matrix, std::size_t i)
     return matrix.begin_of_row(i) != matrix.begin_of_row(i + 1);
 }
 
-/// Times the points they have the cross products that limit_normals gives, and no rows where it gives none. How many there are.
+/// Times the points they have the cross products that limit_normals gives, and no rows where it gives none. How many
+/// there are.
 template <class Scheme>
 std::size_t expect_normals(const mesh3d& mesh, const Scheme& scheme, int from, int to)
 {

@@ -162,8 +162,8 @@ std::string tiles_differ(const Mesh& control, const Scheme& scheme, int levels, 
     return {};
 }
 
-/// How many rings of shadows a step needs around a part of one face so that `last` of them are right afterwards: the tile is
-/// that of as many as reach(last). The most that any of the parts needs, of every `stride`-th face one.
+/// How many rings of shadows a step needs around a part of one face so that `last` of them are right afterwards: the
+/// tile is that of as many as reach(last). The most that any of the parts needs, of every `stride`-th face one.
 template <class Mesh, class Scheme>
 int rings_that_suffice(const Mesh& mesh, const Scheme& scheme, int last, std::size_t stride)
 {

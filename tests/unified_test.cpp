@@ -85,8 +85,8 @@ std::map<std::size_t, std::size_t> same_places(std::vector<std::pair<corner_type
     return result;
 }
 
-/// The subdominant eigenvalue at an extraordinary vertex or face of valence n, by power iteration: what is antisymmetric
-/// around it is refined, and the fine values near it take the places of the coarse ones.
+/// The subdominant eigenvalue at an extraordinary vertex or face of valence n, by power iteration: what is
+/// antisymmetric around it is refined, and the fine values near it take the places of the coarse ones.
 double subdominant_eigenvalue(int degree, std::size_t n)
 {
     constexpr int level = 3;

@@ -36,7 +36,8 @@ using vtu_files::directory;
 using vtu_files::for_each_changed_byte;
 using vtu_files::vtu_reader;
 
-/// Compares what a file holds, by the numbers in the whole mesh, with the mesh refined as one; marks the faces that are there.
+/// Compares what a file holds, by the numbers in the whole mesh, with the mesh refined as one; marks the faces that are
+/// there.
 template <class Mesh>
 void expect_part_of(const vtu_reader& file, const std::vector<std::int64_t>& point_ids,
                     const std::vector<std::int64_t>& cell_ids, const Mesh& whole, std::vector<int>& found)

@@ -20,9 +20,9 @@ struct element_bytes;
 
 namespace kith::tool {
 
-/// The attributes of a file on their way through the levels: state of a level, as a field is. Numbers on vertices go by the
-/// masks of the scheme, numbers on corners go by a choice of face_varying, with their seams, and a face has what its parent has; one
-/// that is born by an edge or a vertex has nothing.
+/// The attributes of a file on their way through the levels: state of a level, as a field is. Numbers on vertices go by
+/// the masks of the scheme, numbers on corners go by a choice of face_varying, with their seams, and a face has what
+/// its parent has; one that is born by an edge or a vertex has nothing.
 class attribute_fields {
 public:
     attribute_fields() = default;

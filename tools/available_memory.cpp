@@ -45,7 +45,8 @@ std::optional<std::uint64_t> number_after(const std::string& path, const std::st
     return std::nullopt;
 }
 
-/// The names of a version of control groups: limit, what is in use, and the part of it that is given back when it is needed.
+/// The names of a version of control groups: limit, what is in use, and the part of it that is given back when it is
+/// needed.
 struct group_files {
     std::string_view limit, usage, cache;
 };

@@ -132,8 +132,8 @@ private:
                         wait_for(class_of_[number(mesh, neighbor)]);
         return made;
     }
-    /// Splits a class by the surroundings of its vertices; false when a and b differ there. A last pair is looked at, too,
-    /// whenever something around it has changed.
+    /// Splits a class by the surroundings of its vertices; false when a and b differ there. A last pair is looked at,
+    /// too, whenever something around it has changed.
     [[nodiscard]] bool split(id c)
     {
         std::map<std::vector<std::vector<id>>, std::vector<std::size_t>> alike;

@@ -52,7 +52,8 @@ void print_version(std::string_view program = "kith");
 /// The value of a required option or operand. Errors: usage_error when it is missing.
 std::string required(const boost::program_options::variables_map& values, const std::string& name);
 
-/// --output, which has a name. Errors: usage_error when it is missing or the file of --stats, file_error when it is empty.
+/// --output, which has a name. Errors: usage_error when it is missing or the file of --stats, file_error when it is
+/// empty.
 std::string output_of(const boost::program_options::variables_map& values);
 
 /// --levels: 0 or more. Errors: usage_error.

@@ -8,8 +8,9 @@
 
 namespace kith::tool {
 
-/// The faces of a control mesh that its tags make holes: those they name, and where the boundary is not to be interpolated
-/// all that touch it. Empty: there are none. Errors: mesh_error for a face that is not there, and when nothing is left.
+/// The faces of a control mesh that its tags make holes: those they name, and where the boundary is not to be
+/// interpolated all that touch it. Empty: there are none. Errors: mesh_error for a face that is not there, and when
+/// nothing is left.
 hole_field holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh);
 
 /// For surfaces in tiles, of which holes are not left out. Errors: mesh_error.

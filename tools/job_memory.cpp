@@ -46,12 +46,12 @@ double bytes_on_mesh(const planned_level& level, mesh_kind mesh)
     }
 }
 
-/// Of a vertex on the way to the limit surface: its place there, a mark, the normal with the vertex that it is of, and the
-/// normals in order, with an exponent and a length while they are made.
+/// Of a vertex on the way to the limit surface: its place there, a mark, the normal with the vertex that it is of, and
+/// the normals in order, with an exponent and a length while they are made.
 constexpr double bytes_of_limit = 24 + 1 + 32 + 24 + 4 + 8;
 
-/// What a job on a mesh that is not kith's takes whatever its size: pages of the program's code that it alone runs, and blocks
-/// that the other library's allocator begins.
+/// What a job on a mesh that is not kith's takes whatever its size: pages of the program's code that it alone runs, and
+/// blocks that the other library's allocator begins.
 constexpr double bytes_of_other_library = 2 << 20;
 
 /// The corners, half-edges and starts of fans that are listed where a scheme walks on a mesh that is not kith's.
@@ -89,8 +89,8 @@ std::vector<planned_level> plan_of_tiles(const Scheme& scheme, const basic_mesh<
     return with_short_index(plan(count(control.topology()), scheme, levels, control.generation(), 24, 8));
 }
 
-/// The control mesh twice, for it is cut, its attributes, with which the scheme goes from hand to hand, and the boundary of the last
-/// level but one where the numbers depend on it.
+/// The control mesh twice, for it is cut, its attributes, with which the scheme goes from hand to hand, and the
+/// boundary of the last level but one where the numbers depend on it.
 template <class Scheme>
 double bytes_beside_tiles(const std::vector<planned_level>& levels, const attribute_counts& attributes)
 {

@@ -40,22 +40,23 @@ struct tiling_kind {
     attribute_counts attributes{};
 };
 
-/// Whether `refine` goes along the surface, for a control mesh whose faces lie in no order; it does so only where there is
-/// memory for it. Cost: O(edges).
+/// Whether `refine` goes along the surface, for a control mesh whose faces lie in no order; it does so only where there
+/// is memory for it. Cost: O(edges).
 bool is_reordered(const any_scheme& scheme, const basic_mesh<>& control, int levels);
 
-/// The bytes that `kith refine` needs at once without tiles, beside the program itself: the levels, their copies on the way
-/// from one type of mesh to another, limits, what is left when holes are out, and what a writer copies.
+/// The bytes that `kith refine` needs at once without tiles, beside the program itself: the levels, their copies on the
+/// way from one type of mesh to another, limits, what is left when holes are out, and what a writer copies.
 /// A twentieth more, for memory comes in whole pages.
 std::uint64_t job_bytes(const std::vector<planned_level>& levels, const job_kind& kind, bool reordered = false);
 
-/// The same in tiles: the control mesh with its attributes and its parts, and the largest tile (tile_bytes) as often as tiles are refined at once;
-/// 0 for schemes that are not refined in tiles. Errors: mesh_error.
+/// The same in tiles: the control mesh with its attributes and its parts, and the largest tile (tile_bytes) as often as
+/// tiles are refined at once; 0 for schemes that are not refined in tiles. Errors: mesh_error.
 std::uint64_t tiled_job_bytes(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
                               const tiling_kind& kind = {});
 
-/// The least number of tiles, as far as a search tells, with which a job needs no more than `limit`; 0 where not even a tile
-/// for every face does, and for schemes that are not refined in tiles. Errors: mesh_error. Cost: that of a few partitions.
+/// The least number of tiles, as far as a search tells, with which a job needs no more than `limit`; 0 where not even a
+/// tile for every face does, and for schemes that are not refined in tiles. Errors: mesh_error. Cost: that of a few
+/// partitions.
 std::uint64_t tiles_that_fit(const any_scheme& scheme, const basic_mesh<>& control, int levels,
                              const std::string& partitioner, std::uint64_t limit, const tiling_kind& kind = {});
 
@@ -72,7 +73,8 @@ memory_limit memory_limit_from(const boost::program_options::variables_map& valu
 /// that would fit.
 void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int levels, const job_kind& kind,
                     const memory_limit& limit);
-/// The same for tiles. They are asked for by `option`, each of which stands for `times` tiles: "--tiles", "--tiles-per-rank".
+/// The same for tiles. They are asked for by `option`, each of which stands for `times` tiles: "--tiles",
+/// "--tiles-per-rank".
 void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int levels, const partition& parts,
                     const std::string& partitioner, const memory_limit& limit, const tiling_kind& kind,
                     const std::string& option, std::uint64_t times = 1);

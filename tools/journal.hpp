@@ -18,20 +18,20 @@ struct found_recipe {
 /// The recipe that a journal's directory keeps. Errors: file_error when there is none, or it is damaged.
 recipe kept_recipe(const std::string& directory);
 
-/// The recipe that a journal's directory keeps or, where there is none, one of this request with the partition that `make`
-/// gives. Errors: file_error for the recipe of another refinement.
+/// The recipe that a journal's directory keeps or, where there is none, one of this request with the partition that
+/// `make` gives. Errors: file_error for the recipe of another refinement.
 found_recipe recipe_for(const std::string& directory, const tile_request& request,
                         const std::function<partition()>& make);
 
 /// The surface gets its name by renaming, which no file system does for another. Errors: file_error.
 void require_one_file_system(const std::string& output, const std::string& directory);
 
-/// A job's share in a journal. Jobs may be at work in one at the same time: each holds the surface (flock, shared) while it
-/// lives, so that none takes the surface away from another. Move only.
+/// A job's share in a journal. Jobs may be at work in one at the same time: each holds the surface (flock, shared)
+/// while it lives, so that none takes the surface away from another. Move only.
 class journal_share {
 public:
-    /// Begins the journal, unless it is there already. The recipe appears when it is complete, so that a process that is
-    /// ended meanwhile leaves no half of one.
+    /// Begins the journal, unless it is there already. The recipe appears when it is complete, so that a process that
+    /// is ended meanwhile leaves no half of one.
     /// Errors: file_error, also when the output is on another file system and when another job has begun otherwise.
     journal_share(std::string directory, const found_recipe& recipe, const std::string& output);
     journal_share(journal_share&& other) noexcept;
@@ -42,8 +42,8 @@ public:
 
     /// Whether another job has given the surface its name since the recipe was read, so that there is nothing to share.
     [[nodiscard]] bool is_over() const { return descriptor_ < 0; }
-    /// When all tiles are finished: waits until no other job is at work here. False when one of those has given the surface
-    /// its name meanwhile.
+    /// When all tiles are finished: waits until no other job is at work here. False when one of those has given the
+    /// surface its name meanwhile.
     [[nodiscard]] bool own();
     /// When the surface has its name: nothing of the journal is left, nor of the directory if nothing else is in it.
     void remove() noexcept;

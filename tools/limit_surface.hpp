@@ -18,14 +18,15 @@ namespace kith::tool {
 std::vector<std::array<double, 3>> move_to_limit(basic_mesh<>& mesh, const any_scheme& scheme,
                                                  std::span<const unsigned char> marks = {});
 
-/// The same of the faces that a tile owns; it gets its normals. Precondition: it has its edges and as many rings of shadows as
-/// rings_for_limit says.
+/// The same of the faces that a tile owns; it gets its normals. Precondition: it has its edges and as many rings of
+/// shadows as rings_for_limit says.
 void move_to_limit(tile<std::array<double, 3>>& part, const any_scheme& scheme);
 
 /// How many rings of faces this looks at around some faces, for the vertices of these.
 int rings_for_limit(const any_scheme& scheme);
 
-/// The rings of shadows that tiles have on the last level; nothing where it needs no edges, which limits and attributes do.
+/// The rings of shadows that tiles have on the last level; nothing where it needs no edges, which limits and attributes
+/// do.
 std::optional<int> rings_of_last_level(const any_scheme& scheme, bool limit, bool has_attributes);
 
 } // namespace kith::tool

@@ -14,7 +14,8 @@ namespace kith::tool {
 
 /// How two meshes differ, whatever the numbering of their vertices and faces and wherever their faces begin.
 struct comparison {
-    /// Between vertices that belong together; where some have no partner, from any vertex to the nearest of the other mesh.
+    /// Between vertices that belong together; where some have no partner, from any vertex to the nearest of the other
+    /// mesh.
     double largest_distance = 0;
     std::size_t unmatched_vertices = 0; ///< of both meshes
     std::size_t unmatched_faces = 0;    ///< of both meshes; counted only when all vertices are matched
@@ -23,8 +24,8 @@ struct comparison {
     [[nodiscard]] bool equal() const { return unmatched_vertices == 0 and same_faces; }
 };
 
-/// Equal: there is a one-to-one assignment of the vertices, no two of them farther apart than the tolerance, under which
-/// the faces are the same. Vertices that coincide are told apart by the faces around them.
+/// Equal: there is a one-to-one assignment of the vertices, no two of them farther apart than the tolerance, under
+/// which the faces are the same. Vertices that coincide are told apart by the faces around them.
 /// Preconditions: finite points, indices in range, tolerance >= 0. Errors: std::invalid_argument when the tolerance
 /// reaches over so many vertices that it says nothing. Cost: O(n log n).
 inline comparison compare_meshes(std::span<const point3> points_a, const face_list& faces_a,

@@ -23,8 +23,8 @@ struct control_mesh {
 /// The content of a file; what is odd about it is noted on standard error. Errors: file_error.
 io::polygon_soup read_soup(const std::string& path);
 
-/// The mesh in a file. Vertices without a face are put aside, those after them move up. Errors: file_error for what the file
-/// is, and with everything that is wrong with the mesh, in the numbers of the file.
+/// The mesh in a file. Vertices without a face are put aside, those after them move up. Errors: file_error for what the
+/// file is, and with everything that is wrong with the mesh, in the numbers of the file.
 control_mesh read_mesh(const std::string& path);
 
 /// The same of its content. Errors: mesh_error.
@@ -33,7 +33,8 @@ control_mesh control_mesh_of(const io::polygon_soup& soup);
 /// The vertices that faces have.
 std::vector<bool> vertices_with_faces(const io::polygon_soup& soup);
 
-/// What is wrong with a file's mesh, in its numbers. Vertices without a face are told only where something else is wrong.
+/// What is wrong with a file's mesh, in its numbers. Vertices without a face are told only where something else is
+/// wrong.
 mesh_report report_of(const io::polygon_soup& soup);
 
 /// Notes in one line what of a file is lost on the way; nothing if that is nothing.

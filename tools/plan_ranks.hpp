@@ -27,9 +27,9 @@ struct planned_ranks {
     std::vector<planned_rank> ranks;
 };
 
-/// Cuts every tile as `kith-mpi` would, with its attributes, tile t for rank t modulo `ranks`. Faces of level 0 and messages are counted; what
-/// the last level has is shared out by the corners that a tile owns on level 0, which is exact where every new face comes
-/// from a corner, or all faces have one degree and every new one comes from a face.
+/// Cuts every tile as `kith-mpi` would, with its attributes, tile t for rank t modulo `ranks`. Faces of level 0 and
+/// messages are counted; what the last level has is shared out by the corners that a tile owns on level 0, which is
+/// exact where every new face comes from a corner, or all faces have one degree and every new one comes from a face.
 /// Errors: usage_error for a scheme without reach, mesh_error. Cost: that of the control mesh and its shadows.
 planned_ranks plan_ranks(const tile_request& request, const partition& parts, std::uint64_t ranks);
 

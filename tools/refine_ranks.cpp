@@ -63,7 +63,8 @@ partition partition_for(const rank_request& request, int ranks)
     return make_partition(request.partitioner, what.control, tiles);
 }
 
-/// Reads what is refined on rank 0; without IN the others hear of it from there. The recipe of a journal stays on rank 0.
+/// Reads what is refined on rank 0; without IN the others hear of it from there. The recipe of a journal stays on rank
+/// 0.
 std::optional<recipe> read_request(mpi::communicator& comm, rank_request& request, phase_seconds& seconds)
 {
     std::vector<std::byte> settings;

@@ -49,10 +49,11 @@ struct tiled_result {
     phase_seconds seconds;
 };
 
-/// Refines in tiles and writes each where it belongs; the whole surface is never in memory. On several threads each has a
-/// tile of its own. With a journal, tiles that are finished are left out and, if there is a range, all others outside of it.
-/// Errors: usage_error for a scheme without reach and for tiles that do not exist, mesh_error for what needs more memory than
-/// there may be, file_error, write_error; no file is left then but the journal.
+/// Refines in tiles and writes each where it belongs; the whole surface is never in memory. On several threads each has
+/// a tile of its own. With a journal, tiles that are finished are left out and, if there is a range, all others outside
+/// of it.
+/// Errors: usage_error for a scheme without reach and for tiles that do not exist, mesh_error for what needs more
+/// memory than there may be, file_error, write_error; no file is left then but the journal.
 tiled_result refine_tiles(const tile_request& request, const tiling& how);
 
 } // namespace kith::tool

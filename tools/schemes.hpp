@@ -79,7 +79,8 @@ struct sharp_elements {
 /// Those that are sharp for more levels than this; averages of neighbours (Chaikin) may end that earlier.
 sharp_elements sharp_after(const any_scheme& scheme, int levels);
 
-/// Adds to what goes along with the mesh what the next step of the scheme would read of the last level, or names it as lost.
+/// Adds to what goes along with the mesh what the next step of the scheme would read of the last level, or names it as
+/// lost.
 void tell_next_step(control_mesh& control, const any_scheme& scheme, int levels);
 
 /// "catmull-clark and loop"
@@ -97,10 +98,10 @@ void add_lost_boundary_rule(std::vector<std::string>& lost, const io::mesh_tags&
 /// Errors: usage_error for a name that is not known, and for words that this scheme does not take.
 any_scheme make_scheme(const std::string& name, const scheme_words& words);
 
-/// Cuts the faces of a control mesh into triangles where the words ask for it, and tells the scheme of its creases: those of
-/// the file, and edges sharper than the angle.
-/// Tags that mean something else are noted on standard error; where tags are to be ignored, the mesh has none then. The rule of the file for
-/// corners at the boundary, if it counts, is a word then: for who has not read the file.
+/// Cuts the faces of a control mesh into triangles where the words ask for it, and tells the scheme of its creases:
+/// those of the file, and edges sharper than the angle.
+/// Tags that mean something else are noted on standard error; where tags are to be ignored, the mesh has none then. The
+/// rule of the file for corners at the boundary, if it counts, is a word then: for who has not read the file.
 /// Errors: mesh_error for tags that do not fit the mesh, and for creases and holes if the scheme has no rules for them.
 void give_creases(any_scheme& scheme, control_mesh& control, scheme_words& words);
 

@@ -17,12 +17,13 @@ struct attribute_use {
     bool limit = false;
 };
 
-/// Leaves to the fields what the output holds (held_by), and adds the rest to what is not kept. Normals are kept where the mesh is,
-/// and else not made from those of the file.
+/// Leaves to the fields what the output holds (held_by), and adds the rest to what is not kept. Normals are kept where
+/// the mesh is, and else not made from those of the file.
 void settle_attributes(control_mesh& control, io::mesh_format format, const attribute_use& use);
 
-/// The same for files of tiles: .ply has what it has without tiles, texture coordinates of corners only where all faces have some,
-/// so that every byte has its place; .vtu and .pvtu have the numbers and words of vertices and faces, but for names that they take.
+/// The same for files of tiles: .ply has what it has without tiles, texture coordinates of corners only where all faces
+/// have some, so that every byte has its place; .vtu and .pvtu have the numbers and words of vertices and faces, but
+/// for names that they take.
 void settle_tile_attributes(control_mesh& control, const std::string& output, const attribute_use& use);
 
 } // namespace kith::tool

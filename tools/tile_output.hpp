@@ -43,8 +43,8 @@ struct output_surface {
     std::uint64_t process = 0; ///< the id of the one that begins
 };
 
-/// The output of a refinement in tiles. One process begins and commits, all write, on several threads if they like. With a
-/// journal, what is finished stays in its directory until all is.
+/// The output of a refinement in tiles. One process begins and commits, all write, on several threads if they like.
+/// With a journal, what is finished stays in its directory until all is.
 class tile_output {
 public:
     using tile_type = tile<std::array<double, 3>, std::uint32_t>;
@@ -53,9 +53,9 @@ public:
     /// Errors: mesh_error for what the format cannot hold, file_error.
     tile_output(const output_request& request, const output_surface& surface);
 
-    /// Makes the file, under another name until it is complete; with a journal, unless it is there. Without one a signal
-    /// that ends the program removes it again. False when another job has finished the journal meanwhile: the output is
-    /// there. Errors: file_error, write_error.
+    /// Makes the file, under another name until it is complete; with a journal, unless it is there. Without one a
+    /// signal that ends the program removes it again. False when another job has finished the journal meanwhile: the
+    /// output is there. Errors: file_error, write_error.
     [[nodiscard]] bool begin(const found_recipe& recipe);
     void open();
     /// What is in the journal, of all tiles; nothing without a journal. Errors: write_error.

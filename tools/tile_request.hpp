@@ -24,11 +24,12 @@ struct tile_request {
     attribute_fields attributes{};
 };
 
-/// Reads the control mesh of a request, with what the output holds of its attributes, and what the file says of its creases. Errors: file_error, mesh_error.
+/// Reads the control mesh of a request, with what the output holds of its attributes, and what the file says of its
+/// creases. Errors: file_error, mesh_error.
 void read_control(tile_request& request, const std::string& path);
 
-/// The same of a mesh that has been read, and whose creases the scheme has been told; what the output does not hold is added to what is
-/// not kept. Errors: mesh_error.
+/// The same of a mesh that has been read, and whose creases the scheme has been told; what the output does not hold is
+/// added to what is not kept. Errors: mesh_error.
 void take_control(tile_request& request, control_mesh& control);
 
 } // namespace kith::tool

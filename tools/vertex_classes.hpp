@@ -76,8 +76,8 @@ private:
     boost::geometry::index::rtree<std::size_t, boost::geometry::index::linear<16>, place_of> tree_;
 };
 
-/// Which vertices of two meshes may be the same one: those that are joined by steps from a vertex of one mesh to a vertex
-/// of the other not farther than the tolerance. Nearly always a class is one vertex of each.
+/// Which vertices of two meshes may be the same one: those that are joined by steps from a vertex of one mesh to a
+/// vertex of the other not farther than the tolerance. Nearly always a class is one vertex of each.
 struct vertex_classes {
     using id = std::uint32_t;
 

@@ -28,8 +28,8 @@ property_values<Handle, M> property_values<Handle, M>::read_in_library(const M& 
 
 } // namespace kith::detail
 
-/// KITH_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type and their properties are read, and how such meshes
-/// are made.
+/// KITH_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type and their properties are read, and
+/// how such meshes are made.
 #define KITH_MESH_IN_LIBRARY(...)                                                                                      \
     template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::lift_in_library(const __VA_ARGS__&);                  \
     template __VA_ARGS__ detail::make_in_library(const __VA_ARGS__&,                                                   \

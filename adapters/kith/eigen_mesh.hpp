@@ -18,9 +18,9 @@
 
 namespace kith {
 
-/// A mesh from matrices as libigl has them: a row per point, with three coordinates, and a row per face, with its vertices.
-/// Rows that end in negative numbers are faces with fewer corners. Errors: mesh_error for points of other dimensions, and as
-/// make_mesh. Cost: as make_mesh.
+/// A mesh from matrices as libigl has them: a row per point, with three coordinates, and a row per face, with its
+/// vertices. Rows that end in negative numbers are faces with fewer corners. Errors: mesh_error for points of other
+/// dimensions, and as make_mesh. Cost: as make_mesh.
 template <class V, class F>
 basic_mesh<std::array<typename V::Scalar, 3>> mesh_of_matrices(const Eigen::MatrixBase<V>& points,
                                                                const Eigen::MatrixBase<F>& faces)
@@ -53,8 +53,8 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, 3> points_as_matrix(const basic_mesh<std::
     return Eigen::Map<const rows>(mesh.points().data()->data(), Eigen::Index(mesh.vertex_count()), 3);
 }
 
-/// The faces of a mesh, a row each; rows of faces with fewer corners than others end in -1. Errors: mesh_error for more vertices than an int
-/// can number. Cost: O(corners).
+/// The faces of a mesh, a row each; rows of faces with fewer corners than others end in -1. Errors: mesh_error for more
+/// vertices than an int can number. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 Eigen::MatrixXi faces_as_matrix(const basic_mesh<Point, Index>& mesh)
 {

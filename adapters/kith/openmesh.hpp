@@ -53,8 +53,9 @@ template <std::integral Scalar, int N>
 struct affine<OpenMesh::VectorT<Scalar, N>> : rounded_affine<OpenMesh::VectorT<Scalar, N>, Scalar, std::size_t(N)> {};
 
 /// Meshes of OpenMesh's array kernel, polygons or triangles, any traits, classes derived from them included.
-/// A refined mesh has the attributes of its source, in traits or by request: status, normals, colors, texture coordinates and
-/// the texture index. Their values are zero and properties of the user's own are left out; openmesh_properties.hpp carries them.
+/// A refined mesh has the attributes of its source, in traits or by request: status, normals, colors, texture
+/// coordinates and the texture index. Their values are zero and properties of the user's own are left out;
+/// openmesh_properties.hpp carries them.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
 struct mesh_traits<M> {
     using vertex = OpenMesh::VertexHandle;

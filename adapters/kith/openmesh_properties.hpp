@@ -62,8 +62,8 @@ openmesh_property<OpenMesh::PropertyT<T>> add_property(OpenMesh::BaseKernel& m, 
 
 } // namespace detail
 
-/// The properties of a mesh of OpenMesh that have a name, and its attributes in traits or by request: status, colors and texture
-/// coordinates are carried, normals are not; update_normals() makes them.
+/// The properties of a mesh of OpenMesh that have a name, and its attributes in traits or by request: status, colors
+/// and texture coordinates are carried, normals are not; update_normals() makes them.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
 struct property_access<M> {
     using number = double;
@@ -125,8 +125,8 @@ struct property_access<M> {
                 result.push_back((*p)->name());
         return result;
     }
-    /// Copies the properties of the mesh as a whole, such as the pictures to which texture indices lead; returns the names of those of
-    /// other types.
+    /// Copies the properties of the mesh as a whole, such as the pictures to which texture indices lead; returns the
+    /// names of those of other types.
     static std::vector<std::string> copy_of_whole(const M& from, M& to, std::vector<std::string>& copied)
     {
         std::vector<std::string> others;

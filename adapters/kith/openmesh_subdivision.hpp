@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// What OpenMesh's Subdivider::Uniform has, under the same names in namespace kith::openmesh; and all schemes of kith in that
-/// shape. docs/openmesh.md.
+/// What OpenMesh's Subdivider::Uniform has, under the same names in namespace kith::openmesh; and all schemes of kith
+/// in that shape. docs/openmesh.md.
 #include <kith/openmesh/subdividers.hpp>

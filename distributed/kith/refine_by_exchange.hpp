@@ -32,12 +32,13 @@
 
 namespace kith::mpi {
 
-/// A control mesh that lies on rank 0, refined on all ranks level by level, for schemes whose reach over many levels is not
-/// known: after each step the tiles fetch the shadows that the next one needs. What has to be known of the scheme is one
-/// number, the rings of faces around a tile that a step needs so that one ring around its children is right, too. Bits and
-/// numbers are those of `refine`. All tiles of this rank are in memory.
+/// A control mesh that lies on rank 0, refined on all ranks level by level, for schemes whose reach over many levels is
+/// not known: after each step the tiles fetch the shadows that the next one needs. What has to be known of the scheme
+/// is one number, the rings of faces around a tile that a step needs so that one ring around its children is right,
+/// too. Bits and numbers are those of `refine`. All tiles of this rank are in memory.
 ///
-/// The scheme declares its edges and takes meshes with a boundary; its state, such as creases, can be joined (level_state).
+/// The scheme declares its edges and takes meshes with a boundary; its state, such as creases, can be joined
+/// (level_state).
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class exchanging_refinement {
     static_assert(numbering_of<Scheme, Index>::has_edges,
@@ -51,8 +52,8 @@ public:
 
     /// Collective. `mesh` and `parts` are read on rank 0 only, and the state (creases) of the scheme, whose options and
     /// `rings_per_step` > 0 are the same on all ranks. Errors:
-    /// phase_error for everything that `refine` refuses, for a mesh of face-vertex lists only and for a partition of another
-    /// mesh.
+    /// phase_error for everything that `refine` refuses, for a mesh of face-vertex lists only and for a partition of
+    /// another mesh.
     exchanging_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                           const partition& parts, int rings_per_step)
         : comm_(comm), scheme_(scheme), rings_(rings_per_step)
@@ -84,10 +85,10 @@ public:
         });
     }
 
-    /// Collective. From tiles of level 0, all of one generation, that have `rings_per_step` rings of shadows, wherever they
-    /// come from: read_tiles makes them of a file that is too large for one rank. State of the scheme (creases) is that of the
-    /// whole mesh, by its numbers, as far as the tiles of this rank go. Errors: phase_error for what the scheme
-    /// cannot take.
+    /// Collective. From tiles of level 0, all of one generation, that have `rings_per_step` rings of shadows, wherever
+    /// they come from: read_tiles makes them of a file that is too large for one rank. State of the scheme (creases) is
+    /// that of the whole mesh, by its numbers, as far as the tiles of this rank go. Errors: phase_error for what the
+    /// scheme cannot take.
     exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                           const Scheme& scheme, int rings_per_step)
         : comm_(comm), scheme_(scheme), rings_(rings_per_step), counts_{counts}, tiles_(std::move(tiles))
@@ -124,24 +125,25 @@ public:
         return result;
     }
 
-    /// Collective. Who descends from whom, over all levels so far and by the numbers of the whole mesh: the same on all ranks,
-    /// and local from then on, wherever the tiles are moved. Errors: mpi::error. Cost: runs_of_ranks, of which a mesh of one
-    /// degree has one; O(boundary) memory.
+    /// Collective. Who descends from whom, over all levels so far and by the numbers of the whole mesh: the same on all
+    /// ranks, and local from then on, wherever the tiles are moved. Errors: mpi::error. Cost: runs_of_ranks, of which a
+    /// mesh of one degree has one; O(boundary) memory.
     [[nodiscard]] whole_lineage<columns_type<Scheme>> lineage()
     {
         return {counts_, steps_, corners_, runs_of_ranks(comm_, runs_).joined()};
     }
 
-    /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which is
-    /// so when `rings_per_step` is too small; then the levels are of no use any more. Not every mistake of that kind shows.
+    /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which
+    /// is so when `rings_per_step` is too small; then the levels are of no use any more. Not every mistake of that kind
+    /// shows.
     /// Cost: that of the step and, in messages, of grow_shadows (not on level 0), of telling all ranks what lies at the
     /// boundary, and of a field_exchange that compares.
     void refine()
     {
         refine([](const kept_type&) {});
     }
-    /// Collective. The same, and hands over the tiles of the level that is left, each with its scheme (creases, fields) as it is
-    /// there: keep(kept_tile), which may move it away. They have the shadows that the step needed.
+    /// Collective. The same, and hands over the tiles of the level that is left, each with its scheme (creases, fields)
+    /// as it is there: keep(kept_tile), which may move it away. They have the shadows that the step needed.
     template <std::invocable<kept_type> Keep>
     void refine(const Keep& keep)
     {

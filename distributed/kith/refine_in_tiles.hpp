@@ -14,8 +14,8 @@
 
 namespace kith {
 
-/// A control mesh refined part by part on one machine: only those tiles are in memory that are being refined, so a surface
-/// may be larger than the memory. The bits and the ids are those of `refine`.
+/// A control mesh refined part by part on one machine: only those tiles are in memory that are being refined, so a
+/// surface may be larger than the memory. The bits and the ids are those of `refine`.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class tiled_refinement {
 public:
@@ -23,8 +23,9 @@ public:
     using job_type = tile_job<tile_type, Scheme>;
     using kept_type = kept_tile<tile_type, Scheme>;
 
-    /// The mesh must outlive this object. `last_rings`: of shadows on the last level, where it keeps its edges. Errors: mesh_error for everything that `refine` refuses but for lack of memory,
-    /// for a mesh of face-vertex lists only, for a partition of another mesh, and for more elements than 64 bits can number.
+    /// The mesh must outlive this object. `last_rings`: of shadows on the last level, where it keeps its edges. Errors:
+    /// mesh_error for everything that `refine` refuses but for lack of memory, for a mesh of face-vertex lists only,
+    /// for a partition of another mesh, and for more elements than 64 bits can number.
     /// Cost: that of the control mesh, and of refining its boundary.
     tiled_refinement(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels, const partition& parts,
                      int last_rings = 0)
@@ -40,8 +41,8 @@ public:
     /// Who descends from whom, over all levels and by the numbers of the whole mesh. Cost: O(control mesh).
     [[nodiscard]] auto lineage() const { return whole_.lineage(cutter_.runs()); }
 
-    /// The last level of one part, with its edges where asked for. Safe on several threads, each with a part of its own (see
-    /// for_each_at_once). Errors: as `refine`.
+    /// The last level of one part, with its edges where asked for. Safe on several threads, each with a part of its own
+    /// (see for_each_at_once). Errors: as `refine`.
     [[nodiscard]] tile_type refine(std::size_t part, connect last = connect::faces)
     {
         phase_seconds seconds;
@@ -60,9 +61,9 @@ public:
         kith::refine(job, whole_, last, [](const auto&) {});
         return job;
     }
-    /// Hands over all levels of one part, each with its scheme (creases, fields) as it is there, from level 0 to the last:
-    /// keep(kept_tile), which may move it away. All have their edges and the shadows that later levels need. Errors: as
-    /// `refine`. Cost: as refine_job; two levels are in memory, and those that are kept.
+    /// Hands over all levels of one part, each with its scheme (creases, fields) as it is there, from level 0 to the
+    /// last: keep(kept_tile), which may move it away. All have their edges and the shadows that later levels need.
+    /// Errors: as `refine`. Cost: as refine_job; two levels are in memory, and those that are kept.
     template <std::invocable<kept_type> Keep>
     void refine_levels(std::size_t part, const Keep& keep)
     {

@@ -42,11 +42,11 @@ public:
     using job_type = tile_job<tile_type, Scheme>;
     using kept_type = kept_tile<tile_type, Scheme>;
 
-    /// Collective. `mesh` and `parts` are read on rank 0 only, where the mesh must outlive this object; `scheme` has the
-    /// same options on all ranks; its state of the control mesh (creases) counts on rank 0. `last_rings`: the last level keeps
-    /// its edges and so many rings of shadows; without it only the owned faces are kept, in half of the memory. Errors: phase_error for
-    /// everything that `refine` refuses, for a mesh of face-vertex lists only, for a partition of another mesh and for counts
-    /// beyond 64 bits.
+    /// Collective. `mesh` and `parts` are read on rank 0 only, where the mesh must outlive this object; `scheme` has
+    /// the same options on all ranks; its state of the control mesh (creases) counts on rank 0. `last_rings`: the last
+    /// level keeps its edges and so many rings of shadows; without it only the owned faces are kept, in half of the
+    /// memory. Errors: phase_error for everything that `refine` refuses, for a mesh of face-vertex lists only, for a
+    /// partition of another mesh and for counts beyond 64 bits.
     rank_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                     const partition& parts, std::optional<int> last_rings = std::nullopt)
         : comm_(comm), scheme_(scheme), last_(last_rings ? connect::everything : connect::faces)
@@ -73,11 +73,11 @@ public:
         });
     }
 
-    /// Collective. From tiles of level 0 that lie on their ranks already, with ring_schedule(scheme, levels, last_rings)[0]
-    /// rings of shadows: read_tiles makes them of a file that is too large for one rank. State of
+    /// Collective. From tiles of level 0 that lie on their ranks already, with ring_schedule(scheme, levels,
+    /// last_rings)[0] rings of shadows: read_tiles makes them of a file that is too large for one rank. State of
     /// the scheme (creases) is that of the whole mesh, by its numbers, as far as the tiles of this rank go.
-    /// Errors: phase_error for faces that the scheme does not take, counts beyond 64 bits, and schemes whose numbers need
-    /// more than a tile can tell: of the boundary, if the mesh has one, and of marked edges (4-8).
+    /// Errors: phase_error for faces that the scheme does not take, counts beyond 64 bits, and schemes whose numbers
+    /// need more than a tile can tell: of the boundary, if the mesh has one, and of marked edges (4-8).
     rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                     const Scheme& scheme, int levels, std::optional<int> last_rings = std::nullopt)
         : comm_(comm)
@@ -109,8 +109,8 @@ public:
         tiles_ = comm.sum(std::array{std::uint64_t(held_->size())})[0];
     }
 
-    /// Collective. The same from tiles of level 0 that have a scheme each, whose state (fields, creases) is numbered as the tile is; of
-    /// `scheme` the options count. Errors: as above.
+    /// Collective. The same from tiles of level 0 that have a scheme each, whose state (fields, creases) is numbered as
+    /// the tile is; of `scheme` the options count. Errors: as above.
     rank_refinement(communicator& comm, std::vector<kept_type> tiles, const whole_counts& counts, const Scheme& scheme,
                     int levels, std::optional<int> last_rings = std::nullopt)
         : rank_refinement(comm, parts_of(tiles), counts, scheme, levels, last_rings)
@@ -123,9 +123,9 @@ public:
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return *whole_; }
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
 
-    /// Collective. Who descends from whom, over all levels and by the numbers of the whole mesh: the same on all ranks, and
-    /// local from then on, wherever the tiles are moved. Errors: phase_error for lack of memory. Cost: runs_of_ranks, of which a
-    /// mesh of one degree has one; O(boundary) memory.
+    /// Collective. Who descends from whom, over all levels and by the numbers of the whole mesh: the same on all ranks,
+    /// and local from then on, wherever the tiles are moved. Errors: phase_error for lack of memory. Cost:
+    /// runs_of_ranks, of which a mesh of one degree has one; O(boundary) memory.
     [[nodiscard]] whole_lineage<columns_type<Scheme>> lineage()
     {
         control_runs runs = runs_;
@@ -137,8 +137,9 @@ public:
     }
 
     /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
-    /// `use` may move away; a third argument is the scheme for the next level, if this one keeps its edges. Tiles that lay on their ranks are refined there, once. A rank with several threads refines up to
-    /// `most_at_once` of its tiles at the same time (tiles_at_once); then `use` is called on these threads at the same time.
+    /// `use` may move away; a third argument is the scheme for the next level, if this one keeps its edges. Tiles that
+    /// lay on their ranks are refined there, once. A rank with several threads refines up to `most_at_once` of its
+    /// tiles at the same time (tiles_at_once); then `use` is called on these threads at the same time.
     /// Errors: phase_error, of the first rank that has one.
     template <class Use>
     work_done refine(sharing how, const Use& use, std::size_t most_at_once = 1)
@@ -147,8 +148,8 @@ public:
         std::iota(all.begin(), all.end(), 0);
         return refine(how, all, use, most_at_once);
     }
-    /// Collective. The same for some of the tiles, by their numbers, which are the same on all ranks. Errors: as above, and phase_error for a
-    /// number that no tile has.
+    /// Collective. The same for some of the tiles, by their numbers, which are the same on all ranks. Errors: as above,
+    /// and phase_error for a number that no tile has.
     template <class Use>
     work_done refine(sharing how, const std::vector<std::uint64_t>& numbers, const Use& use,
                      std::size_t most_at_once = 1)
@@ -172,10 +173,11 @@ public:
         return done;
     }
 
-    /// Collective. Refines all tiles as above and hands over each level of each, from level 0 to the last, with its scheme
-    /// (creases, fields) as it is there: keep(kept_tile), which may move it away. All have their edges and the shadows that later
-    /// levels need. Two levels of a tile are in memory, and those that are kept.
-    /// Errors: as above, and phase_error where `last_rings` was left out, so that the last level has no scheme of its own.
+    /// Collective. Refines all tiles as above and hands over each level of each, from level 0 to the last, with its
+    /// scheme (creases, fields) as it is there: keep(kept_tile), which may move it away. All have their edges and the
+    /// shadows that later levels need. Two levels of a tile are in memory, and those that are kept.
+    /// Errors: as above, and phase_error where `last_rings` was left out, so that the last level has no scheme of its
+    /// own.
     template <std::invocable<kept_type> Keep>
     work_done refine_levels(sharing how, const Keep& keep, std::size_t most_at_once = 1)
     {

@@ -34,9 +34,10 @@ std::string difference_in_tile(const Tile& part, const Mesh& whole)
 
 } // namespace detail
 
-/// Tries a scheme's word about its reach on a mesh. Each face is refined as a tile of its own with 0, 1 and 2 rings in the end, and all
-/// that the tile has must be what refining the whole mesh makes. `refine` of many faces, `evaluator`, tiles and ranks believe that word. A mesh
-/// tells more that has all that the scheme tells apart: a boundary, extraordinary vertices, creases.
+/// Tries a scheme's word about its reach on a mesh. Each face is refined as a tile of its own with 0, 1 and 2 rings in
+/// the end, and all that the tile has must be what refining the whole mesh makes. `refine` of many faces, `evaluator`,
+/// tiles and ranks believe that word. A mesh tells more that has all that the scheme tells apart: a boundary,
+/// extraordinary vertices, creases.
 /// Errors: mesh_error that names what is different; those of `refine`. Cost: that of refining each face with its rings.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 void require_reach(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels = 2)

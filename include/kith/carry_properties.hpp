@@ -50,10 +50,10 @@ inline constexpr field_on kind_of_handle = std::same_as<Handle, typename mesh_tr
 
 } // namespace detail
 
-/// Gives a map the values at the elements of level `to` with such handles that follow from those of another map at level `from`, by a rule
-/// of fields; the usual one is that of carry_properties. A half-edge stands for the corner at its target. Maps are property maps, of any
-/// kind and type, or what takes handles in brackets, such as CGAL's dynamic maps and OpenMesh's property managers; to read, a function is
-/// as good. Errors and cost: those of hierarchy::carry.
+/// Gives a map the values at the elements of level `to` with such handles that follow from those of another map at
+/// level `from`, by a rule of fields; the usual one is that of carry_properties. A half-edge stands for the corner at
+/// its target. Maps are property maps, of any kind and type, or what takes handles in brackets, such as CGAL's dynamic
+/// maps and OpenMesh's property managers; to read, a function is as good. Errors and cost: those of hierarchy::carry.
 template <class Handle, mesh M, scheme Scheme, class Source, class Target,
           class Rule = decltype(detail::usual_rule<M, Handle, typename detail::map_value_type<Source, Handle>::type>())>
 void carry_map(const hierarchy<M, Scheme>& levels, int from, int to, const Source& source, Target&& target,
@@ -163,15 +163,16 @@ using types_without_own_means = decltype(std::tuple_cat(
 
 } // namespace detail
 
-/// Gives `fine`, which has the elements of level `to` of a hierarchy, the properties of level `from` under their names: on
-/// vertices, half-edges, edges and faces, of the types that property_access knows, and More.
-/// On vertices, what can be averaged goes by the masks of the scheme, as the points do, and the rest stays with the vertices that
-/// come from a vertex. Faces inherit from their parent, edges from the edge along which they lie. On half-edges what can be averaged
-/// is that of corners, linear in each face, with its seams; the rest stays with those that lie along a half-edge. All others have what
-/// the map gives to new elements, where the library has such values that are no coordinates, else T(), zero where that is left open.
-/// What by_rule names goes by that rule instead.
-/// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without connectivity
-/// per property that is averaged or has a rule, and one pass over the levels for the others of a kind; a copy of the values of level `from`.
+/// Gives `fine`, which has the elements of level `to` of a hierarchy, the properties of level `from` under their names:
+/// on vertices, half-edges, edges and faces, of the types that property_access knows, and More.
+/// On vertices, what can be averaged goes by the masks of the scheme, as the points do, and the rest stays with the
+/// vertices that come from a vertex. Faces inherit from their parent, edges from the edge along which they lie. On
+/// half-edges what can be averaged is that of corners, linear in each face, with its seams; the rest stays with those
+/// that lie along a half-edge. All others have what the map gives to new elements, where the library has such values
+/// that are no coordinates, else T(), zero where that is left open. What by_rule names goes by that rule instead.
+/// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without
+/// connectivity per property that is averaged or has a rule, and one pass over the levels for the others of a kind; a
+/// copy of the values of level `from`.
 template <class... More, mesh M, scheme Scheme, class... Handle, class... T, class... Rule>
 property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
                                  const property_by_rule<Handle, T, Rule>&... rules)
@@ -224,8 +225,8 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
     return report;
 }
 
-/// `refine`, to the same points, with all properties that can be carried. Errors: as hierarchy::refine. Cost: that of both;
-/// keeps all levels meanwhile.
+/// `refine`, to the same points, with all properties that can be carried. Errors: as hierarchy::refine. Cost: that of
+/// both; keeps all levels meanwhile.
 template <class... More, mesh M, scheme Scheme, class... Handle, class... T, class... Rule>
 std::pair<M, property_report> refine_with_properties(const M& mesh, const Scheme& scheme, int levels,
                                                      const property_by_rule<Handle, T, Rule>&... rules)

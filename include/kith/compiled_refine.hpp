@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <span>
 
-/// KITH_COMPILED_REFINE(scheme, mesh): `refine` of this type of mesh by this scheme is compiled once, in the one file of the program
-/// that says `#define KITH_COMPILE_SCHEMES` before it includes this; the others take little longer than their mesh library's
-/// header. At namespace scope, after the mesh's adapter; the results are the same bits.
+/// KITH_COMPILED_REFINE(scheme, mesh): `refine` of this type of mesh by this scheme is compiled once, in the one file
+/// of the program that says `#define KITH_COMPILE_SCHEMES` before it includes this; the others take little longer than
+/// their mesh library's header. At namespace scope, after the mesh's adapter; the results are the same bits.
 #ifdef KITH_COMPILE_SCHEMES
 #define KITH_COMPILED_REFINE(Scheme, ...)                                                                              \
     template __VA_ARGS__ kith::refine(const __VA_ARGS__&, const Scheme&, int, const kith::refine_options&);
@@ -19,11 +19,11 @@
     extern template __VA_ARGS__ kith::refine(const __VA_ARGS__&, const Scheme&, int, const kith::refine_options&);
 #endif
 
-/// KITH_COMPILED_SCHEME(scheme), in the folder `compiled` of the schemes: a program that links kith::compiled_schemes, which defines
-/// KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles there, and compiles only what reads and writes its own meshes, if
-/// their coordinates are doubles. The results are the same bits. KITH_COMPILED_FLOATS: so for floats, but for the schemes
-/// that take longest to compile. KITH_COMPILED_ORDER, KITH_COMPILED_PATCHES: the two fast ways to face lists, where a scheme
-/// has them. KITH_PATCH_PARTS: what patches of all schemes share.
+/// KITH_COMPILED_SCHEME(scheme), in the folder `compiled` of the schemes: a program that links kith::compiled_schemes,
+/// which defines KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles there, and compiles only what reads
+/// and writes its own meshes, if their coordinates are doubles. The results are the same bits. KITH_COMPILED_FLOATS: so
+/// for floats, but for the schemes that take longest to compile. KITH_COMPILED_ORDER, KITH_COMPILED_PATCHES: the two
+/// fast ways to face lists, where a scheme has them. KITH_PATCH_PARTS: what patches of all schemes share.
 
 #define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
     How basic_mesh<std::array<Number, 3>> refine_mesh<connect::everything>(                                            \
@@ -44,7 +44,9 @@
     How basic_mesh<> refine(const basic_mesh<>&, const Scheme&, int, const refine_options&);
 #define KITH_ORDERED_LEVELS(How, Scheme) How basic_mesh<> refine_in_surface_order(basic_mesh<>, Scheme, int);
 #ifdef KITH_HAS_LANES
-#define KITH_PATCHES(How, Scheme) How class patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
+#define KITH_PATCHES(How, Scheme)                                                                                      \
+    How class patched_level<std::array<double, 3>, std::uint32_t, Scheme>;                                             \
+    How class patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
 #define KITH_PATCH_PARTS(How, Number)                                                                                  \
     How class lane_program_maker<Number>;                                                                              \
     How class template_assembler<Number, std::uint32_t>;                                                               \

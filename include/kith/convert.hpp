@@ -84,15 +84,15 @@ std::size_t corners_in_fans(const connectivity<Index>& mesh)
 
 } // namespace detail
 
-/// A mesh of another library with the same elements, in the same order, direction and start of each, and with all properties
-/// that both can hold. Removed elements are left out.
-/// A property keeps its name, its type and its values, on half-edges beyond the boundary, too. Colours, normals and texture
-/// coordinates that have the name that the library of `mesh` gives them get that of the other one, and its type (with the
-/// names of CGAL: "v:color", "v:normal", "v:texcoord"; of OpenMesh: "v:colors", "v:normals", "v:texcoords2D"). Coordinates are
-/// rounded where To has other numbers. What was left out, or narrowed, is told.
+/// A mesh of another library with the same elements, in the same order, direction and start of each, and with all
+/// properties that both can hold. Removed elements are left out.
+/// A property keeps its name, its type and its values, on half-edges beyond the boundary, too. Colours, normals and
+/// texture coordinates that have the name that the library of `mesh` gives them get that of the other one, and its type
+/// (with the names of CGAL: "v:color", "v:normal", "v:texcoord"; of OpenMesh: "v:colors", "v:normals",
+/// "v:texcoords2D"). Coordinates are rounded where To has other numbers. What was left out, or narrowed, is told.
 /// Looked for are the types of values that property_access knows for either library, and More.
-/// Errors: mesh_error for what is no mesh (isolated vertices, several fans at a vertex), for faces that To cannot hold. Cost:
-/// O(elements), and that for each property.
+/// Errors: mesh_error for what is no mesh (isolated vertices, several fans at a vertex), for faces that To cannot hold.
+/// Cost: O(elements), and that for each property.
 template <refinable_mesh To, class... More, mesh From>
 conversion<To> convert(const From& mesh)
 {

@@ -27,15 +27,16 @@ struct possible_patches<Point, Index, Scheme> {
 
 } // namespace detail
 
-/// The points of the last level of a refinement, made again and again while the control points move and what is connected
-/// stays. Where faces look alike the last steps are templates, made once and replayed (docs/design.md, Patches).
-/// It may be used by one thread at a time; it works on those of OpenMP itself.
+/// The points of the last level of a refinement, made again and again while the control points move and what is
+/// connected stays. Where faces look alike the last steps are templates, made once and replayed (docs/design.md,
+/// Patches). It may be used by one thread at a time; it works on those of OpenMP itself.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class evaluator {
 public:
-    /// For the vertices of `refine(control, scheme, levels)`. Errors: those of `refine`. Cost: that of refining and, where there
-    /// are patches, of looking around each face of a level in between; keeps the levels before the patches and some hundred bytes for
-    /// each of their faces (more for those of rare classes), else all levels. Points of another library's types have no patches.
+    /// For the vertices of `refine(control, scheme, levels)`. Errors: those of `refine`. Cost: that of refining and,
+    /// where there are patches, of looking around each face of a level in between; keeps the levels before the patches
+    /// and some hundred bytes for each of their faces (more for those of rare classes), else all levels. Points of
+    /// another library's types have no patches.
     evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
               const refine_options& options = {})
         : levels_(control, scheme, options), generation_(control.generation()), count_(levels)

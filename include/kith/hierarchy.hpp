@@ -37,14 +37,16 @@ public:
         require_input<Scheme>(elements(0), levels_.generation(0));
     }
 
-    /// Adds n levels; refine(1) twice is refine(2), bit for bit. Levels that were undone are given up. Errors: as the function `refine`; the levels so far stay.
+    /// Adds n levels; refine(1) twice is refine(2), bit for bit. Levels that were undone are given up. Errors: as the
+    /// function `refine`; the levels so far stay.
     void refine(int n = 1)
     {
         static_cast<void>(refine(n, [](double) { return true; }));
     }
 
-    /// The same; after each level go_on(done) is told the share of the work that is done, 0 to 1, and may return false: then the
-    /// hierarchy becomes what it was before the call, without levels that were undone before. Returns whether it went on to the end.
+    /// The same; after each level go_on(done) is told the share of the work that is done, 0 to 1, and may return false:
+    /// then the hierarchy becomes what it was before the call, without levels that were undone before. Returns whether
+    /// it went on to the end.
     template <std::predicate<double> GoOn>
     bool refine(int n, const GoOn& go_on)
     {
@@ -64,8 +66,9 @@ public:
         return true;
     }
 
-    /// Adds a level in which some faces of the last level are refined and the mesh stays conforming; the scheme is `selected`.
-    /// Which: those for which chosen(face) holds, those in a list, or those with a flag, in the order of dense numbers.
+    /// Adds a level in which some faces of the last level are refined and the mesh stays conforming; the scheme is
+    /// `selected`. Which: those for which chosen(face) holds, those in a list, or those with a flag, in the order of
+    /// dense numbers.
     /// Errors: as above; mesh_error for handles of no face of the last level, and unless there is a flag per face.
     template <std::predicate<typename traits::face> Chosen>
         requires selecting_scheme<Scheme, level_type>
@@ -87,8 +90,9 @@ public:
         levels_.add_by([&](Scheme& scheme, const level_type& last) { scheme.select(last, flags); });
     }
 
-    /// Takes back the last n levels. What they were made by, selections and moved points, is kept until the next change, so that
-    /// `redo` makes them again, the same bits. Errors: mesh_error for fewer than none, and for more than there are.
+    /// Takes back the last n levels. What they were made by, selections and moved points, is kept until the next
+    /// change, so that `redo` makes them again, the same bits. Errors: mesh_error for fewer than none, and for more
+    /// than there are.
     void undo(int n = 1)
     {
         detail::require_between(n, depth(), "taken back");
@@ -102,9 +106,10 @@ public:
     /// How many levels `redo` can make again.
     [[nodiscard]] int undone() const { return levels_.undone(); }
 
-    /// From now on level 0 and the last `count` levels stay in memory; the others are dropped, now and whenever levels are
-    /// added. Of a dropped level the scheme with its state stays; `restore` makes the rest again. A level whose points
-    /// `move_points` has moved itself stays, as no rule would make it again. Errors: mesh_error for less than one.
+    /// From now on level 0 and the last `count` levels stay in memory; the others are dropped, now and whenever levels
+    /// are added. Of a dropped level the scheme with its state stays; `restore` makes the rest again. A level whose
+    /// points `move_points` has moved itself stays, as no rule would make it again. Errors: mesh_error for less than
+    /// one.
     void keep_last(int count)
     {
         if (count < 1)
@@ -129,16 +134,16 @@ public:
     /// Taken out of a hierarchy that is given up: std::move(levels).finest().
     [[nodiscard]] M finest() && { return std::move(levels_.mesh(depth())); }
 
-    /// The scheme as it is at a level, with the state of that level (creases), and with what was chosen for the step from there, also where
-    /// that has been undone: what begins with it takes that step first.
+    /// The scheme as it is at a level, with the state of that level (creases), and with what was chosen for the step
+    /// from there, also where that has been undone: what begins with it takes that step first.
     [[nodiscard]] const Scheme& scheme(int level) const { return levels_.entry_at(level).scheme; }
 
     /// The elements of a level as schemes see them: coarse.vertices(), v.corners() and so on.
     [[nodiscard]] const level_type& elements(int level) const { return levels_.elements(level); }
 
     /// The element of level+1 that belongs to elements of `level`, e.g. assoc(0, e, targets::V): what the scheme made
-    /// under this tuple, which may be of elements that do not touch. Errors: association_error if it made none, and on the last
-    /// level; mesh_error for handles of no element of this level. Cost: that of `retrieve`.
+    /// under this tuple, which may be of elements that do not touch. Errors: association_error if it made none, and on
+    /// the last level; mesh_error for handles of no element of this level. Cost: that of `retrieve`.
     template <handle_of<M> X, target Target>
     [[nodiscard]] auto assoc(int level, const X& x, Target target) const
     {
@@ -155,38 +160,42 @@ public:
         return child_of(levels_, level, target, levels_.at(level, x), levels_.at(level, y), levels_.at(level, z));
     }
 
-    /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and for
-    /// handles of no element of this level. Cost: O(1), O(log n) where the scheme leaves tuples of that kind out.
+    /// The inverse: the elements of level-1 to which an element of `level` belongs. Errors: mesh_error for level 0 and
+    /// for handles of no element of this level. Cost: O(1), O(log n) where the scheme leaves tuples of that kind out.
     template <handle_of<M> X>
     [[nodiscard]] birth<M> origin(int level, const X& x) const
     {
         return birth_in(levels_, level, levels_.at(level, x));
     }
 
-    /// The element of a coarser level from which an element of `level` descends. Each new element has one parent: (v) is the
-    /// parent of what is made under it, the edge of (e) and (v,e), the face of all others; of tuples whose elements do not touch
-    /// see parent_of_listed. An edge that was found by matching has the element between the parents of its ends or, where these do not
-    /// touch, the parent of the face on its left. An element of `level` itself is its own ancestor there.
-    /// Errors: mesh_error unless coarser <= level, and for handles of no element of this level. Cost: that of `origin` per level.
+    /// The element of a coarser level from which an element of `level` descends. Each new element has one parent: (v)
+    /// is the parent of what is made under it, the edge of (e) and (v,e), the face of all others; of tuples whose
+    /// elements do not touch see parent_of_listed. An edge that was found by matching has the element between the
+    /// parents of its ends or, where these do not touch, the parent of the face on its left. An element of `level`
+    /// itself is its own ancestor there.
+    /// Errors: mesh_error unless coarser <= level, and for handles of no element of this level. Cost: that of `origin`
+    /// per level.
     template <handle_of<M> X>
     [[nodiscard]] ancestor_element<M> ancestor(int level, const X& x, int coarser) const
     {
         return ancestor_in(levels_, level, numbered(levels_.at(level, x)), coarser);
     }
 
-    /// The elements of a finer level that have this element of `level` as their ancestor; those of different elements have none
-    /// in common. Errors: mesh_error unless level <= finer, and for handles of no element of this level. Cost: O(their
-    /// ranges), few per level; where edges are found by matching O(vertices of the dictionary + edges) per level.
+    /// The elements of a finer level that have this element of `level` as their ancestor; those of different elements
+    /// have none in common. Errors: mesh_error unless level <= finer, and for handles of no element of this level.
+    /// Cost: O(their ranges), few per level; where edges are found by matching O(vertices of the dictionary + edges)
+    /// per level.
     template <handle_of<M> X>
     [[nodiscard]] descendant_elements<level_type> descendants(int level, const X& x, int finer) const
     {
         return descendants_in(levels_, level, numbered(levels_.at(level, x)), finer);
     }
 
-    /// Moves the vertices of a level, and those of all finer levels with them: the same bits as refining a mesh with these points,
-    /// without making its connectivity again; state of the levels, which does not follow from places, stays. Points in the order of dense numbers.
-    /// Errors: mesh_error unless there is a point per vertex, all finite; nothing is moved then. Where memory runs out, finer levels may stay
-    /// as they were. Cost: that of `carry`.
+    /// Moves the vertices of a level, and those of all finer levels with them: the same bits as refining a mesh with
+    /// these points, without making its connectivity again; state of the levels, which does not follow from places,
+    /// stays. Points in the order of dense numbers.
+    /// Errors: mesh_error unless there is a point per vertex, all finite; nothing is moved then. Where memory runs out,
+    /// finer levels may stay as they were. Cost: that of `carry`.
     void move_points(int level, std::span<const typename traits::point> points)
         requires movable_mesh<M>
     {
@@ -205,8 +214,8 @@ public:
     }
 
     /// Values at the vertices of level `from` carried to level `to` by the scheme's own text: colours, weights, hashes,
-    /// anything with an `affine`, which may be called on several threads at once where points are plain bytes. In the order of the dense vertex
-    /// numbers. Errors: mesh_error unless from <= to and there is a
+    /// anything with an `affine`, which may be called on several threads at once where points are plain bytes. In the
+    /// order of the dense vertex numbers. Errors: mesh_error unless from <= to and there is a
     /// value per vertex. Cost: that of refining again, without connectivity.
     template <affine_value T>
     [[nodiscard]] storage<T> carry(int from, int to, std::span<const T> values) const
@@ -232,7 +241,8 @@ public:
         return values;
     }
 
-    /// The subdivision matrix from the vertices of one level to those of a finer one. Errors: mesh_error unless from <= to.
+    /// The subdivision matrix from the vertices of one level to those of a finer one. Errors: mesh_error unless from <=
+    /// to.
     /// Cost: O(its entries log of those of a row) time and memory per level.
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
@@ -240,9 +250,10 @@ public:
         return matrix<field_on::vertices>(from, to, by_mask());
     }
 
-    /// The matrix of a rule of fields: a row for each element of that kind of level `to`, over those of level `from`. On faces
-    /// `from_parent()` sends values down, and its transpose sums them up; on corners it is that of texture coordinates, on edges that of
-    /// what lies along them. Rows of elements that inherit nothing are empty. Errors and cost: as above.
+    /// The matrix of a rule of fields: a row for each element of that kind of level `to`, over those of level `from`.
+    /// On faces `from_parent()` sends values down, and its transpose sums them up; on corners it is that of texture
+    /// coordinates, on edges that of what lies along them. Rows of elements that inherit nothing are empty. Errors and
+    /// cost: as above.
     template <field_on Where, class Rule>
     [[nodiscard]] subdivision_matrix matrix(int from, int to, const Rule& rule) const
     {

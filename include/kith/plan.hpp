@@ -75,7 +75,8 @@ partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, 
 }
 
 /// V, E, F and bytes of levels 0 to n before anything is allocated; thesis table 1.1.
-/// Errors: mesh_error for negative n, for a boundary that the scheme refuses, and for a level with more elements than 64 bits count or `index_bytes` number.
+/// Errors: mesh_error for negative n, for a boundary that the scheme refuses, and for a level with more elements than
+/// 64 bits count or `index_bytes` number.
 /// Cost: O(n).
 template <countable_scheme S>
 std::vector<planned_level> plan(const counts& control, const S& scheme, int levels, int generation = 0,
@@ -87,7 +88,8 @@ std::vector<planned_level> plan(const counts& control, const S& scheme, int leve
     return std::move(result.levels);
 }
 
-/// The most memory that is in use at once while levels 0 to n are made: all of them where they are kept, else the last two.
+/// The most memory that is in use at once while levels 0 to n are made: all of them where they are kept, else the last
+/// two.
 inline std::uint64_t peak_bytes(const std::vector<planned_level>& plan, bool keep_levels, bool least_last = false)
 {
     std::uint64_t peak = 0, kept = 0;
@@ -113,8 +115,8 @@ inline std::uint64_t peak_bytes_keeping_last(const std::vector<planned_level>& p
     return peak;
 }
 
-/// Which share of the work to n levels is done when level 0, 1, ... n is there, 0 to 1: by the faces of the levels where they can be
-/// counted ahead, else in equal parts. Errors: as `plan`. Cost: O(n).
+/// Which share of the work to n levels is done when level 0, 1, ... n is there, 0 to 1: by the faces of the levels
+/// where they can be counted ahead, else in equal parts. Errors: as `plan`. Cost: O(n).
 template <scheme S>
 std::vector<double> shares_of_work(const counts& control, const S& scheme, int levels, int generation = 0)
 {

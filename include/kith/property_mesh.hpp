@@ -36,8 +36,9 @@ public:
     [[nodiscard]] const native_mesh& native() const { return mesh_; }
     operator const native_mesh&() const { return mesh_; }
 
-    /// Gives the elements of a kind the values of a field under a name; what had that name there goes, but values of this type on half-edges beyond the
-    /// boundary. Corners are kept as the half-edges that lead to them, as in the other libraries.
+    /// Gives the elements of a kind the values of a field under a name; what had that name there goes, but values of
+    /// this type on half-edges beyond the boundary. Corners are kept as the half-edges that lead to them, as in the
+    /// other libraries.
     /// Errors: mesh_error unless there is a value for each.
     template <field_on Where, class T, class Rule>
     void set(const std::string& name, const field<Where, T, Rule>& values)
@@ -51,7 +52,8 @@ public:
         for (std::size_t i = 0; i < handles.size(); ++i)
             to[handles[i].value] = values[i];
     }
-    /// The values under a name by dense number, as fields take them. Errors: mesh_error where there are none of this type.
+    /// The values under a name by dense number, as fields take them. Errors: mesh_error where there are none of this
+    /// type.
     template <field_on Where, class T>
     [[nodiscard]] storage<T> get(const std::string& name) const
     {

@@ -18,10 +18,10 @@
 namespace kith {
 
 struct refine_options {
-    /// Of the last level: `connect::faces` leaves out its edges, which saves about a third of the time and nearly half of the memory.
-    /// Large meshes whose faces lie in no order are refined in another one then, which is faster; nothing else changes.
-    /// When such a mesh is refined again its edges are found by matching: the same surface, other edge numbers.
-    /// For native meshes; those of other libraries and the levels of a `hierarchy` have everything.
+    /// Of the last level: `connect::faces` leaves out its edges, which saves about a third of the time and nearly half
+    /// of the memory. Large meshes whose faces lie in no order are refined in another one then, which is faster;
+    /// nothing else changes. When such a mesh is refined again its edges are found by matching: the same surface, other
+    /// edge numbers. For native meshes; those of other libraries and the levels of a `hierarchy` have everything.
     connect last_level = connect::everything;
     /// In bytes; a refinement whose native levels would need more is refused before they are made. Meshes of other
     /// libraries that are copied or built are not counted.

@@ -15,8 +15,8 @@ namespace kith {
 #ifdef KITH_HAS_LANES
 
 /// The last steps of a refinement, face by face: a face of the level before them owns a patch of the last
-/// level. Faces with alike neighbourhoods share a template, which is replayed in SIMD lanes; the few others are refined as
-/// meshes of their own. The numbers and the bits are those of refining level by level.
+/// level. Faces with alike neighbourhoods share a template, which is replayed in SIMD lanes; the few others are refined
+/// as meshes of their own. The numbers and the bits are those of refining level by level.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patch_refinement {
@@ -43,8 +43,9 @@ public:
                costs_.of_look * plan_->rings <= costs_.most_of_looks * plan_->faces_of_patch();
     }
 
-    /// What refining level by level makes, to the bit; of the last level what is asked for. Nothing where it is no gain. The mesh, the control
-    /// mesh, and its scheme become the level whose faces own patches. Precondition: is_worth_looking().
+    /// What refining level by level makes, to the bit; of the last level what is asked for. Nothing where it is no
+    /// gain. The mesh, the control mesh, and its scheme become the level whose faces own patches. Precondition:
+    /// is_worth_looking().
     [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine(basic_mesh<Point, Index>& mesh, Scheme& scheme,
                                                                  connect last_level) const
     {
@@ -53,7 +54,8 @@ public:
             return {};
         return filled(mesh, *made, last_level);
     }
-    /// The same into a mesh of another library; false where it is no gain. Precondition: is_worth_looking(). Errors: those of `make_room`.
+    /// The same into a mesh of another library; false where it is no gain. Precondition: is_worth_looking(). Errors:
+    /// those of `make_room`.
     [[nodiscard]] bool refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index>& mesh,
                                    Scheme& scheme) const
     {
@@ -70,8 +72,8 @@ public:
 private:
     using patches = patched_level<Point, Index, Scheme>;
 
-    /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a kind of its own. After as
-    /// many steps as there are rings around a patch there are few kinds; patches begin there.
+    /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a kind of
+    /// its own. After as many steps as there are rings around a patch there are few kinds; patches begin there.
     void begin_where_faces_are_alike(const Scheme& scheme, int levels)
     {
         costs_ = costs_.if_unlike();
@@ -80,7 +82,8 @@ private:
         if (plan_->begin < plan_->rings)
             plan_.reset();
     }
-    /// Makes of the mesh the level whose faces own patches, and of the scheme that of this level; nothing where they are no gain.
+    /// Makes of the mesh the level whose faces own patches, and of the scheme that of this level; nothing where they
+    /// are no gain.
     [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, Scheme& scheme,
                                                        connect last_level) const
     {

@@ -68,10 +68,10 @@ M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const r
 
 } // namespace detail
 
-/// `refine`, to the same bits, with fields of the mesh, which become those of the mesh that is returned, by its dense numbers:
-/// refine_with_fields(mesh, loop{}, 3, std::tie(material, uv)).
-/// Errors: as `refine`, and mesh_error for a field of another number of values, and for one on edges where the last level has
-/// none; the fields are as before then. Cost: that of `refine` and of the rules of the fields.
+/// `refine`, to the same bits, with fields of the mesh, which become those of the mesh that is returned, by its dense
+/// numbers: refine_with_fields(mesh, loop{}, 3, std::tie(material, uv)).
+/// Errors: as `refine`, and mesh_error for a field of another number of values, and for one on edges where the last
+/// level has none; the fields are as before then. Cost: that of `refine` and of the rules of the fields.
 template <refinable_mesh M, scheme Scheme, class... Fields>
 M refine_with_fields(const M& mesh, const Scheme& scheme, int levels, std::tuple<Fields&...> fields,
                      const refine_options& options = {})
@@ -83,7 +83,8 @@ M refine_with_fields(const M& mesh, const Scheme& scheme, int levels, std::tuple
     return fine;
 }
 
-/// The same with the fields, and all other state (creases), that the scheme has; it becomes the scheme of the last level.
+/// The same with the fields, and all other state (creases), that the scheme has; it becomes the scheme of the last
+/// level.
 template <refinable_mesh M, scheme Scheme>
 M refine_with_fields(const M& mesh, Scheme& scheme, int levels, const refine_options& options = {})
 {

@@ -10,17 +10,17 @@
 
 namespace kith::io {
 
-/// Lets a signal that ends the program (SIGTERM, SIGINT, SIGHUP, unless they are ignored) first remove what is unfinished:
-/// a thread of its own waits for the signals, removes, and ends the program by the signal. Called once, at the beginning of
-/// main, since all threads that are started later must leave these signals to that one. A process that has nothing to remove
-/// ends so much later, for those that have: mpirun kills all ranks as soon as one has ended.
+/// Lets a signal that ends the program (SIGTERM, SIGINT, SIGHUP, unless they are ignored) first remove what is
+/// unfinished: a thread of its own waits for the signals, removes, and ends the program by the signal. Called once, at
+/// the beginning of main, since all threads that are started later must leave these signals to that one. A process that
+/// has nothing to remove ends so much later, for those that have: mpirun kills all ranks as soon as one has ended.
 void remove_unfinished_when_interrupted(std::chrono::milliseconds patience = {});
 
 /// While it is held, a signal waits: what is several steps is done as one.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> hold_interruptions();
 
-/// The file that a path leads to when symbolic links are followed, whether it is there or not. Errors: file_error for links
-/// that lead in a circle.
+/// The file that a path leads to when symbolic links are followed, whether it is there or not. Errors: file_error for
+/// links that lead in a circle.
 std::string target_of(const std::string& path);
 
 /// The name of what is unfinished, next to the target, for the process with this number.
@@ -29,11 +29,12 @@ std::string unfinished_name(const std::string& target, unsigned long process);
 /// Gives a finished file the name of its target, with the permissions of a file that is replaced. Errors: file_error.
 void give_name(const std::string& finished, const std::string& target);
 
-/// A file under another name, until `commit` gives it its own. Without `commit`, or when that fails, nothing is left and a
-/// file that was there before is untouched. It has the permissions of the file that it will replace. Symbolic links are
-/// followed. What is no regular file (a device, a pipe) is written directly.
-/// The process that makes it holds a lock (flock) on it, so what was left by a process that was killed is recognised, on any
-/// host, and removed by the next one that writes the same output; not on a file system without locks. Errors: file_error.
+/// A file under another name, until `commit` gives it its own. Without `commit`, or when that fails, nothing is left
+/// and a file that was there before is untouched. It has the permissions of the file that it will replace. Symbolic
+/// links are followed. What is no regular file (a device, a pipe) is written directly.
+/// The process that makes it holds a lock (flock) on it, so what was left by a process that was killed is recognised,
+/// on any host, and removed by the next one that writes the same output; not on a file system without locks. Errors:
+/// file_error.
 class unfinished_file {
 public:
     explicit unfinished_file(const std::string& path);

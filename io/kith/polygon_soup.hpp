@@ -12,8 +12,8 @@
 
 namespace kith::io {
 
-/// A file's content as it stands: nothing is known yet about how the faces hang together, but all their vertices are there
-/// and all coordinates are finite.
+/// A file's content as it stands: nothing is known yet about how the faces hang together, but all their vertices are
+/// there and all coordinates are finite.
 struct polygon_soup {
     std::vector<std::array<double, 3>> points;
     face_list faces;

@@ -127,9 +127,10 @@ auto native(const M& mesh)
 
 } // namespace detail
 
-/// Writes a hierarchy with the state of its scheme (creases, fields) so that `read_levels` makes it again: the control mesh, how
-/// often it was refined, the faces that were chosen for it and the points that `move_points` has moved, as all else follows from them. The bytes are those of
-/// this kind of machine. Left out are removed elements of the control mesh and properties that are no fields of the scheme.
+/// Writes a hierarchy with the state of its scheme (creases, fields) so that `read_levels` makes it again: the control
+/// mesh, how often it was refined, the faces that were chosen for it and the points that `move_points` has moved, as
+/// all else follows from them. The bytes are those of this kind of machine. Left out are removed elements of the
+/// control mesh and properties that are no fields of the scheme.
 /// Errors: those of the stream, in its state. Cost: that of the control mesh and of levels that were moved.
 template <mesh M, scheme Scheme>
 void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
@@ -160,9 +161,9 @@ void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
     out.write(reinterpret_cast<const char*>(&sum), sizeof sum);
 }
 
-/// The hierarchy that `write_levels` has written, with all its levels, the same bits. `scheme` has the options that it had then;
-/// its state is read. Errors: file_error for bytes that are damaged, of other types or of another scheme, and where the options
-/// make other levels; mesh_error if it does not fit into the memory limit. Cost: that of refining.
+/// The hierarchy that `write_levels` has written, with all its levels, the same bits. `scheme` has the options that it
+/// had then; its state is read. Errors: file_error for bytes that are damaged, of other types or of another scheme, and
+/// where the options make other levels; mesh_error if it does not fit into the memory limit. Cost: that of refining.
 template <mesh M, scheme Scheme>
 hierarchy<M, Scheme> read_levels(std::istream& in, Scheme scheme = {}, refine_options options = {})
 try {

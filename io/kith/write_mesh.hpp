@@ -22,12 +22,13 @@ struct written_mesh {
     const mesh_attributes* attributes = nullptr;       ///< of the mesh, and then of the isolated points; see held_by
 };
 
-/// Refuses, before anything is written, faces that a format has no room for, places and normals that are not finite, and in
-/// binary STL places that are too large for its floats. Errors: file_error. Cost: one pass.
+/// Refuses, before anything is written, faces that a format has no room for, places and normals that are not finite,
+/// and in binary STL places that are too large for its floats. Errors: file_error. Cost: one pass.
 /// Preconditions: attributes have a value per element, of their type.
 void require_writable(mesh_format format, const written_mesh& what);
 
-/// Writes a mesh; text in the shortest digits that read back as the same doubles. The same bytes on any number of threads.
+/// Writes a mesh; text in the shortest digits that read back as the same doubles. The same bytes on any number of
+/// threads.
 /// Preconditions: require_writable. Errors: those of the stream, in its state. Cost: one pass, a few MB of memory.
 void write_mesh(std::ostream& out, mesh_format format, const written_mesh& what);
 

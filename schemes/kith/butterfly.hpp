@@ -13,9 +13,9 @@
 
 namespace kith {
 
-/// Modified Butterfly: triangles, interpolating. Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996, section 3.
-/// An end of an edge is irregular if it lies inside and has not six neighbours. Boundary: the four-point curve; wings
-/// beyond it are reflected. C1. Cost: O(corners), those of large fans times their logarithm.
+/// Modified Butterfly: triangles, interpolating. Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996, section
+/// 3. An end of an edge is irregular if it lies inside and has not six neighbours. Boundary: the four-point curve;
+/// wings beyond it are reflected. C1. Cost: O(corners), those of large fans times their logarithm.
 struct butterfly {
     static constexpr auto traits()
     {

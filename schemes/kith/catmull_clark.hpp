@@ -9,8 +9,8 @@
 namespace kith {
 
 /// Catmull-Clark: uniform bicubic B-splines for polygon meshes of any kind. After one step all faces are quads.
-/// Catmull & Clark 1978; v-mask as DeRose, Kass & Truong 1998 write it, with e the old neighbours (the thesis, 2.1.1, adds
-/// the new e-points instead, which is not Catmull-Clark; docs/schemes.md). Boundary: uniform cubic B-spline.
+/// Catmull & Clark 1978; v-mask as DeRose, Kass & Truong 1998 write it, with e the old neighbours (the thesis, 2.1.1,
+/// adds the new e-points instead, which is not Catmull-Clark; docs/schemes.md). Boundary: uniform cubic B-spline.
 /// C2, at extraordinary vertices C1. Cost: O(corners).
 struct catmull_clark {
     boundary_corner corners = boundary_corner::kept;

@@ -13,7 +13,7 @@ namespace kith {
 
 enum class doo_sabin_boundary : unsigned char {
     thesis,  ///< 3/4, 1/4 along the boundary (thesis 2.1.2); corners stay
-    clamped, ///< tensor product of the clamped quadratic B-spline; the thesis's rule in boundary faces that are no quads
+    clamped, ///< tensor product of the clamped quadratic B-spline; the thesis's in faces that are no quads
     drop     ///< no rule: the surface recedes, as in CGAL
 };
 
@@ -30,7 +30,8 @@ struct doo_sabin {
 
     friend bool operator==(const doo_sabin&, const doo_sabin&) = default;
 
-    /// Reach: a point needs its face only; its boundary rule asks what lies across two of the face's edges, or all of them.
+    /// Reach: a point needs its face only; its boundary rule asks what lies across two of the face's edges, or all of
+    /// them.
     static constexpr auto traits()
     {
         return scheme_traits{.name = "doo-sabin",

@@ -32,12 +32,13 @@ concept has_seam_rules = requires(const Scheme& scheme) {
 
 } // namespace detail
 
-/// The rule of values at corners that are as smooth as the surface between their seams: on_corners(uv, face_varying{linear}), for
-/// Catmull-Clark and Loop with their creases. A seam is an edge on whose sides faces say different things at one of its ends;
-/// where they do is looked at once, in the first step, by ==. `linear` says what stays linear at seams; face_varying_linear::all
-/// is linear_in_faces, as every choice is for the linear schemes, and goes with any scheme. OpenSubdiv's face-varying
-/// interpolation, DeRose, Kass & Truong 1998, section 4; docs/schemes.md. At all corners of one new vertex between the same seams the
-/// values have the same bits. Errors: mesh_error for another scheme. Cost: that of the step without its connectivity, O(corners).
+/// The rule of values at corners that are as smooth as the surface between their seams: on_corners(uv,
+/// face_varying{linear}), for Catmull-Clark and Loop with their creases. A seam is an edge on whose sides faces say
+/// different things at one of its ends; where they do is looked at once, in the first step, by ==. `linear` says what
+/// stays linear at seams; face_varying_linear::all is linear_in_faces, as every choice is for the linear schemes, and
+/// goes with any scheme. OpenSubdiv's face-varying interpolation, DeRose, Kass & Truong 1998, section 4;
+/// docs/schemes.md. At all corners of one new vertex between the same seams the values have the same bits. Errors:
+/// mesh_error for another scheme. Cost: that of the step without its connectivity, O(corners).
 struct face_varying {
     using mark_type = corner_mark;
 

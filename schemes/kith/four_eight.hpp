@@ -10,9 +10,9 @@
 
 namespace kith {
 
-/// 4-8: the four-directional box spline by bisection, twice the triangles per step. Velho & Zorin 2001; the masks are those
-/// of the box spline of degree six (docs/schemes.md). C4, at extraordinary vertices C1. Takes a tri-quad mesh, which
-/// `tri_quad` makes of any mesh. Cost: O(corners).
+/// 4-8: the four-directional box spline by bisection, twice the triangles per step. Velho & Zorin 2001; the masks are
+/// those of the box spline of degree six (docs/schemes.md). C4, at extraordinary vertices C1. Takes a tri-quad mesh,
+/// which `tri_quad` makes of any mesh. Cost: O(corners).
 struct four_eight {
     /// Reach: along unmarked edges a step makes no ring thinner; two steps halve all edges, docs/distributed.md.
     static constexpr auto traits()

@@ -14,7 +14,8 @@
 
 namespace kith {
 
-/// Interpolatory sqrt(3): closed meshes of triangles, three times as many per step, and no point moves. Labsik & Greiner
+/// Interpolatory sqrt(3): closed meshes of triangles, three times as many per step, and no point moves. Labsik &
+/// Greiner
 /// 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners), those of large fans times
 /// their logarithm.
 struct interpolatory_sqrt3 {
@@ -29,8 +30,8 @@ struct interpolatory_sqrt3 {
     }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
 
-    /// The weights of the neighbours of a vertex of valence n, counter-clockwise from the face that the new point is in;
-    /// the vertex itself has the rest. Labsik & Greiner 2000, section 3.
+    /// The weights of the neighbours of a vertex of valence n, counter-clockwise from the face that the new point is
+    /// in; the vertex itself has the rest. Labsik & Greiner 2000, section 3.
     static std::vector<double> ring_weights(std::size_t n)
     {
         if (n == 3)

@@ -9,10 +9,10 @@
 namespace kith {
 
 /// Kobbelt's interpolating scheme for quads: the four-point scheme in both directions. Kobbelt 1996. C1.
-/// Every new point is the four-point rule along a line of the mesh; where no line goes on beyond a vertex, a virtual point
-/// does. `gamma` weighs the vertices opposite an extraordinary vertex in its virtual points: the default makes the two
-/// directions of a face at such a vertex agree (docs/schemes.md). Boundary: four-point curve, corners kept. Cost: O(corners), those of large
-/// fans times their logarithm.
+/// Every new point is the four-point rule along a line of the mesh; where no line goes on beyond a vertex, a virtual
+/// point does. `gamma` weighs the vertices opposite an extraordinary vertex in its virtual points: the default makes
+/// the two directions of a face at such a vertex agree (docs/schemes.md). Boundary: four-point curve, corners kept.
+/// Cost: O(corners), those of large fans times their logarithm.
 struct kobbelt {
     double tension = 1; ///< w, 0 < w < 2 (sqrt 5 - 1)
     double gamma = tension / (8 + tension);

@@ -14,10 +14,10 @@
 namespace kith {
 
 /// Nasri-Hasbini: ternary refinement of bicubic B-splines, three times as fine per step, polygons of any kind.
-/// Published (thesis 2.1.5) are the split and the masks of the regular part. The masks around extraordinary vertices, in
-/// faces that are not quads and at irregular boundary vertices are in docs/schemes.md and not the original
-/// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(corners), those of large faces times
-/// the logarithm of their number.
+/// Published (thesis 2.1.5) are the split and the masks of the regular part. The masks around extraordinary vertices,
+/// in faces that are not quads and at irregular boundary vertices are in docs/schemes.md and not the original
+/// authors'. C2 in the regular part. Extraordinary vertices and faces persist. Cost: O(corners), those of large faces
+/// times the logarithm of their number.
 struct nasri_hasbini {
     static constexpr auto traits()
     {
@@ -40,7 +40,8 @@ struct nasri_hasbini {
             return ring_waves<std::remove_cvref_t<decltype(assoc)>, 2>(assoc, f.vertices(), n);
         });
 
-        // All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them all.
+        // All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them
+        // all.
         for_each(coarse.vertices(), [&](auto v) {
             if (v.is_boundary())
                 rarely([&](auto x) { detail::make_ternary_boundary(x, assoc, large); }, v);

@@ -71,8 +71,8 @@ inline void follow(doo_sabin& scheme, library other)
     if (other == library::cgal)
         scheme.boundary = doo_sabin_boundary::drop;
 }
-/// All others are the same everywhere; but CGAL counts the even and odd steps of sqrt(3) anew in every call, so refine there, as
-/// here, in one call; and OpenMesh's mid-edge takes closed meshes only.
+/// All others are the same everywhere; but CGAL counts the even and odd steps of sqrt(3) anew in every call, so refine
+/// there, as here, in one call; and OpenMesh's mid-edge takes closed meshes only.
 template <scheme Scheme>
 void follow(Scheme&, library)
 {

@@ -14,11 +14,11 @@
 
 namespace kith {
 
-/// A scheme whose steps refine the faces that are chosen for them; of a level for which nothing was chosen all of them. What
-/// keeps the mesh conforming is `closure`: no vertex lies on the edge of another face. Vertices at cut edges have the rules of the
-/// scheme, on the mesh as it is, all others stay; but where a scheme reaches further than a ring of faces new vertices beside green
-/// faces are midpoints. So what is red has the points of full refinement, the same bits, wherever the
-/// level around it has.
+/// A scheme whose steps refine the faces that are chosen for them; of a level for which nothing was chosen all of them.
+/// What keeps the mesh conforming is `closure`: no vertex lies on the edge of another face. Vertices at cut edges have
+/// the rules of the scheme, on the mesh as it is, all others stay; but where a scheme reaches further than a ring of
+/// faces new vertices beside green faces are midpoints. So what is red has the points of full refinement, the same
+/// bits, wherever the level around it has.
 /// Bank, Sherman & Weiser 1983. Cost: that of the scheme on all faces, without their connectivity, and the new level's.
 template <selectable_scheme Scheme>
 class selected {

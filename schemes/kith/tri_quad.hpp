@@ -16,8 +16,8 @@ namespace kith {
 /// The tri-quad mesh that 4-8 subdivision starts from: quads are cut along a diagonal (which one makes no difference to
 /// the next levels), meshes with other faces get a vertex in the middle of every face. Quads cut along a diagonal are
 /// generation 0; one step marks all their edges, which is how the other meshes start, so these are generation 1.
-/// A diagonal is the one with the quad's smallest vertex or, where another edge would join the same two vertices, the other
-/// one; diagonals, directions and starts of fans depend on the numbers of vertices, not on the order of faces.
+/// A diagonal is the one with the quad's smallest vertex or, where another edge would join the same two vertices, the
+/// other one; diagonals, directions and starts of fans depend on the numbers of vertices, not on the order of faces.
 /// Fields of the mesh become those of the one that is returned: tri_quad(mesh, std::tie(material, uv)).
 /// Errors: as `refine_with_fields`, and mesh_error for quads that have no diagonals without such edges.
 /// Cost: O(corners log valence).
@@ -41,8 +41,8 @@ M tri_quad(const M& mesh)
 }
 
 /// The same triangle mesh with these edges, given by their vertices, as the marked ones.
-/// Errors: mesh_error for other faces than triangles, for a mesh without edges, and for a face with no or several marked
-/// edges, which it names. Cost: O(corners log edges).
+/// Errors: mesh_error for other faces than triangles, for a mesh without edges, and for a face with no or several
+/// marked edges, which it names. Cost: O(corners log edges).
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::vector<std::pair<Index, Index>> marked)
 {

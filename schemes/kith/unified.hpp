@@ -10,10 +10,11 @@
 
 namespace kith {
 
-/// The unified primal/dual family: tensor B-splines of bidegree 1 to 9 for closed meshes of any polygons. Zorin & Schroeder
-/// 2001: one split, then repeated averaging over the dual mesh. Odd degrees are primal and make quads, even degrees are
-/// dual and make every inner vertex one of valence 4. C(degree - 1), at extraordinary vertices and faces C1 from degree
-/// 2 on. 1 is the linear split, 2 Doo-Sabin with averaging weights, 3 Catmull-Clark with other vertex weights.
+/// The unified primal/dual family: tensor B-splines of bidegree 1 to 9 for closed meshes of any polygons. Zorin &
+/// Schroeder 2001: one split, then repeated averaging over the dual mesh. Odd degrees are primal and make quads, even
+/// degrees are dual and make every inner vertex one of valence 4. C(degree - 1), at extraordinary vertices and faces C1
+/// from degree 2 on. 1 is the linear split, 2 Doo-Sabin with averaging weights, 3 Catmull-Clark with other vertex
+/// weights.
 /// Errors: mesh_error for a degree that is not 1 to 9. Cost: O(degree corners).
 struct unified {
     int degree = 3;

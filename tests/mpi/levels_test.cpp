@@ -26,8 +26,8 @@ bool same_creases(const Scheme& a, const Scheme& b)
         return true;
 }
 
-/// Level by level, all tiles of this rank against the levels of the mesh that was refined as one: points bit for bit, numbers,
-/// owners, and the state of the schemes. Collective.
+/// Level by level, all tiles of this rank against the levels of the mesh that was refined as one: points bit for bit,
+/// numbers, owners, and the state of the schemes. Collective.
 template <class Levels, class Kept>
 void expect_levels(const Levels& levels, const std::vector<Kept>& tiles, int from, std::size_t parts)
 {

@@ -12,7 +12,8 @@
 
 namespace {
 
-/// What the whole mesh says of each element of its last level: the tuple it came from; of faces also the face of level 0.
+/// What the whole mesh says of each element of its last level: the tuple it came from; of faces also the face of level
+/// 0.
 struct parents {
     std::vector<std::pair<kith::tuple_kind, std::size_t>> of_vertex, of_edge, of_face;
     std::vector<std::size_t> root_of_face;

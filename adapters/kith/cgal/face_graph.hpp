@@ -59,9 +59,10 @@ private:
     std::size_t bound_ = 0;
 };
 
-/// Any model of CGAL's FaceListGraph as a mesh to kith, with a property map of its points: a view, which reads. Descriptors
-/// without numbers, such as those of Polyhedron_3, are numbered in tables when it is made, in the order of the graph.
-/// Coordinates that are floats or doubles are read as arrays, so that all such graphs are refined by the same code.
+/// Any model of CGAL's FaceListGraph as a mesh to kith, with a property map of its points: a view, which reads.
+/// Descriptors without numbers, such as those of Polyhedron_3, are numbered in tables when it is made, in the order of
+/// the graph. Coordinates that are floats or doubles are read as arrays, so that all such graphs are refined by the
+/// same code.
 template <class Graph, class VertexPointMap>
 class face_graph {
     template <class Descriptor>

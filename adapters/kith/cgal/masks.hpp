@@ -18,8 +18,8 @@ namespace kith::cgal {
 
 namespace detail {
 
-/// A step whose points are made by place(view, native mesh, numbering, points of the graph), on the graph as it is before.
-/// What is carried goes by the masks of the scheme, which has the connectivity.
+/// A step whose points are made by place(view, native mesh, numbering, points of the graph), on the graph as it is
+/// before. What is carried goes by the masks of the scheme, which has the connectivity.
 template <class Graph, class VertexPointMap, scheme Scheme, class Place>
 void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation, const Place& place)
 {
@@ -50,8 +50,8 @@ typename View::halfedge inner_side(const View& view, typename View::edge e)
     return graph_calls::has_no_face(view.graph(), h) ? graph_calls::opposite_of(view.graph(), h) : h;
 }
 
-/// Edge points and vertex points by a mask of CGAL's kind. Where an edge lies at the boundary, border_node makes the point of
-/// its end, too.
+/// Edge points and vertex points by a mask of CGAL's kind. Where an edge lies at the boundary, border_node makes the
+/// point of its end, too.
 template <class View, class Mask, class Ids, class Points>
 void place_edges_and_vertices(const View& view, Mask& mask, const Ids& ids, const Points& points)
 {
@@ -116,9 +116,10 @@ void repeat_by_mask(Graph& g, const Np& np, const Scheme& scheme, const Place& p
 
 // NOLINTBEGIN(readability-identifier-naming)
 
-/// CGAL::Subdivision_method_3::PQQ, the quad split by a mask of one's own: a model of CGAL's PQQMask_3, whose face_node,
-/// edge_node, vertex_node and border_node see the mesh as it is before the step. Named parameters: number_of_iterations and
-/// vertex_point_map; or a number of steps. Property maps of a Surface_mesh go linearly, for all others see `subdivision`.
+/// CGAL::Subdivision_method_3::PQQ, the quad split by a mask of one's own: a model of CGAL's PQQMask_3, whose
+/// face_node, edge_node, vertex_node and border_node see the mesh as it is before the step. Named parameters:
+/// number_of_iterations and vertex_point_map; or a number of steps. Property maps of a Surface_mesh go linearly, for
+/// all others see `subdivision`.
 /// Errors: as kith::refine, after the steps that went well. Cost: O(corners) and that of the mask per step.
 template <class Graph, class Mask, class Np>
 void PQQ(Graph& pmesh, Mask mask, const Np& np)

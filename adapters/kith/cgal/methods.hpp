@@ -86,8 +86,8 @@ void Kobbelt_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_
     subdivision(pmesh, kobbelt(), np);
 }
 
-/// Velho and Zorin's 4-8. Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their first
-/// edges, as they do after an earlier call.
+/// Velho and Zorin's 4-8. Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their
+/// first edges, as they do after an earlier call.
 template <class Graph, class Np = CGAL::parameters::Default_named_parameters>
 void FourEight_subdivision(Graph& pmesh, const Np& np = CGAL::parameters::default_values())
 {

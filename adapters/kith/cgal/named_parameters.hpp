@@ -22,7 +22,8 @@ using namespace CGAL::parameters;
 enum edge_sharpness_t { edge_sharpness };
 enum vertex_sharpness_t { vertex_sharpness };
 
-/// Edges and vertices with numbers: sharp for as many levels, infinitely_sharp for ever. `more` is a chain to go on from.
+/// Edges and vertices with numbers: sharp for as many levels, infinitely_sharp for ever. `more` is a chain to go on
+/// from.
 template <class Map>
 auto edge_sharpness_map(const Map& map)
 {

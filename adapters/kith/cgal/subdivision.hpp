@@ -174,16 +174,17 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
 } // namespace detail
 
 /// Subdivides a mesh in place by any scheme of kith's or of one's own: subdivision(pmesh, kith::kobbelt(), np).
-/// The graph is any model of CGAL's MutableFaceGraph and FaceListGraph. Old vertices keep their descriptors and come before the
-/// new ones, in schemes that have a vertex for each; edges and faces are others. Property maps of a Surface_mesh go along by
-/// the rules of `carry_properties`.
+/// The graph is any model of CGAL's MutableFaceGraph and FaceListGraph. Old vertices keep their descriptors and come
+/// before the new ones, in schemes that have a vertex for each; edges and faces are others. Property maps of a
+/// Surface_mesh go along by the rules of `carry_properties`.
 ///
 ///   number_of_iterations(n)         1
 ///   vertex_point_map(map)           get(CGAL::vertex_point, pmesh)
-///   edge_is_constrained_map(map), vertex_is_constrained_map(map)     creases and corners, infinitely sharp where true; a map of
+///   edge_is_constrained_map(map), vertex_is_constrained_map(map) creases and corners, infinitely sharp where true; a
+///   map of
 ///                                   numbers says how sharp
 ///   edge_sharpness_map(map), vertex_sharpness_map(map)     the same with numbers, in parameters of this namespace
-///   visitor(v)                      v.progress(share of the work done) after each level; if that returns false the mesh stays
+///   visitor(v) v.progress(share of the work done) after each level; if that returns false the mesh stays
 ///
 /// Maps of creases that can be written then say how sharp the refined mesh is, so that it can be refined again.
 /// Errors: those of kith::refine; the mesh is as it was then. Cost: that of kith::refine.

@@ -29,8 +29,8 @@ void resize(std::vector<Descriptor>& all, std::size_t size, const Add& add, cons
         all.push_back(add());
 }
 
-/// Makes elements of those that were removed, so that no count or list of them is left. Clearing the mesh would do so, too, with all that
-/// property maps hold.
+/// Makes elements of those that were removed, so that no count or list of them is left. Clearing the mesh would do so,
+/// too, with all that property maps hold.
 template <class Point>
 void take_back_removed(CGAL::Surface_mesh<Point>& m)
 {
@@ -47,8 +47,9 @@ void take_back_removed(CGAL::Surface_mesh<Point>& m)
 
 } // namespace detail
 
-/// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their order,
-/// those of vertices, edges and faces from 0 on; new ones come after them. Points are not written. Cost: O(elements).
+/// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their
+/// order, those of vertices, edges and faces from 0 on; new ones come after them. Points are not written. Cost:
+/// O(elements).
 template <class Graph>
 void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool)
 {
@@ -98,8 +99,8 @@ void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool)
         set_halfedge(vertices[v], halfedges[t.corner_halfedge[t.vertex_corner[v]] ^ 1], g);
 }
 
-/// The same in bulk. Vertices keep their indices if they are to, and removed ones stay removed; edges and faces are numbered
-/// from 0 on. Property maps stay, with their defaults on all edges, half-edges, faces and new vertices.
+/// The same in bulk. Vertices keep their indices if they are to, and removed ones stay removed; edges and faces are
+/// numbered from 0 on. Property maps stay, with their defaults on all edges, half-edges, faces and new vertices.
 template <class Point>
 void write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {

@@ -10,8 +10,8 @@
 
 namespace kith::in_place {
 
-/// Values on their way from level to level by the rules of `carry_properties`, apart from the mesh that they were read of: what is
-/// averaged, at vertices and at corners, and of all else of whom an element has it, plus one.
+/// Values on their way from level to level by the rules of `carry_properties`, apart from the mesh that they were read
+/// of: what is averaged, at vertices and at corners, and of all else of whom an element has it, plus one.
 template <class Number>
 struct carried_values {
     template <class Vertices, class Corners, class Edges, class Faces>
@@ -65,8 +65,8 @@ private:
     }
 };
 
-/// The properties of a mesh that is about to be overwritten: read, taken along, written. Those of other types than property_access
-/// knows stay where they are, or go.
+/// The properties of a mesh that is about to be overwritten: read, taken along, written. Those of other types than
+/// property_access knows stay where they are, or go.
 template <class M>
 class carried_properties {
     using traits = mesh_traits<M>;

@@ -8,9 +8,9 @@
 
 #include <array>
 
-/// How meshes with properties are refined for the dialects, by all schemes; kith::compiled_dialects has it, which is linked with
-/// kith::compiled_cgal and kith::compiled_openmesh and defines KITH_COMPILED_DIALECTS. KITH_FLOATS_IN_PLACE: by those that
-/// kith::compiled_schemes has for floats.
+/// How meshes with properties are refined for the dialects, by all schemes; kith::compiled_dialects has it, which is
+/// linked with kith::compiled_cgal and kith::compiled_openmesh and defines KITH_COMPILED_DIALECTS.
+/// KITH_FLOATS_IN_PLACE: by those that kith::compiled_schemes has for floats.
 #define KITH_REFINE_IN_PLACE(How, Number, Scheme)                                                                      \
     How std::optional<in_place::refined<std::array<Number, 3>>> in_place::refine(                                      \
         in_place::native_mesh<std::array<Number, 3>>,                                                                  \

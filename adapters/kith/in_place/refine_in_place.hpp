@@ -38,9 +38,9 @@ bool keeps_vertices(const Ids& ids, std::size_t vertices)
         return false;
 }
 
-/// One step, with what goes along: `carried`, such as carried_values, and the scheme, which becomes that of the next level.
-/// Where points stay, old vertices do not move, as if each had been reset after the step. change(numbering, points) is called
-/// with the new points before they are used.
+/// One step, with what goes along: `carried`, such as carried_values, and the scheme, which becomes that of the next
+/// level. Where points stay, old vertices do not move, as if each had been reset after the step. change(numbering,
+/// points) is called with the new points before they are used.
 template <class Point, scheme Scheme, class Carried, class Change>
 void step(refined<Point>& surface, Scheme& scheme, Carried& carried, bool points_stay, const Change& change)
 {
@@ -94,8 +94,8 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
     }
 }
 
-/// Refines, and makes scheme and values those of the last level. After each level go_on(share of the work) may say no; then nothing
-/// is returned. Errors: as `refine`.
+/// Refines, and makes scheme and values those of the last level. After each level go_on(share of the work) may say no;
+/// then nothing is returned. Errors: as `refine`.
 template <class Point, scheme Scheme, class Carried>
 std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme, int levels, Carried& carried,
                                      bool points_stay, const std::function<bool(double)>& go_on)

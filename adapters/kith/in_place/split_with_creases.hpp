@@ -7,7 +7,8 @@
 
 namespace kith::in_place {
 
-/// Catmull-Clark or Loop where nothing is to move: the linear split, `linear` or `linear_triangles`, with creases that go along.
+/// Catmull-Clark or Loop where nothing is to move: the linear split, `linear` or `linear_triangles`, with creases that
+/// go along.
 template <scheme Linear>
 struct split_with_creases {
     creases sharpness{};

@@ -21,9 +21,9 @@
 namespace kith::openmesh {
 
 /// A subdivider as OpenMesh's are, by any scheme of kith's or of one's own: attach(mesh), operator()(n), detach(), or
-/// operator()(mesh, n), in place. Old vertices keep their handles and come before the new ones, in schemes that have a vertex
-/// for each; edges and faces are others. Attributes, status bits and properties with names go along by the rules of
-/// `carry_properties`; normals are made anew.
+/// operator()(mesh, n), in place. Old vertices keep their handles and come before the new ones, in schemes that have a
+/// vertex for each; edges and faces are others. Attributes, status bits and properties with names go along by the rules
+/// of `carry_properties`; normals are made anew.
 /// As with OpenMesh the steps of sqrt(3) are counted from attach() on.
 template <class Mesh, scheme Scheme>
 class subdivider {
@@ -34,7 +34,8 @@ class subdivider {
 
 public:
     using mesh_t = Mesh;
-    /// Is told after each level how much of the work is done, and says whether to go on; if not, the mesh stays as it is.
+    /// Is told after each level how much of the work is done, and says whether to go on; if not, the mesh stays as it
+    /// is.
     using progress_function = std::function<bool(double)>;
 
     explicit subdivider(Scheme scheme = {}) : scheme_(std::move(scheme)) {}

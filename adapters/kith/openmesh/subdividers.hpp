@@ -73,8 +73,8 @@ template <class Mesh, class RealType = double>
 using DooSabinT = detail::as_kith<Mesh, doo_sabin>;
 template <class Mesh, class RealType = double>
 using KobbeltT = detail::as_kith<Mesh, kobbelt>;
-/// Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their first edges, as they do after
-/// an earlier call; a TriMesh, too.
+/// Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their first edges, as they
+/// do after an earlier call; a TriMesh, too.
 template <class Mesh, class RealType = double>
 using FourEightT = detail::as_kith<Mesh, four_eight>;
 template <class Mesh, class RealType = double>

@@ -12,10 +12,10 @@
 
 namespace kith::openmesh {
 
-/// Overwrites a mesh of OpenMesh with these elements. Vertices keep their handles if they are to, and deleted ones stay deleted;
-/// edges and faces are numbered from 0 on. What was requested and properties stay, with zeros and T() on all but the vertices
-/// that were there. Points are not written. Errors: mesh_error for more elements than OpenMesh can number, before anything is
-/// changed. Cost: O(elements).
+/// Overwrites a mesh of OpenMesh with these elements. Vertices keep their handles if they are to, and deleted ones stay
+/// deleted; edges and faces are numbered from 0 on. What was requested and properties stay, with zeros and T() on all
+/// but the vertices that were there. Points are not written. Errors: mesh_error for more elements than OpenMesh can
+/// number, before anything is changed. Cost: O(elements).
 template <class M>
 void write_connectivity(M& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {

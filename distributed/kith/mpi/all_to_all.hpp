@@ -29,7 +29,8 @@ public:
         try {
             start(comm, sizes.size());
         } catch (...) {
-            // Nobody may wait for what others will never send; what has begun still writes to its buffers, which stay until the job ends.
+            // Nobody may wait for what others will never send; what has begun still writes to its buffers, which stay
+            // until the job ends.
             static_cast<void>(new std::pair(std::move(sent_), std::move(received_)));
             throw;
         }

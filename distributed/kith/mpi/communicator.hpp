@@ -81,8 +81,8 @@ public:
             count_sent(piece.size());
         });
     }
-    /// Local: starts what send does; `size` is that of the bytes, and both stay where they are until `requests`, to which
-    /// this appends, have been waited for.
+    /// Local: starts what send does; `size` is that of the bytes, and both stay where they are until `requests`, to
+    /// which this appends, have been waited for.
     void start_message(const std::uint64_t& size, std::span<const std::byte> bytes, int to,
                        std::vector<MPI_Request>& requests)
     {
@@ -170,7 +170,8 @@ public:
         });
         return values;
     }
-    /// Collective: the least and the greatest of each, on all ranks; unlike sums of floats they do not depend on the order.
+    /// Collective: the least and the greatest of each, on all ranks; unlike sums of floats they do not depend on the
+    /// order.
     template <std::size_t N>
     [[nodiscard]] std::array<double, N> minimum(std::array<double, N> values)
     {
@@ -184,8 +185,8 @@ public:
         return values;
     }
 
-    /// Collective, between phases: when a rank brings a problem, all ranks throw the one of the lowest such rank, so that
-    /// an error on one rank is one message and no hang. Errors: phase_error.
+    /// Collective, between phases: when a rank brings a problem, all ranks throw the one of the lowest such rank, so
+    /// that an error on one rank is one message and no hang. Errors: phase_error.
     void agree(const std::string& problem);
 
 private:

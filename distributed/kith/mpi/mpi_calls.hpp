@@ -31,9 +31,9 @@ inline void check(int code, const char* call)
     throw error(std::string(call) + ": " + std::string(text, std::size_t(length)));
 }
 
-/// Waits until `is_done()`, which lets MPI go on. Spins for a tenth of a millisecond, as most answers are near; then sleeps
-/// between two looks, an eighth of the time that has passed, a millisecond at most: MPI itself takes a whole processor to
-/// wait. Adds the time to `seconds`.
+/// Waits until `is_done()`, which lets MPI go on. Spins for a tenth of a millisecond, as most answers are near; then
+/// sleeps between two looks, an eighth of the time that has passed, a millisecond at most: MPI itself takes a whole
+/// processor to wait. Adds the time to `seconds`.
 template <class IsDone>
 void wait_until(double& seconds, const IsDone& is_done)
 {

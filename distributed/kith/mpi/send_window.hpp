@@ -13,8 +13,8 @@
 
 namespace kith::mpi {
 
-/// Sends messages to ranks that call communicator::receive, a few at a time: as many as the window is wide are under way,
-/// and the next one waits for the oldest. So what is made to be sent is never in memory as a whole.
+/// Sends messages to ranks that call communicator::receive, a few at a time: as many as the window is wide are under
+/// way, and the next one waits for the oldest. So what is made to be sent is never in memory as a whole.
 class send_window {
 public:
     /// Local. Precondition: width > 0. The communicator must outlive this object.

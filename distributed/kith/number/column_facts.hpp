@@ -13,8 +13,8 @@ namespace kith {
 
 namespace detail {
 
-/// Picks tuples anywhere, by marks of edges, and says how many: `before(n, m)` is how many of the tuples before the n-th of
-/// the whole mesh it picks, with m marked edges before that of the n-th.
+/// Picks tuples anywhere, by marks of edges, and says how many: `before(n, m)` is how many of the tuples before the
+/// n-th of the whole mesh it picks, with m marked edges before that of the n-th.
 template <class Where>
 concept picks_by_marks = requires(const Where& where, global_id n) {
     { where.keep.before(n, n) } -> std::same_as<global_id>;
@@ -39,9 +39,10 @@ template <scheme Scheme>
 inline constexpr bool numbers_corners_at_vertices =
     detail::column_facts<decltype(columns_type<Scheme>::faces)>::any_of_faces_at_vertex;
 
-/// A scheme that tells marked edges from others, by `is_marked(edge)` of its traits(), and whose tiles need `tile::marked_before`: 4-8. Its
-/// first column of edges has to be that of the unmarked ones, which are the marked ones of the next level. So marks are
-/// counted on level 0 only, where tiles are cut; from then on the marked edges are those that come first.
+/// A scheme that tells marked edges from others, by `is_marked(edge)` of its traits(), and whose tiles need
+/// `tile::marked_before`: 4-8. Its first column of edges has to be that of the unmarked ones, which are the marked ones
+/// of the next level. So marks are counted on level 0 only, where tiles are cut; from then on the marked edges are
+/// those that come first.
 template <scheme Scheme>
 inline constexpr bool marks_edges = detail::column_facts<decltype(columns_type<Scheme>::vertices)>::any_by_marks;
 

@@ -14,10 +14,10 @@
 
 namespace kith {
 
-/// What no formula tells of a control mesh, whose faces have any degrees and whose edges are in any order: the corners of the
-/// faces before a face; where the scheme asks for them the faces at the vertices before a vertex (numbers_corners_at_vertices)
-/// and the marked edges before an edge (marks_edges). Of meshes of one degree it is one run, of others one for each change of
-/// degree.
+/// What no formula tells of a control mesh, whose faces have any degrees and whose edges are in any order: the corners
+/// of the faces before a face; where the scheme asks for them the faces at the vertices before a vertex
+/// (numbers_corners_at_vertices) and the marked edges before an edge (marks_edges). Of meshes of one degree it is one
+/// run, of others one for each change of degree.
 struct control_numbers {
     sums_before corners_of_faces, faces_at_vertices, marked_edges;
 };
@@ -64,7 +64,8 @@ control_runs control_runs_of(const basic_mesh<Point, Index>& mesh)
     return result;
 }
 
-/// Of what a tile of level 0 owns. Preconditions: it has a ring of shadows, and the scheme marks no edges. Cost: O(elements).
+/// Of what a tile of level 0 owns. Preconditions: it has a ring of shadows, and the scheme marks no edges. Cost:
+/// O(elements).
 template <scheme Scheme, tile_like Tile>
 control_runs control_runs_of(const Tile& part)
 {

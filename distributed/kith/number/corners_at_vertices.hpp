@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// For schemes with faces that have as many corners as a vertex has faces: how many corners the vertices before a vertex
-/// have. Inside, all vertices that such a scheme makes have four faces; those at the boundary are listed.
+/// For schemes with faces that have as many corners as a vertex has faces: how many corners the vertices before a
+/// vertex have. Inside, all vertices that such a scheme makes have four faces; those at the boundary are listed.
 class corners_at_vertices {
 public:
     corners_at_vertices() = default;

@@ -9,14 +9,14 @@
 
 namespace kith {
 
-/// Elements that follow one another and have equally much of something: the first, how much those before it have in sum, and
-/// how much each of them has.
+/// Elements that follow one another and have equally much of something: the first, how much those before it have in
+/// sum, and how much each of them has.
 struct equal_run {
     global_id first, before, each;
 };
 
-/// How much of something the elements before an element have in sum, such as corners of faces, kept as runs of elements that
-/// have equally much: one run where all faces are quads. The last run goes on for ever.
+/// How much of something the elements before an element have in sum, such as corners of faces, kept as runs of elements
+/// that have equally much: one run where all faces are quads. The last run goes on for ever.
 class sums_before {
 public:
     sums_before() = default;
@@ -37,8 +37,8 @@ public:
         const auto& run = *(std::ranges::upper_bound(runs_, element, {}, &equal_run::first) - 1);
         return run.before + (element - run.first) * run.each;
     }
-    /// The inverse: the element that has the n-th of what is counted. Preconditions: there are so many, and element 0 is in a
-    /// run. Cost: O(log runs).
+    /// The inverse: the element that has the n-th of what is counted. Preconditions: there are so many, and element 0
+    /// is in a run. Cost: O(log runs).
     [[nodiscard]] global_id holder(global_id n) const
     {
         const auto& run = *(std::ranges::upper_bound(runs_, n, {}, &equal_run::before) - 1);

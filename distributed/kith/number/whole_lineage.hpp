@@ -17,8 +17,9 @@
 
 namespace kith {
 
-/// Who descends from whom in a whole mesh that nobody holds, over any number of levels, by the numbers of elements alone: the
-/// answers of `hierarchy`. It holds no element, so it is the same on all ranks and for all tiles, wherever they lie. Local.
+/// Who descends from whom in a whole mesh that nobody holds, over any number of levels, by the numbers of elements
+/// alone: the answers of `hierarchy`. It holds no element, so it is the same on all ranks and for all tiles, wherever
+/// they lie. Local.
 /// Errors of all functions: mesh_error for levels and elements that are not there.
 template <declared_columns Columns>
 class whole_lineage {
@@ -47,15 +48,16 @@ public:
         return counts_[std::size_t(level)];
     }
 
-    /// The tuple of elements of level-1 that gave birth to an element of `level`. Errors: also for level 0. Cost: O(log n).
+    /// The tuple of elements of level-1 that gave birth to an element of `level`. Errors: also for level 0. Cost: O(log
+    /// n).
     [[nodiscard]] whole_tuple origin(int level, const numbered_element& x) const
     {
         require(level, x);
         detail::require_origins(level);
         return origin_of(level, x);
     }
-    /// The element of a coarser level from which an element of `level` descends, by the rule of hierarchy::ancestor. Errors:
-    /// unless coarser <= level. Cost: O(log n) per level, O(log^2 n) where vertices tell the degrees of faces.
+    /// The element of a coarser level from which an element of `level` descends, by the rule of hierarchy::ancestor.
+    /// Errors: unless coarser <= level. Cost: O(log n) per level, O(log^2 n) where vertices tell the degrees of faces.
     [[nodiscard]] numbered_element ancestor(int level, numbered_element x, int coarser) const
     {
         require(level, x);
@@ -67,8 +69,8 @@ public:
         }
         return x;
     }
-    /// The elements of a finer level that have this element of `level` as their ancestor, as ranges of numbers. Errors: unless
-    /// level <= finer. Cost: O(log n) per range and level; ranges are few.
+    /// The elements of a finer level that have this element of `level` as their ancestor, as ranges of numbers. Errors:
+    /// unless level <= finer. Cost: O(log n) per range and level; ranges are few.
     [[nodiscard]] element_ranges descendants(int level, const numbered_element& x, int finer) const
     {
         require(level, x);

@@ -192,7 +192,8 @@ public:
     {
         return numbers_.number(numbers::position(tuple.kind), tuple, tuples_per_element(tuple.kind));
     }
-    /// The ids in column i of tuples that follow one another, all those of some elements. Preconditions and cost: as origin.
+    /// The ids in column i of tuples that follow one another, all those of some elements. Preconditions and cost: as
+    /// origin.
     [[nodiscard]] number_range ids(std::size_t i, const number_range& tuples) const
     {
         return numbers_.numbers(i, tuples);
@@ -204,20 +205,21 @@ public:
             numbers_.picked(i).tell(marks);
     }
     /// The inverse: the tuple that gave birth to an element, without the corners before it.
-    /// Preconditions: id < total(); where marks decide, the marked edges come first, as they do on all levels but 0, or marks
-    /// are told. Cost: O(log exceptions); where marks are told O(log elements log runs).
+    /// Preconditions: id < total(); where marks decide, the marked edges come first, as they do on all levels but 0, or
+    /// marks are told. Cost: O(log exceptions); where marks are told O(log elements log runs).
     [[nodiscard]] whole_tuple origin(global_id id) const
     {
         const auto [kind, tuple] = numbers_.origin(id);
         return {kind, tuple, 0, kind == tuple_kind::ve ? tuple / 2 : tuple};
     }
-    /// The first corner of a new face. Where its degree is that of a face (the number of faces at a vertex) the tuple has
-    /// to know the corners before it.
+    /// The first corner of a new face. Where its degree is that of a face (the number of faces at a vertex) the tuple
+    /// has to know the corners before it.
     [[nodiscard]] global_id first_corner(const whole_tuple& tuple) const
     {
         return numbers_.first_corner(numbers::position(tuple.kind), tuple);
     }
-    /// The same by the number of the face; `corners_before(tuple)` tells those before a tuple (f) or (v) of the coarse level.
+    /// The same by the number of the face; `corners_before(tuple)` tells those before a tuple (f) or (v) of the coarse
+    /// level.
     template <class CornersBefore>
         requires std::is_invocable_r_v<global_id, const CornersBefore&, const whole_tuple&>
     [[nodiscard]] global_id first_corner(global_id face, const CornersBefore& corners_before) const
@@ -229,8 +231,8 @@ public:
         tuple.corners_before = corners_before(tuple);
         return first_corner(tuple);
     }
-    /// The inverse: the face that has a corner. Precondition: corner < total_corners(). Cost: O(1) where the column says the
-    /// degree of its faces, else O(log faces) times that of first_corner.
+    /// The inverse: the face that has a corner. Precondition: corner < total_corners(). Cost: O(1) where the column
+    /// says the degree of its faces, else O(log faces) times that of first_corner.
     template <class CornersBefore>
         requires std::is_invocable_r_v<global_id, const CornersBefore&, const whole_tuple&>
     [[nodiscard]] global_id face_of(global_id corner, const CornersBefore& corners_before) const

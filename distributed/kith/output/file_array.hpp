@@ -154,7 +154,8 @@ void require_values(const Tile& part, const std::vector<file_array>& arrays, std
     }
 }
 
-/// Of the values at all elements that a tile owns: like the checksum of a mesh it is a sum, which does not depend on tiles.
+/// Of the values at all elements that a tile owns: like the checksum of a mesh it is a sum, which does not depend on
+/// tiles.
 template <tile_like Tile>
 mesh_checksum checksum_of_values(const Tile& part, const std::vector<file_array>& arrays,
                                  std::span<const value_bytes> values)

@@ -31,8 +31,8 @@ struct placed_bytes {
     virtual void write(std::uint64_t offset, const void* data, std::size_t size) = 0;
 };
 
-/// A file that many write at the same time, each its own bytes at their place: POSIX only, no MPI-IO, whose offsets have
-/// overflowed in one version or another of every implementation.
+/// A file that many write at the same time, each its own bytes at their place: POSIX only, no MPI-IO, whose offsets
+/// have overflowed in one version or another of every implementation.
 class offset_file final : public placed_bytes {
 public:
     /// Makes the file, of this size, or opens one that was made so. Errors: write_error.

@@ -56,13 +56,14 @@ inline bool has_nan(const file_array& array, const std::byte* value)
 
 } // namespace detail
 
-/// Binary PLY, as programs write it that have the mesh as a whole. Faces of up to 255 corners, and as many vertices as 32 bits
-/// can number. Fields on vertices and faces are properties, one on corners is a list of each face, after its vertices; words for which
-/// numbers of faces stand are comments.
+/// Binary PLY, as programs write it that have the mesh as a whole. Faces of up to 255 corners, and as many vertices as
+/// 32 bits can number. Fields on vertices and faces are properties, one on corners is a list of each face, after its
+/// vertices; words for which numbers of faces stand are comments.
 class ply_file : public stitched_file {
 public:
-    /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number, for numbers of a type
-    /// that it has not, for several of them in a value of a vertex or face, for two fields on corners, and for a name that is taken.
+    /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number, for numbers of
+    /// a type that it has not, for several of them in a value of a vertex or face, for two fields on corners, and for a
+    /// name that is taken.
     explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {},
                       const std::vector<std::string>& file_lines = {})
         : counts_(counts), with_normals_(with_normals), arrays_(std::move(arrays))

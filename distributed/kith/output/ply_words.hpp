@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
-// Words in PLY files, which have numbers only: a property of faces has the numbers of words, and comments of the header, which others
-// skip, say which: "comment word material 2 red paint".
+// Words in PLY files, which have numbers only: a property of faces has the numbers of words, and comments of the
+// header, which others skip, say which: "comment word material 2 red paint".
 
 namespace kith {
 
-/// The tag of OBJ, in PLY a comment, that says that the mesh is of an odd generation: schemes whose steps take turns go on with the other one.
+/// The tag of OBJ, in PLY a comment, that says that the mesh is of an odd generation: schemes whose steps take turns go
+/// on with the other one.
 inline constexpr std::string_view odd_generation = "t generation 1/0/0 1";
 
 /// A text without letters that end lines or are no letters.
@@ -30,7 +31,8 @@ inline std::string ply_name(std::string name)
     return name;
 }
 
-/// The lines of a header that say for which words the numbers of a property stand; the first word is that of none, and has no line.
+/// The lines of a header that say for which words the numbers of a property stand; the first word is that of none, and
+/// has no line.
 inline std::string ply_word_lines(const std::string& property, const std::vector<std::string>& words)
 {
     std::string result;
@@ -48,7 +50,8 @@ inline std::string ply_file_lines(const std::vector<std::string>& lines)
     return result;
 }
 
-/// The words of a property, the first of which says none; nothing where the comments of a header do not say them one by one.
+/// The words of a property, the first of which says none; nothing where the comments of a header do not say them one by
+/// one.
 inline std::vector<std::string> words_in_ply(const std::vector<std::string>& comments, const std::string& property)
 {
     std::vector<std::string> result;

@@ -28,9 +28,9 @@ struct cell_origin {
     std::uint32_t rank = 0;
 };
 
-/// One file of the whole refined mesh, stitched by association: the number of a vertex or a face says where in the file it
-/// stands, so tiles write what they own in any order, at the same time, on any rank, and no vertex is there twice. The
-/// bytes do not depend on the tiles.
+/// One file of the whole refined mesh, stitched by association: the number of a vertex or a face says where in the file
+/// it stands, so tiles write what they own in any order, at the same time, on any rank, and no vertex is there twice.
+/// The bytes do not depend on the tiles.
 class stitched_file {
 public:
     virtual ~stitched_file() = default;
@@ -38,9 +38,9 @@ public:
 
     /// What is not of any tile; one writes it.
     virtual void write_frame(offset_file& file) const = 0;
-    /// The vertices and faces that a tile owns, with the values for the arrays that the file was made with, in their order.
-    /// Local. Errors: write_error, and mesh_error for a vertex that has no finite place, and unless there is a value for each
-    /// element. Cost: O(corners), and a write for each run of consecutive numbers.
+    /// The vertices and faces that a tile owns, with the values for the arrays that the file was made with, in their
+    /// order. Local. Errors: write_error, and mesh_error for a vertex that has no finite place, and unless there is a
+    /// value for each element. Cost: O(corners), and a write for each run of consecutive numbers.
     virtual void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin,
                             std::span<const value_bytes> values = {}) const = 0;
 

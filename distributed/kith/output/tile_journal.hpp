@@ -19,9 +19,9 @@ struct finished_tile {
 };
 
 /// The tiles that are finished, kept behind the surface in the file that they are written to, until it is complete: a
-/// journal in a file of its own could speak of a surface that is no longer there. Every tile has its place, so that ranks
-/// and jobs without MPI write their records at the same time, and a record that was torn by the end of a process spoils
-/// no other. A record counts when its sum is right, which stands for what is refined as well (`recipe`).
+/// journal in a file of its own could speak of a surface that is no longer there. Every tile has its place, so that
+/// ranks and jobs without MPI write their records at the same time, and a record that was torn by the end of a process
+/// spoils no other. A record counts when its sum is right, which stands for what is refined as well (`recipe`).
 class tile_journal {
 public:
     /// The records begin where the surface ends, at byte `begin`.
@@ -33,7 +33,8 @@ public:
     /// Where the records end.
     [[nodiscard]] std::uint64_t end() const { return begin_ + tiles_ * sizeof(record); }
 
-    /// Records that a tile is finished, after all that was written to the file is on the disk. Local. Errors: write_error.
+    /// Records that a tile is finished, after all that was written to the file is on the disk. Local. Errors:
+    /// write_error.
     void add(offset_file& file, std::uint64_t tile, const finished_tile& finished) const
     {
         file.flush();

@@ -12,8 +12,9 @@
 
 namespace kith {
 
-/// Where the arrays of a file in VTK's XML format stand: raw binary, appended, each behind its length. Arrays are declared
-/// in the order of the file, inside of elements that are opened and closed; `finish` makes the head that goes before them.
+/// Where the arrays of a file in VTK's XML format stand: raw binary, appended, each behind its length. Arrays are
+/// declared in the order of the file, inside of elements that are opened and closed; `finish` makes the head that goes
+/// before them.
 class vtu_layout {
 public:
     /// Declares what VTK looks for in this order: Points, Cells, ...

@@ -17,12 +17,13 @@
 
 namespace kith {
 
-/// A file per tile (.vtu) and an index of them (.pvtu), for who wants each part by itself: the faces that the tile owns and
-/// their vertices, no ghosts. Vertices between tiles are in several files, with the number in the whole mesh that says so
-/// (GlobalPointIds, GlobalCellIds). Cell data as in vtu_file.
+/// A file per tile (.vtu) and an index of them (.pvtu), for who wants each part by itself: the faces that the tile owns
+/// and their vertices, no ghosts. Vertices between tiles are in several files, with the number in the whole mesh that
+/// says so (GlobalPointIds, GlobalCellIds). Cell data as in vtu_file.
 class vtu_pieces : public stitched_file {
 public:
-    /// Pieces are written to `directory`, which exists, and looked for in `source`, as seen from the index. Errors: as vtu_file.
+    /// Pieces are written to `directory`, which exists, and looked for in `source`, as seen from the index. Errors: as
+    /// vtu_file.
     vtu_pieces(std::string directory, const std::string& source, std::uint64_t tiles, int level, bool with_origin,
                bool with_normals = false, std::vector<file_array> arrays = {})
         : directory_(std::move(directory))

@@ -11,10 +11,10 @@
 
 namespace kith::detail {
 
-/// What is wrong with the arrays of a tile that comes from elsewhere, or nothing: they have the sizes of the elements they
-/// are about, they point at elements that are there, and elements are in the order of their numbers in the whole mesh.
-/// In another order masks would be evaluated in another order, too. What is not seen is a face that starts at another of
-/// its corners, which is as good a tile of another mesh. Cost: O(elements).
+/// What is wrong with the arrays of a tile that comes from elsewhere, or nothing: they have the sizes of the elements
+/// they are about, they point at elements that are there, and elements are in the order of their numbers in the whole
+/// mesh. In another order masks would be evaluated in another order, too. What is not seen is a face that starts at
+/// another of its corners, which is as good a tile of another mesh. Cost: O(elements).
 template <class Topology, tile_like Tile>
 const char* fault_of_tile(const Topology& t, std::size_t points, const Tile& part)
 {

@@ -15,9 +15,9 @@
 
 namespace kith {
 
-/// A number that two refined surfaces share if and, but for chance, only if they have the same faces, by number, with the
-/// same vertices, by number, at the same places, bit for bit. It is a sum over the faces, so it does not depend on which
-/// tile or rank a face belongs to, nor on their order: sums of checksums are the checksum of all.
+/// A number that two refined surfaces share if and, but for chance, only if they have the same faces, by number, with
+/// the same vertices, by number, at the same places, bit for bit. It is a sum over the faces, so it does not depend on
+/// which tile or rank a face belongs to, nor on their order: sums of checksums are the checksum of all.
 struct mesh_checksum {
     std::uint64_t bits = 0;
 
@@ -76,8 +76,8 @@ mesh_checksum checksum(const basic_mesh<Point, Index>& mesh)
     return sum;
 }
 
-/// Of the faces that a tile owns, for each of its `roots` what has become of that. It does not depend on the tile that a
-/// root is in, so one tile is verified by refining some of its roots in another. Local. Cost: O(corners).
+/// Of the faces that a tile owns, for each of its `roots` what has become of that. It does not depend on the tile that
+/// a root is in, so one tile is verified by refining some of its roots in another. Local. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 std::vector<mesh_checksum> checksums_of_roots(const tile<Point, Index>& part)
 {

@@ -55,8 +55,8 @@ partition block_partition(const basic_mesh<Point, Index>& mesh, std::size_t part
     return result;
 }
 
-/// One number per face, below the number of faces, as METIS's programs write them. Parts may be empty. Errors: mesh_error
-/// for anything else.
+/// One number per face, below the number of faces, as METIS's programs write them. Parts may be empty. Errors:
+/// mesh_error for anything else.
 template <class Point, std::unsigned_integral Index>
 partition read_partition(std::istream& in, const basic_mesh<Point, Index>& mesh)
 {

@@ -19,8 +19,9 @@ concept array_of = std::ranges::contiguous_range<const R> and std::same_as<std::
                        { array.empty() } -> std::convertible_to<bool>;
                    };
 
-/// Some faces of a whole mesh as a native mesh, with what is said of them there: `tile`, which tells what each word means.
-/// Faces, edges and vertices are in the order of their numbers in the whole mesh, and start where they start in it.
+/// Some faces of a whole mesh as a native mesh, with what is said of them there: `tile`, which tells what each word
+/// means. Faces, edges and vertices are in the order of their numbers in the whole mesh, and start where they start in
+/// it.
 template <class T>
 concept tile_like = requires(const T& part, std::size_t i) {
     { part.mesh } -> std::same_as<const basic_mesh<typename T::point_type, typename T::index_type>&>;
@@ -29,8 +30,8 @@ concept tile_like = requires(const T& part, std::size_t i) {
     requires array_of<std::remove_cvref_t<decltype(part.vertex_ids)>, global_id>;
     requires array_of<std::remove_cvref_t<decltype(part.edge_ids)>, global_id>;
     requires array_of<std::remove_cvref_t<decltype(part.face_ids)>, global_id>;
-    // Of the first corner of each face, of the corners before each vertex, and of the marked edges before each edge; each
-    // may be empty.
+    // Of the first corner of each face, of the corners before each vertex, and of the marked edges before each edge;
+    // each may be empty.
     requires array_of<std::remove_cvref_t<decltype(part.first_corner_ids)>, global_id>;
     requires array_of<std::remove_cvref_t<decltype(part.corners_before)>, global_id>;
     requires array_of<std::remove_cvref_t<decltype(part.marked_before)>, global_id>;

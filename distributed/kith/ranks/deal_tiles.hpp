@@ -11,8 +11,9 @@
 
 namespace kith::mpi {
 
-/// Collective: `pack(t)` makes tile t as a message on rank 0, and tile t goes to rank t modulo ranks. Returns the messages
-/// of this rank in the order of the tiles: control faces are few. Rank 0 holds four of those for others at a time.
+/// Collective: `pack(t)` makes tile t as a message on rank 0, and tile t goes to rank t modulo ranks. Returns the
+/// messages of this rank in the order of the tiles: control faces are few. Rank 0 holds four of those for others at a
+/// time.
 /// Errors: phase_error for what pack throws.
 template <class Pack>
 std::vector<std::vector<std::byte>> deal_tiles(communicator& comm, std::uint64_t tiles, const Pack& pack)

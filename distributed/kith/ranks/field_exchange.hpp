@@ -24,7 +24,8 @@ namespace kith::mpi {
 class field_exchange {
 public:
     /// Collective. `tiles` are those that lie on this rank, none or several, of one level; each has its edges
-    /// (connect::everything). Errors: phase_error when nobody owns an element that a tile sees, so that tiles are missing.
+    /// (connect::everything). Errors: phase_error when nobody owns an element that a tile sees, so that tiles are
+    /// missing.
     /// Cost: four messages at most to each rank; O(tiles) work, messages and memory of what lies near the cuts.
     template <tile_like Tile>
     field_exchange(communicator& comm, std::span<const numbered_tile<Tile>> tiles, element_kind kind) : comm_(comm)

@@ -93,8 +93,8 @@ private:
     connectivity<Index> topology_;
 };
 
-/// A level as one mesh on rank 0, of these tiles. `state_bytes` more are needed there for what `pack(out, i)` says of tile i
-/// beside the mesh, which `add(in, corners)` takes, told the corners of the faces that came.
+/// A level as one mesh on rank 0, of these tiles. `state_bytes` more are needed there for what `pack(out, i)` says of
+/// tile i beside the mesh, which `add(in, corners)` takes, told the corners of the faces that came.
 template <class Point, std::unsigned_integral Index, std::invocable<packer&, std::size_t> Pack, class Add>
     requires std::invocable<const Add&, unpacker&,
                             const std::vector<typename gathered_mesh<Point, Index>::face_corners>&>
@@ -102,7 +102,8 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
                                       const whole_counts& counts, std::uint64_t memory_limit, std::uint64_t state_bytes,
                                       const Pack& pack, const Add& add)
 {
-    // The generation, and the most and the fewest corners of a face, known where a tile is: one of quads alone does not say that all are.
+    // The generation, and the most and the fewest corners of a face, known where a tile is: one of quads alone does not
+    // say that all are.
     constexpr double none = std::numeric_limits<double>::lowest();
     std::array<double, 3> form{0, none, none};
     std::array<std::uint64_t, 2> owned{0, 0};
@@ -185,7 +186,8 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
 
 /// Collective: a level as one mesh on rank 0, with the numbers and the bits of refining it there, as face-vertex lists
 /// (connect::faces); an empty mesh on the others. `tiles` are those of this rank, `counts` those of the level.
-/// It is asked for by name and refused when it needs more than `memory_limit` bytes there, before anything is allocated.
+/// It is asked for by name and refused when it needs more than `memory_limit` bytes there, before anything is
+/// allocated.
 /// Errors: phase_error for that, for more elements than Index can number, and when tiles are missing.
 /// Cost: rank 0 receives tile by tile, so it holds the mesh and one tile.
 template <class Point, std::unsigned_integral Index>
@@ -206,9 +208,10 @@ struct gathered_level {
     Scheme scheme;
 };
 
-/// Collective. The same for the tiles of `level` among those that are kept, with their state (creases, fields), by the numbers
-/// of the whole mesh. `scheme` has the options of theirs, on all ranks; its state does not count, and on other ranks than 0 the
-/// one that is returned has none. Twice the bytes of the state count for the limit, as it grows tile by tile.
+/// Collective. The same for the tiles of `level` among those that are kept, with their state (creases, fields), by the
+/// numbers of the whole mesh. `scheme` has the options of theirs, on all ranks; its state does not count, and on other
+/// ranks than 0 the one that is returned has none. Twice the bytes of the state count for the limit, as it grows tile
+/// by tile.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 gathered_level<Point, Index, Scheme>
 gather(communicator& comm, const std::vector<kept_tile<tile<Point, Index>, Scheme>>& tiles, int level,

@@ -89,7 +89,8 @@ public:
         std::ranges::sort(known_, {}, &entry::vertex);
     }
 
-    /// Collective. `questions[r]` are vertices for rank r; the answers tell by their place there which one they are for.
+    /// Collective. `questions[r]` are vertices for rank r; the answers tell by their place there which one they are
+    /// for.
     std::vector<std::vector<answer>> ask(const std::vector<std::vector<global_id>>& questions)
     {
         const auto asked = all_to_all(comm_, questions);
@@ -122,8 +123,8 @@ struct fetched_faces {
     std::vector<kith::detail::known_state<Scheme>> states;
 };
 
-/// Collective: asks owners for faces. `wanted[r]` lie on rank r; the result has them in that order. `schemes` are those of the
-/// tiles, in their order.
+/// Collective: asks owners for faces. `wanted[r]` lie on rank r; the result has them in that order. `schemes` are those
+/// of the tiles, in their order.
 template <tile_like Tile, scheme Scheme>
 std::vector<fetched_faces<typename Tile::point_type, Scheme>>
 fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std::span<const Scheme> schemes,
@@ -165,9 +166,9 @@ fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std:
 
 } // namespace detail
 
-/// Collective: lets the shadows of all tiles of a level grow from one ring to `rings`, by asking ring after ring who holds
-/// the faces at the outermost vertices. `tiles` are those of this rank, `schemes` those of the tiles, whose state (creases) is
-/// fetched, too; what they own stays.
+/// Collective: lets the shadows of all tiles of a level grow from one ring to `rings`, by asking ring after ring who
+/// holds the faces at the outermost vertices. `tiles` are those of this rank, `schemes` those of the tiles, whose state
+/// (creases) is fetched, too; what they own stays.
 /// Preconditions: each has its edges and a ring of shadows. Marks of edges on level 0 are not carried.
 /// Errors: mpi::error. Cost: four messages at most to each rank per ring, and building each tile anew.
 template <class Point, std::unsigned_integral Index, scheme Scheme>

@@ -19,8 +19,9 @@ namespace kith::mpi {
 /// A tile by its number, as a message.
 using packed_tile = std::pair<std::uint64_t, std::vector<std::byte>>;
 
-/// On rank 0, while all others are in ask_for_tiles: hands out tiles in this order to whoever is free. `cut(t)` makes tile t as a
-/// message. Errors: std::runtime_error for what `cut` throws, after which the others hear that nothing is left.
+/// On rank 0, while all others are in ask_for_tiles: hands out tiles in this order to whoever is free. `cut(t)` makes
+/// tile t as a message. Errors: std::runtime_error for what `cut` throws, after which the others hear that nothing is
+/// left.
 template <std::invocable<std::uint64_t> Cut>
 void hand_out_tiles(communicator& comm, const std::vector<std::uint64_t>& order, const Cut& cut)
 {
@@ -54,8 +55,10 @@ void hand_out_tiles(communicator& comm, const std::vector<std::uint64_t>& order,
         throw std::runtime_error(problem);
 }
 
-/// On all other ranks: asks for up to `wanted` tiles at a time and calls refine(std::vector<packed_tile>) until none are left.
-/// Errors: std::runtime_error for what `refine` throws, with these words where memory is short; it then asks for no more.
+/// On all other ranks: asks for up to `wanted` tiles at a time and calls refine(std::vector<packed_tile>) until none
+/// are left.
+/// Errors: std::runtime_error for what `refine` throws, with these words where memory is short; it then asks for no
+/// more.
 template <std::invocable<std::vector<packed_tile>> Refine>
 void ask_for_tiles(communicator& comm, std::uint64_t wanted, const char* no_memory, const Refine& refine)
 {

@@ -52,8 +52,8 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, s
 
 } // namespace detail
 
-/// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile that
-/// is not there, or there twice.
+/// Collective: the faces that each tile owns, by the number of the tile, on all ranks. Errors: phase_error for a tile
+/// that is not there, or there twice.
 template <tile_like Tile>
 std::vector<std::uint64_t> owned_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles,
                                        std::uint64_t all_tiles)
@@ -70,7 +70,8 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, const std::vector<kep
 
 namespace detail {
 
-/// Sorted by a key, those of equal keys as they are. What is sorted, such as tiles with schemes, need not be assignable.
+/// Sorted by a key, those of equal keys as they are. What is sorted, such as tiles with schemes, need not be
+/// assignable.
 template <class T, class Key>
 std::vector<T> in_order(std::vector<T>&& all, const Key& key)
 {
@@ -86,8 +87,9 @@ std::vector<T> in_order(std::vector<T>&& all, const Key& key)
 
 } // namespace detail
 
-/// A rank for each tile, so that all ranks get about as many faces: the largest tile first, each to the rank that has least
-/// (Graham 1969: at most 4/3 of what would be best). Equal ones go by their numbers, so all ranks find the same. Local.
+/// A rank for each tile, so that all ranks get about as many faces: the largest tile first, each to the rank that has
+/// least (Graham 1969: at most 4/3 of what would be best). Equal ones go by their numbers, so all ranks find the same.
+/// Local.
 inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_tile, int ranks)
 {
     std::vector<std::size_t> order(faces_of_tile.size());
@@ -105,7 +107,8 @@ inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_t
 
 namespace detail {
 
-/// Moves things that have the number of a tile: `write(packer, moving)` empties one, `read(unpacker, number)` makes it again.
+/// Moves things that have the number of a tile: `write(packer, moving)` empties one, `read(unpacker, number)` makes it
+/// again.
 template <class Moving, std::invocable<packer&, Moving&> Write, std::invocable<unpacker&, std::uint64_t> Read>
 std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles, std::span<const int> rank_of,
                                   const Write& write, const Read& read)
@@ -147,8 +150,9 @@ std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles,
 } // namespace detail
 
 /// Collective: moves tiles of any level to other ranks; tile t goes to rank `rank_of[t]`, which is the same list on all
-/// ranks. Returns those that are here now, in the order of their numbers, with all they knew: their roots on level 0 travel
-/// with them, and what an element came from follows from its number, on any rank (whole_numbering::origin, whole_lineage).
+/// ranks. Returns those that are here now, in the order of their numbers, with all they knew: their roots on level 0
+/// travel with them, and what an element came from follows from its number, on any rank (whole_numbering::origin,
+/// whole_lineage).
 /// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory where
 /// messages are made and taken apart; mpi::error, and std::bad_alloc in between, which no other rank hears of.
 /// Cost: a message per pair of ranks; the tiles of this rank are in memory twice meanwhile.
@@ -173,8 +177,9 @@ repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> t
         });
 }
 
-/// Collective. The same for tiles with their schemes, of one or several levels: their state (creases, fields) moves with them.
-/// The levels of a tile stay together, in their order. `scheme` has the options of theirs, on all ranks; its state does not count.
+/// Collective. The same for tiles with their schemes, of one or several levels: their state (creases, fields) moves
+/// with them. The levels of a tile stay together, in their order. `scheme` has the options of theirs, on all ranks; its
+/// state does not count.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::vector<kept_tile<tile<Point, Index>, Scheme>> repartition(communicator& comm,
                                                                std::vector<kept_tile<tile<Point, Index>, Scheme>> tiles,

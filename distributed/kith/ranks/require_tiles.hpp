@@ -12,8 +12,8 @@
 
 namespace kith {
 
-/// What require_input asks of a control mesh, asked of its tiles. Their rims look like boundaries, so a scheme for closed
-/// meshes has to be refused before. Errors: mesh_error.
+/// What require_input asks of a control mesh, asked of its tiles. Their rims look like boundaries, so a scheme for
+/// closed meshes has to be refused before. Errors: mesh_error.
 template <scheme Scheme, tile_like Tile>
 void require_tiles(const std::vector<numbered_tile<Tile>>& tiles)
 {

@@ -12,8 +12,8 @@
 
 namespace kith::mpi {
 
-/// How tiles come to ranks. Spmd: dealt out at the beginning, the t-th to rank t modulo ranks. Manager: rank 0 hands them
-/// out, the largest first, to whoever is free; it refines only when it is alone.
+/// How tiles come to ranks. Spmd: dealt out at the beginning, the t-th to rank t modulo ranks. Manager: rank 0 hands
+/// them out, the largest first, to whoever is free; it refines only when it is alone.
 enum class sharing : unsigned char { spmd, manager };
 
 /// What a rank did.
@@ -35,9 +35,9 @@ struct work_done {
     }
 };
 
-/// Refines tile `number` of level 0 and hands it over: use(number, tile) or use(number, tile, scheme) with the last level, or, where `use`
-/// takes a kept_tile, with every level. Returns what was done; `at_once` tiles are being refined, so that each has a part of
-/// the seconds. Errors and cost: those of the steps.
+/// Refines tile `number` of level 0 and hands it over: use(number, tile) or use(number, tile, scheme) with the last
+/// level, or, where `use` takes a kept_tile, with every level. Returns what was done; `at_once` tiles are being
+/// refined, so that each has a part of the seconds. Errors and cost: those of the steps.
 template <tile_like Tile, reaching_scheme Scheme, class Use>
 work_done refine_counted(std::uint64_t number, tile_job<Tile, Scheme> job, const whole_levels<Scheme>& whole,
                          connect last, const Use& use, std::size_t at_once)

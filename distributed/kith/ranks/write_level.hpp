@@ -20,15 +20,17 @@
 
 namespace kith::mpi {
 
-/// Collective: writes the tiles of `level` among those that are kept, and these of their fields as point data and cell data:
+/// Collective: writes the tiles of `level` among those that are kept, and these of their fields as point data and cell
+/// data:
 ///
 ///   write_level(comm, "fine.vtu", kept, 3, counts, field_named<0>("heat"), field_named<1>("material"));
 ///
-/// into one file (.vtu), the same bytes for any number of tiles and ranks, or into a file per tile and an index (.pvtu) with
-/// the tiles in NAME.pieces. `counts` are those of the level; the path is the same on all ranks, on a file system that they share.
-/// Until the file is complete it is called NAME.incomplete; after an error it is removed, pieces that are written already stay.
-/// Errors: phase_error when tiles are missing, for a field without values, for two of one name, for a vertex that has no finite
-/// place and for what the file system says. Cost: O(corners).
+/// into one file (.vtu), the same bytes for any number of tiles and ranks, or into a file per tile and an index (.pvtu)
+/// with the tiles in NAME.pieces. `counts` are those of the level; the path is the same on all ranks, on a file system
+/// that they share. Until the file is complete it is called NAME.incomplete; after an error it is removed, pieces that
+/// are written already stay.
+/// Errors: phase_error when tiles are missing, for a field without values, for two of one name, for a vertex that has
+/// no finite place and for what the file system says. Cost: O(corners).
 template <std::unsigned_integral Index, scheme Scheme, class... Find>
 void write_level(communicator& comm, const std::string& path,
                  const std::vector<kept_tile<tile<std::array<double, 3>, Index>, Scheme>>& tiles, int level,

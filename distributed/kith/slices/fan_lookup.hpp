@@ -10,8 +10,8 @@
 
 namespace kith::mpi::detail {
 
-/// Finds the first corner of a fan, a range of them, whose `Side` is a vertex; the end if there is none. In small fans one
-/// after the other, in large ones O(log corners).
+/// Finds the first corner of a fan, a range of them, whose `Side` is a vertex; the end if there is none. In small fans
+/// one after the other, in large ones O(log corners).
 template <class Fan, auto Side>
 class fan_lookup {
 public:

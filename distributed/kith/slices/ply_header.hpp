@@ -267,9 +267,10 @@ private:
 
 } // namespace detail
 
-/// The header of a PLY file, of which these are the first bytes. Lines end with LF, CR or CRLF, comments may stand anywhere.
-/// Errors: mesh_error, with the line: for what is no header, and for files without vertices that have a place or without
-/// faces that are lists of them. Cost: that of the header.
+/// The header of a PLY file, of which these are the first bytes. Lines end with LF, CR or CRLF, comments may stand
+/// anywhere.
+/// Errors: mesh_error, with the line: for what is no header, and for files without vertices that have a place or
+/// without faces that are lists of them. Cost: that of the header.
 inline ply_header read_ply_header(std::string_view bytes)
 {
     return detail::ply_header_reader(bytes).read();

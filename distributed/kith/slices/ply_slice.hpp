@@ -33,8 +33,8 @@ struct mesh_slice {
     std::vector<Point> points;
 };
 
-/// A binary little-endian PLY file of triangles only or of quads only, so that its records have places that can be told; vertices and faces may
-/// have numbers beside places and corners.
+/// A binary little-endian PLY file of triangles only or of quads only, so that its records have places that can be
+/// told; vertices and faces may have numbers beside places and corners.
 /// Errors of all members: mesh_error, which names the file. Local.
 class sliced_ply {
 public:
@@ -87,8 +87,8 @@ public:
         return result;
     }
 
-    /// The numbers that some vertices or faces have in a property of theirs that is no list. Precondition: the numbers of the elements
-    /// increase. Cost: reading their bytes.
+    /// The numbers that some vertices or faces have in a property of theirs that is no list. Precondition: the numbers
+    /// of the elements increase. Cost: reading their bytes.
     [[nodiscard]] std::vector<double> values_of_vertices(std::size_t property, std::span<const global_id> vertices)
     {
         return values({vertices_at_, vertex_bytes_}, header_.elements[0], property, vertices);

@@ -76,8 +76,8 @@ void start_at_smallest(mesh_slice<Point>& slice)
 
 namespace detail {
 
-/// The edges, the fans and the neighbours of the faces that a rank has read, found out from the ranks that look after the
-/// vertices. The numbers are those of `match`: edges in the order of (smaller vertex, larger vertex).
+/// The edges, the fans and the neighbours of the faces that a rank has read, found out from the ranks that look after
+/// the vertices. The numbers are those of `match`: edges in the order of (smaller vertex, larger vertex).
 template <class Point>
 class slice_links {
     using patch = tile_patch<Point>;
@@ -255,7 +255,8 @@ private:
         }
         comm_.agree(problem);
     }
-    /// As in match: at the boundary the corner without a neighbour clockwise, inside the one that looks at the smallest.
+    /// As in match: at the boundary the corner without a neighbour clockwise, inside the one that looks at the
+    /// smallest.
     template <class Fan>
     static auto start_of(const Fan& fan, const fan_lookup<Fan, &fan_corner::prev>& at_prev, std::string& problem)
     {

@@ -83,12 +83,13 @@ void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
 
 } // namespace detail
 
-/// Collective: reads a PLY file of triangles or of quads, each rank its part of the bytes, and makes one tile per rank with
-/// `rings` > 0 rings of shadows: the tiles that tile_cutter makes of the mesh and its block_partition, with the numbers
-/// that make_mesh gives. A vertex, and the edges to larger ones, are looked after by the rank that reads the vertex.
+/// Collective: reads a PLY file of triangles or of quads, each rank its part of the bytes, and makes one tile per rank
+/// with `rings` > 0 rings of shadows: the tiles that tile_cutter makes of the mesh and its block_partition, with the
+/// numbers that make_mesh gives. A vertex, and the edges to larger ones, are looked after by the rank that reads the
+/// vertex.
 /// Errors: phase_error for a file that cannot be read so, and for what is not a manifold.
-/// Cost: O(file / ranks) memory and work on each rank, and of the shadows, but O(n log n) work for a vertex of n faces; about
-/// twenty messages at most to each rank.
+/// Cost: O(file / ranks) memory and work on each rank, and of the shadows, but O(n log n) work for a vertex of n faces;
+/// about twenty messages at most to each rank.
 template <std::unsigned_integral Index = std::uint32_t>
 sliced_mesh<std::array<double, 3>, Index> read_tiles(communicator& comm, const std::string& path, int rings)
 {

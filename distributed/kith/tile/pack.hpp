@@ -193,8 +193,8 @@ std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
 }
 
 /// The inverse; `scheme` is the scheme with the options of the job, which messages do not carry, and any state.
-/// Errors: pack_error for bytes that are damaged or not such a message, and for a tile whose elements are not in the order
-/// of their numbers in the whole mesh.
+/// Errors: pack_error for bytes that are damaged or not such a message, and for a tile whose elements are not in the
+/// order of their numbers in the whole mesh.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Scheme scheme)
 {

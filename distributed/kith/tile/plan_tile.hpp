@@ -45,15 +45,15 @@ inline double bytes_of_last_tile(const planned_level& whole, double share)
 
 } // namespace detail
 
-/// The bytes that are in use at most while a tile is refined to the last of these levels, of which the owned faces are kept:
-/// the tile before a step, what the step makes of it and of its shadows, and what is kept of that; an eighth more for
-/// memory that is kept to be used again, a third if there were tiles before, of other sizes. With `last_rings` the last level
-/// has its edges and as many rings of shadows, and its elements take `last_more` when it is done. `state` is what the scheme
-/// keeps of each level, such as fields: it is there twice of the level before a step and of
+/// The bytes that are in use at most while a tile is refined to the last of these levels, of which the owned faces are
+/// kept: the tile before a step, what the step makes of it and of its shadows, and what is kept of that; an eighth more
+/// for memory that is kept to be used again, a third if there were tiles before, of other sizes. With `last_rings` the
+/// last level has its edges and as many rings of shadows, and its elements take `last_more` when it is done. `state` is
+/// what the scheme keeps of each level, such as fields: it is there twice of the level before a step and of
 /// the next, and then of the part of this that is kept.
-/// `whole` is the plan of the whole mesh with the tile's type of index, although that index could not number it. `owned` is
-/// the tile's share of the corners of level 0, `shadows` are the faces around it as a share of all. Of shadows the rings stay
-/// and their faces get smaller, so that their share falls with every level.
+/// `whole` is the plan of the whole mesh with the tile's type of index, although that index could not number it.
+/// `owned` is the tile's share of the corners of level 0, `shadows` are the faces around it as a share of all. Of
+/// shadows the rings stay and their faces get smaller, so that their share falls with every level.
 /// Errors: as ring_schedule. Cost: O(levels).
 template <reaching_scheme Scheme>
 std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& scheme, double owned, double shadows,

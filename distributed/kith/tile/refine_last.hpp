@@ -14,7 +14,8 @@
 
 namespace kith {
 
-/// The last step of all: the faces that the tile owns and their vertices, without edges and shadows, in half of the memory.
+/// The last step of all: the faces that the tile owns and their vertices, without edges and shadows, in half of the
+/// memory.
 /// Errors and cost: as refine_once.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& scheme, int level,

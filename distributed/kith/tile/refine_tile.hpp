@@ -28,9 +28,9 @@ tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme,
     return result;
 }
 
-/// Refines a tile of level 0 through all levels that `whole` was made for, and its scheme with it. `connect::faces` gives the
-/// last level without edges and shadows, and the scheme of the level before. `each(tile)` is called with every level but the
-/// first.
+/// Refines a tile of level 0 through all levels that `whole` was made for, and its scheme with it. `connect::faces`
+/// gives the last level without edges and shadows, and the scheme of the level before. `each(tile)` is called with
+/// every level but the first.
 template <tile_like Tile, reaching_scheme Scheme, class Each>
 void refine(tile_job<Tile, Scheme>& job, const whole_levels<Scheme>& whole, connect last, const Each& each)
 {
@@ -41,9 +41,9 @@ void refine(tile_job<Tile, Scheme>& job, const whole_levels<Scheme>& whole, conn
         each(std::as_const(job.part));
     }
 }
-/// Refines tile `number` of level 0 through all levels, and hands over each of them with its scheme, from level 0 to the last:
-/// keep(kept_tile). All have their edges, and so many rings of shadows as `whole` says. Two levels are in memory meanwhile, and
-/// those that are kept.
+/// Refines tile `number` of level 0 through all levels, and hands over each of them with its scheme, from level 0 to
+/// the last: keep(kept_tile). All have their edges, and so many rings of shadows as `whole` says. Two levels are in
+/// memory meanwhile, and those that are kept.
 template <tile_like Tile, reaching_scheme Scheme, std::invocable<kept_tile<Tile, Scheme>> Keep>
 void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const whole_levels<Scheme>& whole,
                    const Keep& keep)

@@ -10,8 +10,8 @@
 
 namespace kith::detail {
 
-/// What a control mesh must be before it is cut into tiles. Errors: mesh_error for everything that `refine` refuses, and for
-/// face-vertex lists only, since tiles have the numbers of its edges.
+/// What a control mesh must be before it is cut into tiles. Errors: mesh_error for everything that `refine` refuses,
+/// and for face-vertex lists only, since tiles have the numbers of its edges.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 void require_control(const basic_mesh<Point, Index>& mesh, int levels)
 {

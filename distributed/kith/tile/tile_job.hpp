@@ -21,7 +21,8 @@ struct tile_job {
     Scheme scheme;
 };
 
-/// A tile of any level, and the scheme for it, whose state (creases, fields) is that of this level, numbered as the tile is.
+/// A tile of any level, and the scheme for it, whose state (creases, fields) is that of this level, numbered as the
+/// tile is.
 template <tile_like Tile, scheme Scheme>
 struct kept_tile {
     std::uint64_t number = 0; ///< which of all tiles

@@ -15,8 +15,8 @@
 
 namespace kith {
 
-/// Some faces of a level with all that a tile knows of them, in the numbers of the whole mesh. Patches may be joined, with
-/// faces that occur several times, and are made tiles again.
+/// Some faces of a level with all that a tile knows of them, in the numbers of the whole mesh. Patches may be joined,
+/// with faces that occur several times, and are made tiles again.
 template <class Point>
 struct tile_patch {
     struct face {
@@ -224,8 +224,8 @@ private:
 
 } // namespace detail
 
-/// The tile that a patch makes, of which nothing is owned yet. `with_first_corners`: the faces of the whole mesh are of many degrees, also
-/// where those of the patch are of one.
+/// The tile that a patch makes, of which nothing is owned yet. `with_first_corners`: the faces of the whole mesh are of
+/// many degrees, also where those of the patch are of one.
 /// Precondition: wherever all faces of an inner vertex are there, one says where its fan starts.
 /// Cost: O(elements log of them).
 template <std::unsigned_integral Index, class Point>

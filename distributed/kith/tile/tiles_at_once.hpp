@@ -14,9 +14,9 @@
 
 namespace kith {
 
-/// How many of so many tiles to refine at the same time: one on each thread of OpenMP or, where there are fewer tiles than
-/// threads, one after the other with all threads in its loops. Loops of tiles are short, and threads that meet after each
-/// of them lose more than they gain. So many tiles are then in memory, `most` of them at most.
+/// How many of so many tiles to refine at the same time: one on each thread of OpenMP or, where there are fewer tiles
+/// than threads, one after the other with all threads in its loops. Loops of tiles are short, and threads that meet
+/// after each of them lose more than they gain. So many tiles are then in memory, `most` of them at most.
 inline std::size_t tiles_at_once(std::size_t tiles, [[maybe_unused]] std::size_t most = SIZE_MAX)
 {
 #if defined(_OPENMP)
@@ -27,8 +27,8 @@ inline std::size_t tiles_at_once(std::size_t tiles, [[maybe_unused]] std::size_t
     return tiles < threads ? 1 : std::max<std::size_t>(threads, 1);
 }
 
-/// Calls f(i) for the numbers below `size`, `at_once` of them at the same time, each on a thread of its own, which then runs
-/// all loops in it. In no order; after an error no more are begun, and the first one is rethrown.
+/// Calls f(i) for the numbers below `size`, `at_once` of them at the same time, each on a thread of its own, which then
+/// runs all loops in it. In no order; after an error no more are begun, and the first one is rethrown.
 template <class F>
 void for_each_at_once(std::size_t size, std::size_t at_once, const F& f)
 {

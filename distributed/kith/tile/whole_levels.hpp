@@ -31,8 +31,9 @@ public:
     using columns_type = kith::columns_type<Scheme>;
 
     /// `rim` is the tile that owns all faces of level 0 that touch the boundary, with at least
-    /// ring_schedule(scheme, levels, 1)[0] rings, and `scheme` is that of this tile. It may be empty if the mesh is closed
-    /// or the numbers do not depend on the boundary (numbers_boundary); its generation is that of the control mesh all the same.
+    /// ring_schedule(scheme, levels, 1)[0] rings, and `scheme` is that of this tile. It may be empty if the mesh is
+    /// closed or the numbers do not depend on the boundary (numbers_boundary); its generation is that of the control
+    /// mesh all the same.
     /// Errors: mesh_error when there are more elements than global_id can number.
     /// Cost: that of refining the boundary.
     template <tile_like Tile>

@@ -103,8 +103,8 @@ public:
     [[nodiscard]] new_vertex<index> vertex() const { return {id()}; }
     [[nodiscard]] face_line<index> operator>>(new_side<index> side) const { return vertex() >> side; }
     operator face_line<index>() const { return {id(), Space::none}; }
-    /// Says at which corner of a new face the fan of this vertex starts, and the side that leaves the vertex there: what
-    /// the line of that face says. At the boundary the library turns the fan, it may be left out.
+    /// Says at which corner of a new face the fan of this vertex starts, and the side that leaves the vertex there:
+    /// what the line of that face says. At the boundary the library turns the fan, it may be left out.
     void starts_at(index corner, new_side<index> side) const { space_->start_fan(id(), corner, side.halfedge); }
 
 private:
@@ -140,9 +140,10 @@ private:
     std::size_t tuple_;
 };
 
-/// A vertex of the new level that belongs to two elements of one kind, to elements which do not touch, or to a tuple for
-/// which the scheme declares no column. Two neighbours are their edge; everything else is kept in a dictionary: general,
-/// slower, and not to be written in for_each: what is made there has no order, and so no numbers. Errors: association_error.
+/// A vertex of the new level that belongs to two elements of one kind, to elements which do not touch, or to a tuple
+/// for which the scheme declares no column. Two neighbours are their edge; everything else is kept in a dictionary:
+/// general, slower, and not to be written in for_each: what is made there has no order, and so no numbers. Errors:
+/// association_error.
 template <mask_evaluator Space>
 class dictionary_association : public mask_base {
 public:

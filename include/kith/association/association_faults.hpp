@@ -111,8 +111,8 @@ template <level Level, std::unsigned_integral Index>
 
 namespace kith {
 
-/// Which elements of the next level a scheme has made so far, and where it let the fans of its vertices start; vertices and faces
-/// may be asked for and made on several threads. Only spaces that check their scheme keep it.
+/// Which elements of the next level a scheme has made so far, and where it let the fans of its vertices start; vertices
+/// and faces may be asked for and made on several threads. Only spaces that check their scheme keep it.
 template <std::unsigned_integral Index>
 class made_elements {
 public:

@@ -17,8 +17,9 @@ namespace kith {
 template <level Level, level_numbering Numbering, values_of_step<Level> Values, bool Checked> class pass_space;
 
 /// The association space of one refinement step: `assoc(f, V)`, `assoc(v, e, E)`, `assoc(c, F)`. Thesis 4.1.
-/// A tuple is an index, and the new element's id is the base of its column plus that index; a table is needed only where a
-/// column leaves tuples out here and there. What is written goes straight into the arrays of the new level, native or not.
+/// A tuple is an index, and the new element's id is the base of its column plus that index; a table is needed only
+/// where a column leaves tuples out here and there. What is written goes straight into the arrays of the new level,
+/// native or not.
 template <level Level, level_numbering Numbering, values_of_step<Level> Values, connect Connect, bool Checked,
           class Fine = connectivity<typename Numbering::index_type>>
     requires level_sink<Fine> or std::same_as<Fine, connectivity<typename Numbering::index_type>>

@@ -155,8 +155,8 @@ public:
     {
         return numbers_.numbers(i, tuples);
     }
-    /// The inverse: the tuple that gave birth to an element. Precondition: id < total(). Cost: O(1), O(log n) in a column
-    /// whose tuples do not follow one another.
+    /// The inverse: the tuple that gave birth to an element. Precondition: id < total(). Cost: O(1), O(log n) in a
+    /// column whose tuples do not follow one another.
     [[nodiscard]] std::pair<tuple_kind, std::size_t> origin(std::size_t id) const { return numbers_.origin(id); }
 
 private:

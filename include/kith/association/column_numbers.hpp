@@ -53,8 +53,9 @@ struct number_range {
 };
 
 /// How the new elements of one kind are numbered, and the corners of new faces: column after column, in each column the
-/// tuples that give birth in their order. All numbers of new elements come from here, whoever knows how many elements the
-/// coarse level has and which tuples the conditions of columns pick; of the latter speaks, for each column, a `Picked`:
+/// tuples that give birth in their order. All numbers of new elements come from here, whoever knows how many elements
+/// the coarse level has and which tuples the conditions of columns pick; of the latter speaks, for each column, a
+/// `Picked`:
 ///
 ///   Picked()             all tuples
 ///   is_run(), first()    they follow one another, from this one on
@@ -126,8 +127,8 @@ public:
     {
         return picked_[i].is_run() ? start_[i] + index - base_[i] < count(i) : picked_[i].has(index, each);
     }
-    /// The numbers in column i of tuples that follow one another, of all those of their parents; where some are not picked
-    /// there are fewer.
+    /// The numbers in column i of tuples that follow one another, of all those of their parents; where some are not
+    /// picked there are fewer.
     [[nodiscard]] number_range numbers(std::size_t i, const number_range& tuples) const
     {
         const auto before = [&](std::uint64_t tuple) {

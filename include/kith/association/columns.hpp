@@ -53,8 +53,8 @@ std::size_t tuple_count(const Level& level, tuple_kind kind)
     return tuple_count(count_elements(level), kind);
 }
 
-/// The elements by which conditions and degrees of a column speak of tuples: the vertex, edge or face itself, the corner
-/// of (v,f), (e,f) and (v,f,e), the edge of (v,e).
+/// The elements by which conditions and degrees of a column speak of tuples: the vertex, edge or face itself, the
+/// corner of (v,f), (e,f) and (v,f,e), the edge of (v,e).
 template <tuple_kind Kind, level Level>
 auto tuple_elements_of(const Level& level)
 {
@@ -83,9 +83,9 @@ auto tuple_element(const Level& level, std::size_t index)
 /// Nobody has said what a count comes to; see next_counts.
 struct uncounted {};
 
-/// Which tuples of a column give birth: all of them, all or none as the form of the scheme says, all inner ones and some
-/// at the boundary, the latter only, or those that a condition picks anywhere. `how_many(counts)` says of a level with
-/// these counts how many tuples at the boundary are left out, are picked there, or are picked.
+/// Which tuples of a column give birth: all of them, all or none as the form of the scheme says, all inner ones and
+/// some at the boundary, the latter only, or those that a condition picks anywhere. `how_many(counts)` says of a level
+/// with these counts how many tuples at the boundary are left out, are picked there, or are picked.
 struct everywhere {};
 struct all_or_none {
     bool all;

@@ -78,8 +78,9 @@ concept level_numbering = requires(const N& ids) {
     { N::common_degree } -> std::convertible_to<std::size_t>;
 };
 
-/// The ids of all elements of the next level, in closed form from the columns, and those vertices that are in none. It is all that
-/// remains of an association space once the level is made: which element belongs to a tuple, and, by `origin`, which tuple to an element.
+/// The ids of all elements of the next level, in closed form from the columns, and those vertices that are in none. It
+/// is all that remains of an association space once the level is made: which element belongs to a tuple, and, by
+/// `origin`, which tuple to an element.
 template <declared_columns Columns, std::unsigned_integral Index>
 class numbering {
     template <class List>

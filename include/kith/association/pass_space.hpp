@@ -17,8 +17,8 @@ struct pass_parts {
 
 } // namespace detail
 
-/// The association space of one of the passes of a step; thesis 4.1, chained. Its vertices are of no level: they are set
-/// and read as others are and go with it.
+/// The association space of one of the passes of a step; thesis 4.1, chained. Its vertices are of no level: they are
+/// set and read as others are and go with it.
 template <level Level, level_numbering Numbering, values_of_step<Level> Values, bool Checked>
 class pass_space : detail::pass_parts<Numbering, Values>,
                    public association_space<Level, Numbering, Values, connect::nothing, Checked> {

@@ -19,8 +19,8 @@ concept level_or_block = requires(const L& elements) {
     { elements.is_closed() } -> std::convertible_to<bool>; // of the whole level
 };
 
-/// What a scheme is called with, and what it calls its rules and its split with: `auto& [coarse, assoc, generation] = r;`
-/// All of it stays while the scheme runs.
+/// What a scheme is called with, and what it calls its rules and its split with: `auto& [coarse, assoc, generation] =
+/// r;` All of it stays while the scheme runs.
 template <class R>
 concept running_step = requires(const R& r) {
     requires weight_number<typename R::scalar>;                       // the weights of its masks

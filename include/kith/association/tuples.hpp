@@ -121,8 +121,8 @@ tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
             return {e.index()};
     return {tuple_index<tuple_kind::e>::not_incident};
 }
-/// Two faces with a common edge are that edge, the first one in a's order if they share several; any two faces may be asked
-/// for. Cost: O(degree).
+/// Two faces with a common edge are that edge, the first one in a's order if they share several; any two faces may be
+/// asked for. Cost: O(degree).
 template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::e> index_tuple(const face<L>& a, const face<L>& b)
 {

@@ -13,7 +13,8 @@
 
 namespace kith {
 
-/// New vertices by tuples that are in no column, such as elements that do not touch. They have the last numbers of their level.
+/// New vertices by tuples that are in no column, such as elements that do not touch. They have the last numbers of
+/// their level.
 /// Cost: O(log n) each.
 template <std::unsigned_integral Index>
 class vertex_dictionary {

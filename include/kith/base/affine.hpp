@@ -104,8 +104,8 @@ concept affine_value = requires(const T& value, typename affine<T>::sum total, t
     affine<T>::scale(total, weight);
 };
 
-/// A point of another library that is an array of its coordinates, to the bit: in memory an array of such points is one of
-/// arrays.
+/// A point of another library that is an array of its coordinates, to the bit: in memory an array of such points is one
+/// of arrays.
 template <class T>
 concept array_point = affine_value<T> and requires { requires affine<T>::is_array; } and
                       std::is_trivially_copyable_v<T> and sizeof(T) == sizeof(typename affine<T>::sum) and

@@ -6,8 +6,7 @@
 #include <string>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error                                                                                                                 \
-    "kith promises the same bits on any number of threads and tiles; compile what includes it without -ffast-math and its parts"
+#error "kith promises the same bits on any number of threads and tiles; compile it without -ffast-math and its parts"
 #endif
 
 /// Broken invariants of kith itself; checked in debug builds only.
@@ -20,7 +19,8 @@ struct mesh_error : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
-/// A fault in a scheme: an association that was read before it was set, set twice, or never set. The text names the tuple.
+/// A fault in a scheme: an association that was read before it was set, set twice, or never set. The text names the
+/// tuple.
 struct association_error : std::logic_error {
     using std::logic_error::logic_error;
 };

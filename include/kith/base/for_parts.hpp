@@ -29,7 +29,8 @@ private:
 /// From so many elements on a loop is worth more than one thread.
 inline constexpr std::size_t worth_threads = 4096;
 
-/// A body(begin, end) of a loop, called through a pointer: the threads are compiled once for all bodies. Refers to the body.
+/// A body(begin, end) of a loop, called through a pointer: the threads are compiled once for all bodies. Refers to the
+/// body.
 class part_body {
 public:
     template <class Body>
@@ -53,8 +54,8 @@ inline namespace in_turn {
 #endif
 
 /// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program is compiled with it. Every
-/// value of a level is a gather into its own place, so how the range is cut changes no bit. Of several errors that of the
-/// first part is rethrown.
+/// value of a level is a gather into its own place, so how the range is cut changes no bit. Of several errors that of
+/// the first part is rethrown.
 inline void for_parts(std::size_t size, [[maybe_unused]] bool parallel, part_body body,
                       [[maybe_unused]] std::size_t smallest = worth_threads)
 {

@@ -23,8 +23,8 @@ namespace kith {
 /// Of Linux on most processors, in bytes.
 inline constexpr std::size_t huge_page = std::size_t(2) << 20;
 
-/// Asks for huge pages where an array that has not been touched yet covers whole ones: with 4 KiB pages the page faults of a
-/// large array take longer than writing it. Advice: a refusal costs speed only.
+/// Asks for huge pages where an array that has not been touched yet covers whole ones: with 4 KiB pages the page faults
+/// of a large array take longer than writing it. Advice: a refusal costs speed only.
 template <class T>
 void advise_large_pages([[maybe_unused]] T* array, [[maybe_unused]] std::size_t size)
 {
@@ -36,12 +36,13 @@ void advise_large_pages([[maybe_unused]] T* array, [[maybe_unused]] std::size_t 
 #endif
 }
 
-/// The blocks of memory of all `storage` from 64 KiB on: kept when they are freed for the next block of about that size, and
-/// from 4 MiB on in 2 MiB pages. The kernel clears every fresh page, which is a quarter of the time of a large refinement and
-/// more than half of that of one to some ten thousand faces, whose arrays malloc hands back to the kernel when they are freed
-/// (docs/design.md, Speed); whoever refines again, or tile after tile, is spared it. What is in use and what is kept come to
-/// an eighth more than was ever in use at most; all that is kept goes back when more than ever is needed, when there is no
-/// memory for a block, and before a mesh of another library is made. Safe on several threads.
+/// The blocks of memory of all `storage` from 64 KiB on: kept when they are freed for the next block of about that
+/// size, and from 4 MiB on in 2 MiB pages. The kernel clears every fresh page, which is a quarter of the time of a
+/// large refinement and more than half of that of one to some ten thousand faces, whose arrays malloc hands back to the
+/// kernel when they are freed (docs/design.md, Speed); whoever refines again, or tile after tile, is spared it. What is
+/// in use and what is kept come to an eighth more than was ever in use at most; all that is kept goes back when more
+/// than ever is needed, when there is no memory for a block, and before a mesh of another library is made. Safe on
+/// several threads.
 class large_blocks {
 public:
     static constexpr std::size_t page = huge_page;

@@ -2,8 +2,8 @@
 #pragma once
 
 /// What the compiler says of a mistake in the text of a scheme. A scheme is compiled for several kinds of levels; each
-/// sentence depends on the mistake alone, so that it is said once. What a mistake gives fits everywhere, so that nothing
-/// more is said of it.
+/// sentence depends on the mistake alone, so that it is said once. What a mistake gives fits everywhere, so that
+/// nothing more is said of it.
 namespace kith::refused {
 
 template <bool Mistake>

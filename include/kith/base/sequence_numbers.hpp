@@ -12,8 +12,8 @@
 
 namespace kith {
 
-/// Numbers for sequences of numbers: equal ones have the same, from zero on. Several threads may ask, each through a reader of its own;
-/// who asks first decides which sequence has which number, and nothing else.
+/// Numbers for sequences of numbers: equal ones have the same, from zero on. Several threads may ask, each through a
+/// reader of its own; who asks first decides which sequence has which number, and nothing else.
 class sequence_numbers {
 public:
     using number = std::uint32_t;

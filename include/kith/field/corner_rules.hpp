@@ -101,8 +101,8 @@ private:
             return in_face(right);
         return masks::middle(in_face(left), in_face(right));
     }
-    /// The value at a vertex in the face that gave birth; if there is none, or the vertex is not in it, the mean over the
-    /// faces of the edge that did, and else over all around the vertex.
+    /// The value at a vertex in the face that gave birth; if there is none, or the vertex is not in it, the mean over
+    /// the faces of the edge that did, and else over all around the vertex.
     template <vertex_element Vertex>
     [[nodiscard]] T at_vertex(std::pair<tuple_kind, std::size_t> face, const Vertex& v) const
     {
@@ -148,10 +148,11 @@ private:
 
 } // namespace detail
 
-/// The rule of values at corners (texture coordinates and all else that differs from face to face at a vertex): linear inside
-/// each face, which OpenSubdiv calls "linear all". Where the values of two faces differ along their edge, there is a seam, and
-/// stays. A new vertex has, as a corner of a new face, the mean of the elements of its tuple in the old face from which the new
-/// one comes, or in its own where its tuple has one; where neither has one the mean over the old faces at its edge or vertex.
+/// The rule of values at corners (texture coordinates and all else that differs from face to face at a vertex): linear
+/// inside each face, which OpenSubdiv calls "linear all". Where the values of two faces differ along their edge, there
+/// is a seam, and stays. A new vertex has, as a corner of a new face, the mean of the elements of its tuple in the old
+/// face from which the new one comes, or in its own where its tuple has one; where neither has one the mean over the
+/// old faces at its edge or vertex.
 /// Cost: O(corners).
 struct linear_in_faces {
     template <affine_value T, finished_step Step>
@@ -169,9 +170,9 @@ struct linear_in_faces {
     }
 };
 
-/// The rule of marks on the sides of faces, as half-edges of CGAL and OpenMesh have them: a corner has that of the side which leads to
-/// it. A new side that lies along a side of the face from which its own face comes has the same; all others have T(), zero where
-/// that is left open.
+/// The rule of marks on the sides of faces, as half-edges of CGAL and OpenMesh have them: a corner has that of the side
+/// which leads to it. A new side that lies along a side of the face from which its own face comes has the same; all
+/// others have T(), zero where that is left open.
 /// Cost: O(corners) for faces of bounded degree.
 struct along_sides {
     template <class T, finished_step Step>

@@ -29,9 +29,10 @@ bool is_born_on(const Step& step, std::size_t vertex, const Edge& e)
 
 } // namespace detail
 
-/// The rule of values on edges (sharpness, features, tags): a new edge that lies along an old one, so that both of its ends
-/// do, inherits from it, by `inherit(value)`; all others have `born`: a value, or a function of (const auto& element, values),
-/// where the element is the vertex, edge, face or corner that gave birth. The functions may be called on several threads.
+/// The rule of values on edges (sharpness, features, tags): a new edge that lies along an old one, so that both of its
+/// ends do, inherits from it, by `inherit(value)`; all others have `born`: a value, or a function of (const auto&
+/// element, values), where the element is the vertex, edge, face or corner that gave birth. The functions may be called
+/// on several threads.
 template <class Inherit = std::identity, class Born = no_value>
 struct along_edges {
     [[no_unique_address]] Inherit inherit{};

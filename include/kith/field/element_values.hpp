@@ -20,8 +20,8 @@ namespace kith {
 /// The elements on which a field has its values.
 enum class field_on : unsigned char { vertices, edges, faces, corners };
 
-/// A value for each element of one kind of a level, by its dense number, or none at all: cut, joined and sent as state of a
-/// level is.
+/// A value for each element of one kind of a level, by its dense number, or none at all: cut, joined and sent as state
+/// of a level is.
 template <field_on Where, class T>
 class element_values {
 public:

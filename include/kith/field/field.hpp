@@ -18,8 +18,8 @@
 
 namespace kith {
 
-/// A rule that keeps marks of its own beside the values, one for each element, such as where texture coordinates have seams.
-/// It has a mark_type, plain bytes, and in place of what other rules have
+/// A rule that keeps marks of its own beside the values, one for each element, such as where texture coordinates have
+/// seams. It has a mark_type, plain bytes, and in place of what other rules have
 ///
 ///   std::pair<storage<T>, storage<mark_type>>
 ///   after(std::span<const T> values, std::span<const mark_type> marks, const auto& step) const
@@ -28,14 +28,14 @@ namespace kith {
 template <class Rule>
 concept marking_rule = requires { requires std::is_trivially_copyable_v<typename Rule::mark_type>; };
 
-/// A field: a value for each element of one kind of a level, by its dense number, and a rule by which the elements of the next
-/// level inherit. It is state of a level (level_state.hpp): `with_fields` hands it on beside any scheme, and a scheme may have
-/// it as a member and read it. A rule has
+/// A field: a value for each element of one kind of a level, by its dense number, and a rule by which the elements of
+/// the next level inherit. It is state of a level (level_state.hpp): `with_fields` hands it on beside any scheme, and a
+/// scheme may have it as a member and read it. A rule has
 ///
 ///   storage<T> after(std::span<const T> values, const auto& step) const     those of the next level; step: made_step
 ///
-/// or is a marking_rule. A field without values stays without. Errors: mesh_error where the number of values is not that of the
-/// elements. Cost of a step: that of the rule.
+/// or is a marking_rule. A field without values stays without. Errors: mesh_error where the number of values is not
+/// that of the elements. Cost of a step: that of the rule.
 template <field_on Where, class T, class Rule>
 class field {
 public:

@@ -24,8 +24,8 @@ struct no_value {};
 
 namespace detail {
 
-/// What an element without an heir's right is born with: a value, or that of a function of the element that gave birth to it
-/// and of the values of the level.
+/// What an element without an heir's right is born with: a value, or that of a function of the element that gave birth
+/// to it and of the values of the level.
 template <class T, class Born, element Element>
 T born_value(const Born& born, const Element& element, std::span<const T> values)
 {
@@ -132,9 +132,9 @@ private:
     typename number::sum sum_;
 };
 
-/// What a linear rule says of the tuples of one face or edge; `at(corner)` is the value that a corner has there. The value
-/// of a tuple is the mean of what its elements have, and a vertex has its own, an edge that of its middle, a face the mean of
-/// its corners. But a scheme that makes two vertices of an edge cuts it in thirds, and its faces, too.
+/// What a linear rule says of the tuples of one face or edge; `at(corner)` is the value that a corner has there. The
+/// value of a tuple is the mean of what its elements have, and a vertex has its own, an edge that of its middle, a face
+/// the mean of its corners. But a scheme that makes two vertices of an edge cuts it in thirds, and its faces, too.
 template <class T, bool InThirds>
 struct linear_masks {
     [[nodiscard]] static T middle(const T& a, const T& b) { return blend<T>(a).add(b).over(2); }

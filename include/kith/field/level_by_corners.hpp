@@ -10,9 +10,9 @@
 
 namespace kith {
 
-/// A level whose vertices remember the corner at which they were met, so that a mask may be evaluated over values at corners:
-/// a neighbour has the value that it has in the face through which the walk came to it. A vertex is still one element, with one
-/// number, whatever the corner.
+/// A level whose vertices remember the corner at which they were met, so that a mask may be evaluated over values at
+/// corners: a neighbour has the value that it has in the face through which the walk came to it. A vertex is still one
+/// element, with one number, whatever the corner.
 template <level Level>
 class walk_by_corners {
 public:

@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// Values on a few among many elements of one kind of a level: a sorted list of their dense numbers and values. All others
-/// have T(). It is cut, joined and sent as a `field` is; the state that has it says how it is inherited.
+/// Values on a few among many elements of one kind of a level: a sorted list of their dense numbers and values. All
+/// others have T(). It is cut, joined and sent as a `field` is; the state that has it says how it is inherited.
 template <class T>
 class sparse_values {
 public:

@@ -12,9 +12,9 @@
 
 namespace kith {
 
-/// A scheme with fields: with_fields(catmull_clark{}, on_faces(materials), on_corners(texture_coordinates)). It is that scheme
-/// in all else: points keep their bits, and what takes the scheme takes this one. The fields go where state of a level goes:
-/// through `refine_with_fields` and `hierarchy`, into tiles, to ranks and into messages.
+/// A scheme with fields: with_fields(catmull_clark{}, on_faces(materials), on_corners(texture_coordinates)). It is that
+/// scheme in all else: points keep their bits, and what takes the scheme takes this one. The fields go where state of a
+/// level goes: through `refine_with_fields` and `hierarchy`, into tiles, to ranks and into messages.
 template <scheme Scheme, class... Fields>
 class with_fields : public Scheme {
 public:

@@ -15,8 +15,9 @@ namespace kith {
 template <std::floating_point Scalar>
 class lane_program_maker;
 
-/// What of a tape is needed for some of its values, as sums of weighted sums over slots: replayed, it walks no mesh and knows
-/// no scheme. Operations are those of the tape in their order, so each lane has the bits of the scheme's own text.
+/// What of a tape is needed for some of its values, as sums of weighted sums over slots: replayed, it walks no mesh and
+/// knows no scheme. Operations are those of the tape in their order, so each lane has the bits of the scheme's own
+/// text.
 template <std::floating_point Scalar>
 class lane_program {
 public:

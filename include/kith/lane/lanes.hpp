@@ -6,9 +6,9 @@
 #include <concepts>
 #include <cstddef>
 
-/// As many numbers as a register of the processor holds, added and scaled side by side: each lane is what one number would
-/// be, to the bit. Vectors are those of g++ and clang. On x86-64 functions marked KITH_LANES use registers that most, not all
-/// processors have; has_lanes() looks.
+/// As many numbers as a register of the processor holds, added and scaled side by side: each lane is what one number
+/// would be, to the bit. Vectors are those of g++ and clang. On x86-64 functions marked KITH_LANES use registers that
+/// most, not all processors have; has_lanes() looks.
 
 namespace kith {
 
@@ -57,8 +57,8 @@ struct lanes {
     typedef Scalar type __attribute__((vector_size(lane_bytes), may_alias));
 };
 
-/// Keeps the compiler from making a product and the sum that follows one operation, which would round once; clang does so
-/// within one expression only.
+/// Keeps the compiler from making a product and the sum that follows one operation, which would round once; clang does
+/// so within one expression only.
 template <class Pack>
 [[gnu::always_inline]] inline void keep_rounded([[maybe_unused]] Pack& product)
 {
@@ -69,8 +69,8 @@ template <class Pack>
 #endif
 }
 
-/// Writes to memory without fetching what was there, where the processor can: for what is not read again soon. Other threads see
-/// it after `publish`.
+/// Writes to memory without fetching what was there, where the processor can: for what is not read again soon. Other
+/// threads see it after `publish`.
 template <class T>
 [[gnu::always_inline]] inline void store_past_caches(T* to, T value)
 {

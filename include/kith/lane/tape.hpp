@@ -11,9 +11,9 @@
 
 namespace kith {
 
-/// What a scheme's text did to its operands, in order: each operation is a node, each value the node that it was stored from.
-/// A tape knows no numbers but the weights, so that what was recorded on one part of a mesh can be replayed on all parts
-/// that look alike, operation by operation, to the same bits.
+/// What a scheme's text did to its operands, in order: each operation is a node, each value the node that it was stored
+/// from. A tape knows no numbers but the weights, so that what was recorded on one part of a mesh can be replayed on
+/// all parts that look alike, operation by operation, to the same bits.
 template <std::floating_point Scalar>
 struct tape {
     enum class operation : unsigned char { load, add, scale };
@@ -62,7 +62,8 @@ private:
     tape<Scalar>* before_;
 };
 
-/// A value as its number on the tape. It is copied by a function of its own, as values are whose loops stay on one thread.
+/// A value as its number on the tape. It is copied by a function of its own, as values are whose loops stay on one
+/// thread.
 template <std::floating_point Scalar>
 struct recorded {
     std::uint32_t value = tape<Scalar>::none;

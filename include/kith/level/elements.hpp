@@ -37,8 +37,8 @@ public:
 
     /// The corners around the vertex, counter-clockwise from this one. At the boundary those before it are left out.
     [[nodiscard]] auto fan_from_here() const { return walk(*level_, detail::fan_step<Level>{handle_}); }
-    /// The vertices around the vertex in the same order: the other ends of its edges, and in each face the vertex after the
-    /// next. At the boundary those before this corner and the last neighbour are left out.
+    /// The vertices around the vertex in the same order: the other ends of its edges, and in each face the vertex after
+    /// the next. At the boundary those before this corner and the last neighbour are left out.
     [[nodiscard]] auto neighbors_from_here() const
     {
         return fan_from_here().map([](const corner& c) { return c.next().v(); });
@@ -101,7 +101,8 @@ private:
     corner_handle left_;
 };
 
-/// A vertex. Its fan is the cycle of its corners, counter-clockwise; at the boundary from boundary edge to boundary edge.
+/// A vertex. Its fan is the cycle of its corners, counter-clockwise; at the boundary from boundary edge to boundary
+/// edge.
 template <walkable_level Level>
 class vertex : public mask_base {
 public:

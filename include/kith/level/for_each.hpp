@@ -9,7 +9,8 @@
 #include <cstddef>
 #include <type_traits>
 
-// A file whose loops need not be fast says KITH_COMPILE_FAST: it is compiled in half the time, without inlining all they call.
+// A file whose loops need not be fast says KITH_COMPILE_FAST: it is compiled in half the time, without inlining all
+// they call.
 #ifdef KITH_COMPILE_FAST
 #define KITH_FLATTEN
 #else
@@ -20,9 +21,9 @@ namespace kith {
 
 namespace detail {
 
-/// A level that knows a better order for its elements than that of their numbers goes through them by faces: the faces of
-/// a refined level follow a quadtree, and the neighbourhoods that are met in that order lie close together in memory; in
-/// the order of their numbers every ring would be fetched anew.
+/// A level that knows a better order for its elements than that of their numbers goes through them by faces: the faces
+/// of a refined level follow a quadtree, and the neighbourhoods that are met in that order lie close together in
+/// memory; in the order of their numbers every ring would be fetched anew.
 template <class Level>
 concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level::vertex_handle),
                                     void (*g)(typename Level::edge_handle, typename Level::corner_handle)) {
@@ -34,9 +35,9 @@ template <walkable_level Level, element Element>
 inline constexpr bool met_by_faces = ordered_by_faces<Level> and
                                      (std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>);
 
-/// Whether a mask is worth being inlined into the loop as a whole: it is a tree of small functions, and one that stays a
-/// call in the innermost loop costs more than the arithmetic. Not for the walks through the traits of other meshes, nor
-/// for numbers that are classes with memory of their own, which would make very large functions.
+/// Whether a mask is worth being inlined into the loop as a whole: it is a tree of small functions, and one that stays
+/// a call in the innermost loop costs more than the arithmetic. Not for the walks through the traits of other meshes,
+/// nor for numbers that are classes with memory of their own, which would make very large functions.
 template <walkable_level Level>
 inline constexpr bool inlines_masks = ordered_by_faces<Level> and
                                       std::is_trivially_copyable_v<typename Level::point_type>;

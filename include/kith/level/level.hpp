@@ -13,9 +13,10 @@ namespace kith {
 template <class H>
 concept element_handle = std::copyable<H> and std::equality_comparable<H>;
 
-/// What elements walk on: a mesh of oriented polygons, a manifold with or without a boundary, which stays as it is while it is
-/// walked on. All functions may be called by several threads, and take O(1).
-/// One requires-expression, here and in other concepts that many templates ask for: the compiler looks its answer up as one.
+/// What elements walk on: a mesh of oriented polygons, a manifold with or without a boundary, which stays as it is
+/// while it is walked on. All functions may be called by several threads, and take O(1).
+/// One requires-expression, here and in other concepts that many templates ask for: the compiler looks its answer up as
+/// one.
 template <class L>
 concept walkable_level = requires(const L& level, typename L::vertex_handle v, typename L::edge_handle e,
                                   typename L::face_handle f, typename L::corner_handle c, std::size_t i) {
@@ -45,11 +46,13 @@ concept walkable_level = requires(const L& level, typename L::vertex_handle v, t
     { level.index(e) } -> std::convertible_to<std::size_t>;
     { level.index(f) } -> std::convertible_to<std::size_t>;
     { level.index(c) } -> std::convertible_to<std::size_t>;
-    // The half-edge that leaves the vertex of a corner inside its face: 2e on the left side of edge e, 2e+1 on its right.
+    // The half-edge that leaves the vertex of a corner inside its face: 2e on the left side of edge e, 2e+1 on its
+    // right.
     { level.halfedge(c) } -> std::convertible_to<std::size_t>;
     // Where a fan starts: at the boundary where nothing lies clockwise.
     { level.first(v) } -> std::convertible_to<typename L::corner_handle>;
-    // The corners on the left and on the right of an edge, from which it leaves; at the boundary the second is no_corner.
+    // The corners on the left and on the right of an edge, from which it leaves; at the boundary the second is
+    // no_corner.
     { level.first(e) } -> std::convertible_to<typename L::corner_handle>;
     { level.second(e) } -> std::convertible_to<typename L::corner_handle>;
     // Where a face starts, and how many corners it has.
@@ -98,8 +101,8 @@ concept corner_element = element_letter<T> == 'c';
 
 template <walkable_level Level, element Element> class all_elements;
 
-/// What a scheme calls `coarse`: a level that says its elements, for loops over all of one kind. `level_elements` makes one of
-/// any walkable level.
+/// What a scheme calls `coarse`: a level that says its elements, for loops over all of one kind. `level_elements` makes
+/// one of any walkable level.
 template <class L>
 concept level = walkable_level<L> and requires(const L& level) {
     { level.vertices() } -> std::same_as<all_elements<L, vertex<L>>>;

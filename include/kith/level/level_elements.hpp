@@ -62,7 +62,8 @@ class level_elements : public Level {
 public:
     using Level::Level;
 
-    // Elements are those of a level that is complete, which it is when these are called, not where their types are told.
+    // Elements are those of a level that is complete, which it is when these are called, not where their types are
+    // told.
     [[nodiscard]] auto vertices() const { return all<vertex<level_elements>>(this->vertex_count()); }
     [[nodiscard]] auto edges() const { return all<edge<level_elements>>(this->edge_count()); }
     [[nodiscard]] auto faces() const { return all<face<level_elements>>(this->face_count()); }

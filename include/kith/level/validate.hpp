@@ -76,8 +76,8 @@ template <mesh M>
 
 namespace detail {
 
-/// Of a mesh in which `validate` finds nothing, and which still cannot be lifted: its half-edges are shared by faces, or lead
-/// from elements that have been removed.
+/// Of a mesh in which `validate` finds nothing, and which still cannot be lifted: its half-edges are shared by faces,
+/// or lead from elements that have been removed.
 template <mesh M>
 [[noreturn, gnu::cold]] void refuse_halfedges(const M& mesh)
 {
@@ -117,8 +117,8 @@ basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh);
 
 } // namespace detail
 
-/// `lift` of a mesh that can be refined, whose points may become arrays. Errors: mesh_error with everything that `validate`
-/// finds. Cost: as `lift`.
+/// `lift` of a mesh that can be refined, whose points may become arrays. Errors: mesh_error with everything that
+/// `validate` finds. Cost: as `lift`.
 template <mesh M, class Point = typename lifted_point<M>::type>
 basic_mesh<Point, std::uint32_t> lift_valid(const M& mesh)
 {

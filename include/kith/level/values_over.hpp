@@ -31,7 +31,8 @@ concept values_of_step = values_over<V, Level> and
                              // How many more there are, and any of all.
                              { made.listed_count() } -> std::convertible_to<std::size_t>;
                              { made.listed(n) } -> std::convertible_to<typename V::sum>;
-                             // Others over the same coarse level, without any that are made, for another pass of the step.
+                             // Others over the same coarse level, without any that are made, for another pass of the
+                             // step.
                              { made.another() } -> std::same_as<V>;
                          };
 

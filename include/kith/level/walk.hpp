@@ -16,7 +16,8 @@ struct fan_step {
     typename Level::corner_handle first;
     typename Level::corner_handle here = first;
 
-    // The innermost loop of most schemes: g++ makes a call of it in a rule that walks around a vertex in several places.
+    // The innermost loop of most schemes: g++ makes a call of it in a rule that walks around a vertex in several
+    // places.
     [[gnu::always_inline]] void advance(const Level& level)
     {
         here = level.across(level.prev(here));

@@ -29,8 +29,8 @@ inline void require_between(int n, int there_are, const char* done)
 
 } // namespace detail
 
-/// The levels of a surface, one made from the other, and which of them are in memory. As a level follows from the one before, with the
-/// scheme as it is there, it may be dropped and made again.
+/// The levels of a surface, one made from the other, and which of them are in memory. As a level follows from the one
+/// before, with the scheme as it is there, it may be dropped and made again.
 template <mesh M, scheme Scheme>
 class level_store {
     using traits = mesh_traits<M>;
@@ -78,7 +78,8 @@ public:
     /// How many of the last levels are kept.
     [[nodiscard]] int kept() const { return kept_; }
 
-    /// Adds a level, drops the one that is kept no longer, and gives up those that were undone, with what was chosen for them.
+    /// Adds a level, drops the one that is kept no longer, and gives up those that were undone, with what was chosen
+    /// for them.
     /// Errors: as those of a step.
     void add()
     {
@@ -101,7 +102,8 @@ public:
             throw;
         }
     }
-    /// Takes the last n levels back. Of each the scheme stays, and points that were moved. Precondition: 0 <= n <= depth().
+    /// Takes the last n levels back. Of each the scheme stays, and points that were moved. Precondition: 0 <= n <=
+    /// depth().
     void undo(int n)
     {
         if (levels_[std::size_t(depth_ - n)]->here == nullptr)

@@ -24,7 +24,8 @@ void require_finite(int level, std::span<const Point> points)
                          std::to_string(bad - points.begin()) + " is not finite; give all vertices finite coordinates");
 }
 
-/// Gives the vertices of a mesh, which `here` walks on, these points. Precondition: a point per vertex, by dense numbers.
+/// Gives the vertices of a mesh, which `here` walks on, these points. Precondition: a point per vertex, by dense
+/// numbers.
 template <movable_mesh M, level Level>
 void set_points(M& mesh, const Level& here, const storage<typename mesh_traits<M>::point>& points)
 {

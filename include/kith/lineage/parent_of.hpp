@@ -26,8 +26,8 @@ struct numbered_element {
 
 namespace detail {
 
-/// The element between two others, one of them where the other lies on it: of vertices the edge that joins them, of edges the
-/// face on which both lie, of faces the edge that they share. Nothing if they do not touch.
+/// The element between two others, one of them where the other lies on it: of vertices the edge that joins them, of
+/// edges the face on which both lie, of faces the edge that they share. Nothing if they do not touch.
 template <level Level>
 std::optional<numbered_element> element_between(const Level& level, numbered_element a, numbered_element b)
 {
@@ -89,9 +89,10 @@ numbered_element numbered(const X& x)
     return {kind, x.index()};
 }
 
-/// The parent of a tuple that is in no column: its face, its edge where it has no face, else its vertex, as of those that are. Two
-/// vertices that do not touch have the face in which both lie as their parent, and two faces the vertex that both have, of several the one
-/// with the smallest number; where there is none, the first of the two. Cost: O(valence * degree).
+/// The parent of a tuple that is in no column: its face, its edge where it has no face, else its vertex, as of those
+/// that are. Two vertices that do not touch have the face in which both lie as their parent, and two faces the vertex
+/// that both have, of several the one with the smallest number; where there is none, the first of the two. Cost:
+/// O(valence * degree).
 template <level Level>
 numbered_element parent_of_listed(const Level& level, const tuple_elements& tuple)
 {
@@ -120,10 +121,10 @@ numbered_element parent_of_listed(const Level& level, const tuple_elements& tupl
     return common == none ? numbered_element{vertex, tuple.front().second} : numbered_element{face, common};
 }
 
-/// The element of the coarse level that is the parent of one of the next. Of an edge that was found by matching it is the
-/// element between the parents of its ends, which is what its split would have said, and, where these do not touch, the parent of
-/// the face on its left. Cost: that of `origin`; that of parent_of_listed for vertices of the dictionary; for edges that were
-/// found by matching O(valence + degree) more.
+/// The element of the coarse level that is the parent of one of the next. Of an edge that was found by matching it is
+/// the element between the parents of its ends, which is what its split would have said, and, where these do not touch,
+/// the parent of the face on its left. Cost: that of `origin`; that of parent_of_listed for vertices of the dictionary;
+/// for edges that were found by matching O(valence + degree) more.
 template <level Level, level_numbering Numbering, level Fine>
 numbered_element parent_of(const Level& coarse, const Numbering& ids, const Fine& fine, const numbered_element& x)
 {
@@ -157,8 +158,9 @@ inline element_ranges only(const numbered_element& x)
     return result;
 }
 
-/// The children of elements of a level, with vertices of the dictionary and edges that were found by matching. Cost: O(ranges);
-/// more by O(vertices of the dictionary), and by O(edges of the next level) where edges were found by matching.
+/// The children of elements of a level, with vertices of the dictionary and edges that were found by matching. Cost:
+/// O(ranges); more by O(vertices of the dictionary), and by O(edges of the next level) where edges were found by
+/// matching.
 template <level Level, level_numbering Numbering, level Fine>
 element_ranges children(const Level& coarse, const Numbering& ids, const Fine& fine, const element_ranges& parents)
 {

@@ -83,8 +83,8 @@ birth<M> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, c
     }
 }
 
-/// The elements of a level that descend from one of a coarser level: as ranges of numbers, and in handles of the mesh. It may
-/// be used as long as the hierarchy has this level.
+/// The elements of a level that descend from one of a coarser level: as ranges of numbers, and in handles of the mesh.
+/// It may be used as long as the hierarchy has this level.
 template <level Level>
 class descendant_elements {
 public:

@@ -16,8 +16,9 @@
 
 namespace kith {
 
-/// The element of the next level that belongs to a tuple of elements, by the numbering of the step alone; nothing where the scheme
-/// made none under it. Cost: O(1), O(valence) for pairs without their edge; O(log n) for vertices of the dictionary.
+/// The element of the next level that belongs to a tuple of elements, by the numbering of the step alone; nothing where
+/// the scheme made none under it. Cost: O(1), O(valence) for pairs without their edge; O(log n) for vertices of the
+/// dictionary.
 template <level Coarse, level_numbering Numbering, level Fine, target Target, element... X>
 auto retrieve(const Coarse& coarse, const Numbering& ids, const Fine& fine, Target, const X&... x)
 {

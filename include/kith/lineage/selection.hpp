@@ -10,7 +10,8 @@
 
 namespace kith {
 
-/// A scheme whose steps refine the faces that are chosen, such as `selected`; of a level for which none were chosen all.
+/// A scheme whose steps refine the faces that are chosen, such as `selected`; of a level for which none were chosen
+/// all.
 template <class S, class Level>
 concept selecting_scheme = scheme<S> and requires(S& scheme, const S& chosen_before, const Level& level,
                                                   std::span<const unsigned char> flags) {

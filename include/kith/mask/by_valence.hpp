@@ -39,14 +39,16 @@ private:
     std::array<Scalar, longest_row + 1> table_{};
 };
 
-/// A weight that depends on a valence, in the scalar type of a refinement: `by_valence(r, [](std::size_t n) { return ...; })`.
+/// A weight that depends on a valence, in the scalar type of a refinement: `by_valence(r, [](std::size_t n) { return
+/// ...; })`.
 template <has_scalar Refinement>
 [[nodiscard]] auto by_valence(const Refinement&, std::function<double(std::size_t)> weight)
 {
     return weights_by_valence<typename Refinement::scalar>(std::move(weight));
 }
 
-/// Rows of weights by valence, for masks whose weights differ around a ring: each is computed when it is asked for first.
+/// Rows of weights by valence, for masks whose weights differ around a ring: each is computed when it is asked for
+/// first.
 template <class Scalar>
 class rows_by_valence {
 public:

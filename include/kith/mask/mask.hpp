@@ -123,7 +123,8 @@ template <class List>
     return mask_list_sum<List>(list);
 }
 
-/// formula(n, center, sum) where `sum` is that of a range of n operands: the formula of a paper for the new place of a vertex,
+/// formula(n, center, sum) where `sum` is that of a range of n operands: the formula of a paper for the new place of a
+/// vertex,
 ///
 ///   around(v, ring, [](auto n, auto v, auto sum) { return (n - 2) / n * v + 1 / (n * n) * sum; })
 ///
@@ -133,8 +134,8 @@ template <mask Center, mask_range Range, class Formula>
 {
     return mask_ring<Center, Range, no_weights, Formula>(center, ring, nullptr, formula);
 }
-/// The same for formulas with a weight that depends on n: formula(n, w, center, sum) where w is weights(n), such as those of
-/// by_valence. They must outlive the mask.
+/// The same for formulas with a weight that depends on n: formula(n, w, center, sum) where w is weights(n), such as
+/// those of by_valence. They must outlive the mask.
 template <mask Center, mask_range Range, std::invocable<std::size_t> Weights, class Formula>
 [[nodiscard]] auto around(const Center& center, const Range& ring, const Weights& weights, const Formula& formula)
 {

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <utility>
 
-/// What masks are made of: one type for each way to combine operands, which the functions of mask.hpp make. Each is evaluated over
-/// `Values`, which says what an operand comes to and how such sums are added and scaled.
+/// What masks are made of: one type for each way to combine operands, which the functions of mask.hpp make. Each is
+/// evaluated over `Values`, which says what an operand comes to and how such sums are added and scaled.
 namespace kith {
 
 /// What all masks derive from.

@@ -15,12 +15,12 @@
 
 namespace kith {
 
-/// Rings of more operands than this are summed by their waves: a new point for each of n operands with n weights each would
-/// be O(n^2). Up to here a point is the sum of its operands with its row of weights.
+/// Rings of more operands than this are summed by their waves: a new point for each of n operands with n weights each
+/// would be O(n^2). Up to here a point is the sum of its operands with its row of weights.
 inline constexpr std::size_t longest_row = 64;
 
-/// The weights around a ring of n operands that have waves no shorter than half the ring: that of the operand at the angle t
-/// from the new point is (x0 + 2 Re(x1 exp(-it)) + 2 Re(x2 exp(-2it)))/n; with real numbers
+/// The weights around a ring of n operands that have waves no shorter than half the ring: that of the operand at the
+/// angle t from the new point is (x0 + 2 Re(x1 exp(-it)) + 2 Re(x2 exp(-2it)))/n; with real numbers
 /// (x0 + 2 x1 cos t + 2 x2 cos 2t)/n. Such a matrix of weights is a circulant.
 struct wave_kernel {
     double x0;
@@ -54,7 +54,8 @@ struct mask_of_values : mask_base {
 };
 
 /// A ring of operands as its sum and its first waves, sum p_j cos(k t_j) and sum p_j sin(k t_j) with t_j = 2 pi j/n and
-/// k = 1 to Waves (at most 2): what all masks with a wave_kernel over the ring have in common. Cost: O(n), each mask O(1).
+/// k = 1 to Waves (at most 2): what all masks with a wave_kernel over the ring have in common. Cost: O(n), each mask
+/// O(1).
 template <mask_evaluator Space, std::size_t Waves>
 class ring_waves {
 public:
@@ -77,8 +78,8 @@ public:
     [[nodiscard]] std::size_t operands() const { return n_; }
     [[nodiscard]] const std::array<sum_type, size>& values() const { return values_; }
 
-    /// The weights of values() that make `total` times the mask of a new point, which lies so many halves of 1/n of a turn from
-    /// the first operand. The part x0 is formed in the scalar type of the evaluation.
+    /// The weights of values() that make `total` times the mask of a new point, which lies so many halves of 1/n of a
+    /// turn from the first operand. The part x0 is formed in the scalar type of the evaluation.
     [[nodiscard]] std::array<scalar, size> weights(const wave_kernel& kernel, std::int64_t half_steps,
                                                    double total = 1) const
     {

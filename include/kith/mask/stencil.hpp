@@ -63,8 +63,8 @@ struct matrix_entry {
 };
 
 /// A subdivision matrix in compressed rows: point i of the finer level is the sum over k in [row_start[i],
-/// row_start[i+1]) of weight[k] times point column[k] of the coarser one. Its numbers are signed as those of other libraries
-/// are, so that these look at the same arrays: kith/eigen.hpp, or SciPy's csr_matrix.
+/// row_start[i+1]) of weight[k] times point column[k] of the coarser one. Its numbers are signed as those of other
+/// libraries are, so that these look at the same arrays: kith/eigen.hpp, or SciPy's csr_matrix.
 struct subdivision_matrix {
     using index_type = std::ptrdiff_t;
 
@@ -89,7 +89,8 @@ struct subdivision_matrix {
         return result;
     }
 
-    /// Any values of the coarser level, one per vertex, carried to the finer one; by a row without entries T(), zero where that is left open.
+    /// Any values of the coarser level, one per vertex, carried to the finer one; by a row without entries T(), zero
+    /// where that is left open.
     /// Errors: mesh_error unless there are `columns` values. Cost: O(entries).
     template <affine_value T>
     [[nodiscard]] std::vector<T> apply(std::span<const T> values) const

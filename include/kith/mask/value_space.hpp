@@ -12,8 +12,9 @@ concept weight_number = requires(const S& a, const S& b) {
     { a / b } -> std::convertible_to<S>; // 1/n, exact over exact numbers
 };
 
-/// What masks are evaluated over: points, values of the user, rows of the subdivision matrix, hashes of the operands. A mask
-/// adds and scales its operands in the order of its text and does nothing else, so that equal texts give equal bits.
+/// What masks are evaluated over: points, values of the user, rows of the subdivision matrix, hashes of the operands. A
+/// mask adds and scales its operands in the order of its text and does nothing else, so that equal texts give equal
+/// bits.
 template <class V>
 concept value_space = requires(typename V::sum& total, const typename V::sum& more, const typename V::scalar& weight) {
     requires weight_number<typename V::scalar>;

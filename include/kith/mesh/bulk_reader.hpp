@@ -45,8 +45,8 @@ protected:
     [[nodiscard]] bool comes_to_no_vertex_twice(std::size_t first, std::size_t end) const;
     /// Every half-edge belongs to one corner at most, and every edge has a face.
     [[nodiscard]] bool sides_are_joined(std::size_t edges) const;
-    /// Lets fans start where they should: inside where they are told, at the boundary where nothing lies clockwise. In the
-    /// order of the faces, since their neighbours lie close together.
+    /// Lets fans start where they should: inside where they are told, at the boundary where nothing lies clockwise. In
+    /// the order of the faces, since their neighbours lie close together.
     bool each_vertex_has_one_fan();
     static void store(Index& place, Index value) { std::atomic_ref(place).store(value, std::memory_order_relaxed); }
 

@@ -11,9 +11,9 @@
 
 namespace kith {
 
-/// The mesh with a cone of triangles over every boundary loop, so that schemes for closed meshes can refine a part of one:
-/// what does not reach as far as the cones is as in the whole. All elements keep their numbers, those of the cones come
-/// after them. Precondition: it has its edges. Cost: O(elements).
+/// The mesh with a cone of triangles over every boundary loop, so that schemes for closed meshes can refine a part of
+/// one: what does not reach as far as the cones is as in the whole. All elements keep their numbers, those of the cones
+/// come after them. Precondition: it has its edges. Cost: O(elements).
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> close_rims(const basic_mesh<Point, Index>& mesh)
 {

@@ -15,8 +15,8 @@ namespace kith {
 
 namespace detail {
 
-/// Makes a branch of a choice, which it is not: fans look alike, so that the processor guesses right and does not wait for
-/// the remainder before it asks for what the corner leads to.
+/// Makes a branch of a choice, which it is not: fans look alike, so that the processor guesses right and does not wait
+/// for the remainder before it asks for what the corner leads to.
 inline bool is_rare(bool condition)
 {
     return __builtin_expect_with_probability(condition, 0, 0.999) != 0;
@@ -72,8 +72,8 @@ struct connectivity {
     {
         return degree != 0 ? Index(corner / Index(degree)) : corner_face[corner];
     }
-    // Where faces have several degrees it is seen at the corners whether two are of one face: its bounds would be one more
-    // read that misses the cache.
+    // Where faces have several degrees it is seen at the corners whether two are of one face: its bounds would be one
+    // more read that misses the cache.
     [[nodiscard]] Index next(Index corner) const
     {
         if (degree != 0)
@@ -106,8 +106,8 @@ struct connectivity {
         return {corner_vertex[corner], target(corner)};
     }
 
-    /// Room for the vertices of so many faces: all have `alike` corners or, where that is 0, each degree_of(f), asked in
-    /// their order, and then where each lies is filled in. Cost: O(faces), with several degrees O(corners).
+    /// Room for the vertices of so many faces: all have `alike` corners or, where that is 0, each degree_of(f), asked
+    /// in their order, and then where each lies is filled in. Cost: O(faces), with several degrees O(corners).
     template <class DegreeOf>
     void allocate_faces(std::size_t count, int alike, DegreeOf degree_of)
     {
@@ -125,8 +125,8 @@ struct connectivity {
         }
         corner_vertex = storage<Index>(size);
     }
-    /// Makes the first corners of all faces, when face_corner[f + 1] is the degree of f; how many corners they have. What comes
-    /// to more than `most` is cut off there.
+    /// Makes the first corners of all faces, when face_corner[f + 1] is the degree of f; how many corners they have.
+    /// What comes to more than `most` is cut off there.
     std::size_t sum_degrees(std::size_t most = std::numeric_limits<std::size_t>::max())
     {
         std::size_t sum = 0;

@@ -22,7 +22,8 @@ public:
     using index_type = std::uint32_t;
     static constexpr index_type none = std::numeric_limits<index_type>::max();
 
-    /// `bound` is above all indices of the range. Errors: mesh_error for more elements than can be numbered. Cost: O(bound).
+    /// `bound` is above all indices of the range. Errors: mesh_error for more elements than can be numbered. Cost:
+    /// O(bound).
     template <class Range>
     dense_numbers(const M& mesh, Range range, std::size_t bound)
     {

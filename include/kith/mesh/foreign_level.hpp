@@ -46,9 +46,9 @@ struct lifted_point {
 template <fillable_mesh M>
 struct lifted_point<M> : native_point<typename mesh_traits<M>::point> {};
 
-/// A mesh of another library into which a level is written: its elements are numbered as they would be in a native mesh,
-/// and half-edge 2e+s is side s of edge e. What writes into it stays out of the loops, which have all else inlined: as fast, and
-/// without the assertions of the other library in every loop. Its points may be seen as arrays.
+/// A mesh of another library into which a level is written: its elements are numbered as they would be in a native
+/// mesh, and half-edge 2e+s is side s of edge e. What writes into it stays out of the loops, which have all else
+/// inlined: as fast, and without the assertions of the other library in every loop. Its points may be seen as arrays.
 template <fillable_mesh M, class Point>
     requires std::same_as<Point, typename mesh_traits<M>::point> or std::same_as<Point, typename lifted_point<M>::type>
 class foreign_level final : public level_writer<Point, std::uint32_t> {
@@ -173,8 +173,8 @@ void write_level(level_writer<Point, Index>& level, const basic_mesh<Point, Inde
     level.finish(mesh.generation());
 }
 
-/// The mesh of another library with the elements of a native one, in the same order and direction, and with the attributes
-/// of `source` if there is one.
+/// The mesh of another library with the elements of a native one, in the same order and direction, and with the
+/// attributes of `source` if there is one.
 /// Precondition: the native mesh has its edges. Errors: those of `make_room`. Cost: O(elements).
 template <fillable_mesh M, class Point>
 M fill(const basic_mesh<Point, std::uint32_t>& fine, const M* source = nullptr)

@@ -22,9 +22,9 @@ concept face_lines = requires(const T& lines) {
     (*lines.begin()).halfedge;
 };
 
-/// What a step writes the next level into when that is no native mesh: numbers are those that the elements would have there,
-/// and half-edge 2e+s is side s of edge e. The scheme is trusted and declares its edges: each element is written once, and
-/// what is written is a manifold.
+/// What a step writes the next level into when that is no native mesh: numbers are those that the elements would have
+/// there, and half-edge 2e+s is side s of edge e. The scheme is trusted and declares its edges: each element is written
+/// once, and what is written is a manifold.
 template <class S>
 concept level_sink = requires(S& sink, typename S::index_type i,
                               std::span<const face_line<typename S::index_type>> lines) {

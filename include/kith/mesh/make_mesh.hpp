@@ -131,8 +131,8 @@ extern template connectivity<std::size_t> connect_faces(std::size_t, const face_
 
 } // namespace detail
 
-/// Everything that is wrong with a list of points and faces; empty when a mesh can be made of it. Vertices and faces are
-/// told by numbers from `first_number` on.
+/// Everything that is wrong with a list of points and faces; empty when a mesh can be made of it. Vertices and faces
+/// are told by numbers from `first_number` on.
 /// Cost: O(corners log valence) time, O(corners) memory.
 template <std::ranges::input_range Points>
 mesh_report validate(const Points& points, const face_list& faces, std::size_t first_number = 0)
@@ -182,8 +182,9 @@ auto make_mesh(const Points& points, const Faces& faces)
     return make_mesh<Index>(points, face_list(faces));
 }
 
-/// Values at the corners of faces, in the order of their list, in that of the mesh which `make_mesh` makes of these faces, as `on_corners`
-/// takes them: there each face begins with its smallest vertex. Errors: mesh_error unless there is a value per corner. Cost: O(corners).
+/// Values at the corners of faces, in the order of their list, in that of the mesh which `make_mesh` makes of these
+/// faces, as `on_corners` takes them: there each face begins with its smallest vertex. Errors: mesh_error unless there
+/// is a value per corner. Cost: O(corners).
 template <std::ranges::contiguous_range Values>
 auto values_at_corners(const face_list& faces, const Values& values)
 {

@@ -37,17 +37,18 @@ class basic_mesh;
 ///   build(basic_mesh<point, uint32_t>&&) -> M     the mesh with these elements, in this order and direction (optional:
 ///                                  without it a mesh can be read, not written)
 ///
-///   build(basic_mesh<point, uint32_t>&&, const M& source) -> M     the same for a mesh that was refined from `source`, of
+///   build(basic_mesh<point, uint32_t>&&, const M& source) -> M the same for a mesh that was refined from `source`, of
 ///                                  which it may keep more than elements (optional)
 ///
 ///   points(m)                      the array of all points, by index (optional: without it vertices cannot be moved)
 ///
-///   For meshes that several threads may write; `fill` is their `build` then, and `refine` makes the last level in them:
+///   For meshes that several threads may write; `fill` is their `build` then, and `refine` makes the last level in
+///   them:
 ///
 ///   request_like(m, source)        lets an empty m have the attributes that `source` has (optional; comes first)
-///   make_room(m, vertices, edges, faces)   gives an empty m so many elements, not joined yet; throws mesh_error for more
+///   make_room(m, vertices, edges, faces) gives an empty m so many elements, not joined yet; throws mesh_error for more
 ///                                  than it can number
-///   at<Handle>(i)                  the vertex, edge, half-edge or face whose index is i; half-edges 2i and 2i+1 are edge i
+///   at<Handle>(i) the vertex, edge, half-edge or face whose index is i; half-edges 2i and 2i+1 are edge i
 ///   set_side(m, h, f, v, next)     h lies in face f, leads to v and is followed by `next`
 ///   set_boundary_side(m, h, v, next)   the same for a half-edge without face
 ///   set_start(m, f, h, degree)     f starts at h; throws mesh_error for faces of a degree that it cannot hold
@@ -55,7 +56,7 @@ class basic_mesh;
 ///   target(m, h)                   where h was told to lead
 ///   mark_odd_generation(m)         for `generation` to remember
 ///
-///   generation(m)                  how many steps `build` was told the mesh is away from its control mesh (optional; 0)
+///   generation(m) how many steps `build` was told the mesh is away from its control mesh (optional; 0)
 ///
 /// The order in which a mesh starts its vertices, edges and faces is the order of the operands of a mask, so it is
 /// part of the promise "same mesh, same bits"; `build` keeps it.

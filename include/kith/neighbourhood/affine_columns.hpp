@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// The elements from whose numbers those of tuples follow: v, e or f, or vf, the first corners of faces where these have several
-/// degrees, 0.
+/// The elements from whose numbers those of tuples follow: v, e or f, or vf, the first corners of faces where these
+/// have several degrees, 0.
 constexpr tuple_kind numbered_elements(tuple_kind kind, std::size_t degree)
 {
     switch (kind) {
@@ -30,8 +30,8 @@ constexpr std::size_t tuples_of_each(tuple_kind kind, std::size_t degree)
     return tuples_per_element(kind) * (of_faces ? degree : 1);
 }
 
-/// The columns of a step of a whole mesh: the new element of a tuple has the number base + of_each * number of the element that the tuple belongs
-/// to + which of its tuples it is.
+/// The columns of a step of a whole mesh: the new element of a tuple has the number base + of_each * number of the
+/// element that the tuple belongs to + which of its tuples it is.
 struct column_bases {
     using by_kind = std::array<std::uint64_t, 7>;
     by_kind vertices{}, edges{}, faces{};
@@ -68,8 +68,8 @@ struct column_bases {
 
 namespace detail {
 
-/// Where the numbers of a column are base + a multiple of the number of an element, where there is no boundary or anywhere: all of its tuples
-/// are picked, or marks tell, of edges or of the corners of each face as many.
+/// Where the numbers of a column are base + a multiple of the number of an element, where there is no boundary or
+/// anywhere: all of its tuples are picked, or marks tell, of edges or of the corners of each face as many.
 template <class Column>
 constexpr bool is_affine(bool closed)
 {
@@ -82,8 +82,8 @@ constexpr bool is_affine(bool closed)
     else
         return not has_condition<where>;
 }
-/// So are those of its corners: of faces of one degree, of that of the face that they come from, or of as many corners as a vertex has faces,
-/// where the scheme says that these are as many everywhere.
+/// So are those of its corners: of faces of one degree, of that of the face that they come from, or of as many corners
+/// as a vertex has faces, where the scheme says that these are as many everywhere.
 template <class Column, bool HasValence>
 inline constexpr bool has_affine_corners = fixed_degree_of<decltype(Column::degree)> != 0 or
                                            (Column::kind == tuple_kind::f and
@@ -119,7 +119,8 @@ void for_each_base(const List& columns, const counts& coarse, int generation, co
 
 } // namespace detail
 
-/// The number of each new element is an affine function of that of one that it comes from: of a mesh without a boundary, or of any.
+/// The number of each new element is an affine function of that of one that it comes from: of a mesh without a
+/// boundary, or of any.
 template <scheme Scheme>
 constexpr bool numbers_are_affine(bool closed)
 {
@@ -177,7 +178,8 @@ column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int ge
     return result;
 }
 
-/// Whether the next level has as many corners as its columns tell, and this one as its valence. Precondition: `fine` are the next counts.
+/// Whether the next level has as many corners as its columns tell, and this one as its valence. Precondition: `fine`
+/// are the next counts.
 template <countable_scheme Scheme>
 bool agree_on_corners(const Scheme& scheme, const counts& coarse, const counts& fine, int generation)
 {

@@ -52,8 +52,8 @@ constexpr bool may_ask_state()
 
 } // namespace detail
 
-/// The scheme of one level after the other before there are any, as its columns tell it: where they may look at its state, with that of a
-/// part without elements.
+/// The scheme of one level after the other before there are any, as its columns tell it: where they may look at its
+/// state, with that of a part without elements.
 template <scheme Scheme>
 class coming_scheme {
     static constexpr bool changes = detail::may_ask_state<Scheme>() and

@@ -20,8 +20,8 @@ struct walked_element {
     walked_corner at;
 };
 
-/// Finds elements of alike neighbourhoods around up to `AtOnce` faces, all of degree `Degree` or, where that is 0, of any: step by step
-/// around all of them, so that what one waits for from the memory, the others do, too.
+/// Finds elements of alike neighbourhoods around up to `AtOnce` faces, all of degree `Degree` or, where that is 0, of
+/// any: step by step around all of them, so that what one waits for from the memory, the others do, too.
 template <std::unsigned_integral Index, std::size_t Degree, std::size_t AtOnce>
 class element_finder {
 public:

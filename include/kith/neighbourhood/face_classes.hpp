@@ -20,18 +20,20 @@
 
 namespace kith {
 
-/// Which faces of a mesh have alike neighbourhoods, with what the state of the scheme says there. Nobody walks around each face for
-/// it: two vertices are of one kind where their fans are alike from start to end, two faces are of one class where their corners have
-/// the same places in fans of the same kinds, and each round over vertices and faces adds a ring (the colour refinement of Weisfeiler &
-/// Leman 1968; what lies around an element of a surface is in order, so that it tells apart all but neighbourhoods that meet
-/// themselves again from behind, for which see `face_walk::is_disk`).
+/// Which faces of a mesh have alike neighbourhoods, with what the state of the scheme says there. Nobody walks around
+/// each face for it: two vertices are of one kind where their fans are alike from start to end, two faces are of one
+/// class where their corners have the same places in fans of the same kinds, and each round over vertices and faces
+/// adds a ring (the colour refinement of Weisfeiler & Leman 1968; what lies around an element of a surface is in order,
+/// so that it tells apart all but neighbourhoods that meet themselves again from behind, for which see
+/// `face_walk::is_disk`).
 template <std::unsigned_integral Index>
 class face_classes {
 public:
     using number = sequence_numbers::number;
     static constexpr std::size_t most_corners = std::size_t(1) << 30;
 
-    /// Preconditions: the mesh has its edges and at most `most_corners`; rings > 0. Cost: O(corners) per ring, on all threads.
+    /// Preconditions: the mesh has its edges and at most `most_corners`; rings > 0. Cost: O(corners) per ring, on all
+    /// threads.
     face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks)
         : class_(mesh.faces, 0), place_in_fan_(mesh.corners())
     {
@@ -121,7 +123,8 @@ private:
     storage<char32_t> place_in_fan_; // of corners: which place in which kind of fan
 };
 
-/// How many classes a sample of faces has, divided by its faces. Preconditions: the mesh has its edges and faces. Cost: that of one to two times `most_looks` walks at most.
+/// How many classes a sample of faces has, divided by its faces. Preconditions: the mesh has its edges and faces. Cost:
+/// that of one to two times `most_looks` walks at most.
 template <std::unsigned_integral Index>
 double share_of_classes(const connectivity<Index>& mesh, int rings, std::size_t most_looks = 1024)
 {

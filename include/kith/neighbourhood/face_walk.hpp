@@ -25,8 +25,8 @@ struct walk_step {
     std::uint16_t rotation; ///< the corner of the new face that lies across
 };
 
-/// The faces around a face, in an order that follows from the connectivity alone, and a key that two faces share when all
-/// that a scheme can ask within the rings has one answer for both: which corners lie across, which way edges
+/// The faces around a face, in an order that follows from the connectivity alone, and a key that two faces share when
+/// all that a scheme can ask within the rings has one answer for both: which corners lie across, which way edges
 /// run, where fans start, where the boundary is. Numbers are not in it.
 template <std::unsigned_integral Index>
 class face_walk {
@@ -71,9 +71,9 @@ public:
     [[nodiscard]] std::span<const walk_step> steps() const { return steps_; }
     /// Empty where there are too many faces or corners.
     [[nodiscard]] const std::u16string& key() const { return key_; }
-    /// Whether the neighbourhood is a disk that touches itself nowhere else than around the vertices whose whole fans are in it. Then what
-    /// is found by its steps around any face of its class (`face_classes`) is all that there is to tell apart. Not so around a thin
-    /// tube, where a vertex is met from both sides. Only where there is a key.
+    /// Whether the neighbourhood is a disk that touches itself nowhere else than around the vertices whose whole fans
+    /// are in it. Then what is found by its steps around any face of its class (`face_classes`) is all that there is to
+    /// tell apart. Not so around a thin tube, where a vertex is met from both sides. Only where there is a key.
     [[nodiscard]] bool is_disk() const { return is_disk_; }
 
 private:
@@ -139,7 +139,8 @@ private:
             c = mesh_.next(across);
         }
     }
-    /// In the order in which they are met. Of the first `inner` faces all fans are there: these vertices come first, so many.
+    /// In the order in which they are met. Of the first `inner` faces all fans are there: these vertices come first, so
+    /// many.
     std::size_t number_vertices(std::size_t inner)
     {
         std::size_t complete = 0;
@@ -156,8 +157,8 @@ private:
         }
         return inner >= faces_.size() ? vertices_.size() : complete;
     }
-    /// Glues the faces along the edges at vertices whose fans are whole, as a plane would be laid with them: a disk, by its Euler
-    /// characteristic, in which no vertex lies at two places.
+    /// Glues the faces along the edges at vertices whose fans are whole, as a plane would be laid with them: a disk, by
+    /// its Euler characteristic, in which no vertex lies at two places.
     [[nodiscard]] bool meets_no_other_side(std::size_t complete)
     {
         std::size_t sides = 0; // of edges that are glued

@@ -68,8 +68,8 @@ Scheme without_state(const Scheme& scheme)
         return scheme;
 }
 
-/// Makes the state of a scheme that of a part of a level of which `whole`, the same scheme but for its state, has it. Where nobody
-/// knows where the state is nothing changes: the scheme must ignore numbers then.
+/// Makes the state of a scheme that of a part of a level of which `whole`, the same scheme but for its state, has it.
+/// Where nobody knows where the state is nothing changes: the scheme must ignore numbers then.
 template <scheme Scheme, std::unsigned_integral Index>
 void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<Index>& part)
 {
@@ -77,8 +77,8 @@ void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<
         detail::take_part(scheme, whole, part);
 }
 
-/// What the state of a scheme says of the elements of a level, as a part of the keys of neighbourhoods: so that faces are alike
-/// only where the state is, too.
+/// What the state of a scheme says of the elements of a level, as a part of the keys of neighbourhoods: so that faces
+/// are alike only where the state is, too.
 template <std::unsigned_integral Index>
 class state_marks {
 public:
@@ -100,7 +100,8 @@ public:
     /// There is no state.
     [[nodiscard]] bool empty() const { return texts_.empty(); }
 
-    /// The key of a walk and, where the state says something of the elements that were met, before it what. Cost: O(corners).
+    /// The key of a walk and, where the state says something of the elements that were met, before it what. Cost:
+    /// O(corners).
     [[nodiscard]] const std::u16string& key(const face_walk<Index>& walk)
     {
         if (texts_.empty() or walk.key().empty() or
@@ -111,8 +112,9 @@ public:
             append_all_of(f);
         return key_ += walk.key();
     }
-    /// What the state says of a face, its corners' vertices and its edges, as a number that is the same for the same words; 0 where it
-    /// says nothing. Precondition: there is state. Cost: O(1), or O(corners) at elements of which it speaks.
+    /// What the state says of a face, its corners' vertices and its edges, as a number that is the same for the same
+    /// words; 0 where it says nothing. Precondition: there is state. Cost: O(1), or O(corners) at elements of which it
+    /// speaks.
     [[nodiscard]] std::uint32_t number_of_face(std::size_t face)
     {
         if (not is_marked_[face])

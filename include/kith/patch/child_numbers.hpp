@@ -24,8 +24,8 @@ struct whole_column {
     std::uint64_t base;
 };
 
-/// What is known of the number of an element of a part in the whole mesh, and becomes that of one of its `each` children in a column:
-/// base + number * each + which.
+/// What is known of the number of an element of a part in the whole mesh, and becomes that of one of its `each`
+/// children in a column: base + number * each + which.
 template <class N>
 concept inherited_number = requires(const N& n, const whole_column& column, std::uint64_t i) {
     { n.child(column, i, i) } -> std::same_as<N>;
@@ -46,8 +46,9 @@ public:
         result.kinds_ = kinds_ << bits | (std::uint32_t(kind) + 1);
         return result;
     }
-    /// The number of the first child of the first child and so on of the ancestor with number 0, in a mesh whose steps have these bases;
-    /// `last`: whether it is a vertex, an edge, a face or the first corner of one: v, e, f or vf. 0 for no columns at all.
+    /// The number of the first child of the first child and so on of the ancestor with number 0, in a mesh whose steps
+    /// have these bases; `last`: whether it is a vertex, an edge, a face or the first corner of one: v, e, f or vf. 0
+    /// for no columns at all.
     /// Precondition: there is one for each step.
     [[nodiscard]] std::uint64_t base(tuple_kind last, std::span<const column_bases> bases, std::size_t degree) const
     {
@@ -80,7 +81,8 @@ private:
     std::uint32_t kinds_ = 0; // the last one lowest
 };
 
-/// A number in the whole mesh as a function of that of an element of an earlier level: what the path makes of 0 + offset + factor * its number.
+/// A number in the whole mesh as a function of that of an element of an earlier level: what the path makes of 0 +
+/// offset + factor * its number.
 template <std::unsigned_integral Index>
 struct affine_number {
     Index offset, factor;
@@ -91,7 +93,8 @@ struct affine_number {
     {
         return {Index(which + each * offset), Index(each * factor), source, path.then(column.kind)};
     }
-    /// Of what there is `each` times of each element: a corner of a face, a side of an edge. What the path makes of 0 is multiplied, too.
+    /// Of what there is `each` times of each element: a corner of a face, a side of an edge. What the path makes of 0
+    /// is multiplied, too.
     [[nodiscard]] affine_number of_each(std::uint64_t which, std::uint64_t each) const
     {
         return {Index(which + each * offset), Index(each * factor), source, path};
@@ -143,7 +146,8 @@ struct part_of_whole {
                 degree != 0 ? storage<Number>() : some(first_corners, some_faces),
                 degree};
     }
-    /// Those of the next level of the part, which a step has made of this one with these ids; without edges where nobody asks for them.
+    /// Those of the next level of the part, which a step has made of this one with these ids; without edges where
+    /// nobody asks for them.
     /// Cost: O(elements).
     template <level_numbering Numbering, std::unsigned_integral Index>
     [[nodiscard]] part_of_whole next(const connectivity<Index>& part, const Numbering& ids, const column_bases& bases,

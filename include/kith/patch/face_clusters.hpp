@@ -18,8 +18,8 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// The patches of the faces that have no template: some at a time are cut out with their rings and refined as a mesh of their own,
-/// level by level, by the scheme of that part.
+/// The patches of the faces that have no template: some at a time are cut out with their rings and refined as a mesh of
+/// their own, level by level, by the scheme of that part.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class face_clusters {
 public:
@@ -56,7 +56,8 @@ private:
     static constexpr std::size_t degree = numbering::common_degree;
     // Neighbours by their numbers: closer than in the order of the surface, where a mesh is in order.
     static constexpr std::size_t at_once = 256;
-    // As measured: where few steps are left, or a cluster is compact, rings that are made in vain cost less than cutting them off.
+    // As measured: where few steps are left, or a cluster is compact, rings that are made in vain cost less than
+    // cutting them off.
     static constexpr double cost_of_cut = 16;
 
     /// What a thread needs.

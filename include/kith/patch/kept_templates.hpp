@@ -29,16 +29,18 @@ struct only_as {
 
 } // namespace detail
 
-/// Schemes that can be told apart: by their members, if they have any, of which their masks have to follow: what a scheme reads from elsewhere
-/// nobody sees change. The comparison must be one of their own, as that of a base would leave out the members that a derived scheme adds.
+/// Schemes that can be told apart: by their members, if they have any, of which their masks have to follow: what a
+/// scheme reads from elsewhere nobody sees change. The comparison must be one of their own, as that of a base would
+/// leave out the members that a derived scheme adds.
 template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
 
-/// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there that they are
-/// for. They are kept for the process, for each type of scheme and point, so that who refines this mesh again, or another one, is spared
-/// making them; those of schemes that cannot be told apart are not. A template takes some 5 to 30 KB, those of one type of scheme, number
-/// and index `most_bytes` at most: those that nobody has asked for longest are given up. Safe on several threads.
+/// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there
+/// that they are for. They are kept for the process, for each type of scheme and point, so that who refines this mesh
+/// again, or another one, is spared making them; those of schemes that cannot be told apart are not. A template takes
+/// some 5 to 30 KB, those of one type of scheme, number and index `most_bytes` at most: those that nobody has asked for
+/// longest are given up. Safe on several threads.
 template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:
@@ -62,7 +64,8 @@ public:
 
     /// Nothing is kept for these steps.
     [[nodiscard]] bool empty() const { return store_->empty(purpose_); }
-    /// The template for the neighbourhoods that have this key of a walk and of the state there; nullptr where none is kept.
+    /// The template for the neighbourhoods that have this key of a walk and of the state there; nullptr where none is
+    /// kept.
     [[nodiscard]] pointer find(const std::u16string& key) const { return store_->find(purpose_, key); }
     /// Keeps a template and hands it back.
     pointer keep(const std::u16string& key, patch_template<Scalar, Index> made) const
@@ -73,8 +76,8 @@ public:
     }
 
 private:
-    /// Two lists of templates: the young one has what was asked for since it began. When it is full, the old list is given up, and it
-    /// becomes the old one.
+    /// Two lists of templates: the young one has what was asked for since it began. When it is full, the old list is
+    /// given up, and it becomes the old one.
     class store {
     public:
         /// A number for each scheme that templates are kept of.

@@ -37,15 +37,15 @@ public:
     /// How many numbers are found for the faces of a class that are filled in one call.
     static std::size_t numbers_found(const template_type& t) { return (t.inputs.size() + t.sources.size()) * at_once; }
 
-    /// For faces of a mesh that all have this degree, as have those of the level that is written, or any, 0: past the caches if that
-    /// level is too large to be in them when it is read.
+    /// For faces of a mesh that all have this degree, as have those of the level that is written, or any, 0: past the
+    /// caches if that level is too large to be in them when it is read.
     patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
         : coarse_(&coarse), writer_(to, past_caches), finder_(coarse.topology())
     {
     }
 
-    /// Finds the vertices of the inputs and the numbers of the sources. Precondition: the template is of the class of these faces, 1 to
-    /// `at_once`.
+    /// Finds the vertices of the inputs and the numbers of the sources. Precondition: the template is of the class of
+    /// these faces, 1 to `at_once`.
     void find(const template_type& t, std::span<const Index> faces, std::span<Index> found)
     {
         finder_.walk(t.steps, faces);
@@ -62,7 +62,8 @@ public:
         for (const Index v : found.first(t.inputs.size() * at_once))
             __builtin_prefetch(&coarse_->point(v));
     }
-    /// `bases`: what is added to each multiple in this mesh. Preconditions: has_lanes(), and this is what `find` has found for so many faces.
+    /// `bases`: what is added to each multiple in this mesh. Preconditions: has_lanes(), and this is what `find` has
+    /// found for so many faces.
     /// Cost: that of the program.
     KITH_LANES void fill(const template_type& t, std::span<const Index> bases, std::span<const Index> found,
                          std::size_t count)
@@ -73,7 +74,8 @@ public:
     }
 
 private:
-    /// Of some of these faces, at most as many as there are lanes. A function of its own: in the loop g++ 12 makes slower code of it.
+    /// Of some of these faces, at most as many as there are lanes. A function of its own: in the loop g++ 12 makes
+    /// slower code of it.
     KITH_LANES void fill_lanes(const template_type& t, std::span<const Index> bases, const Index* found,
                                std::size_t count)
     {

@@ -16,9 +16,9 @@ namespace kith {
 /// What is numbered: vertices, two sides of each edge, faces and their corners.
 enum class number_kind : unsigned char { vertex, side, face, corner };
 
-/// The numbers that a patch writes and those of the places where it does, which all follow from the numbers of few coarse
-/// elements: a number is an offset plus a multiple, which is a factor times the number of a source, plus where the columns begin
-/// that have led there.
+/// The numbers that a patch writes and those of the places where it does, which all follow from the numbers of few
+/// coarse elements: a number is an offset plus a multiple, which is a factor times the number of a source, plus where
+/// the columns begin that have led there.
 template <std::unsigned_integral Index>
 class patch_numbers {
 public:
@@ -50,8 +50,8 @@ public:
         std::uint32_t degree, count;
     };
 
-    /// What is added to a multiple of the number of a source in a mesh whose steps have these bases and whose faces have this degree, or
-    /// several: 0.
+    /// What is added to a multiple of the number of a source in a mesh whose steps have these bases and whose faces
+    /// have this degree, or several: 0.
     static Index base(const multiple& m, std::span<const column_bases> bases, std::size_t degree)
     {
         switch (m.kind) {

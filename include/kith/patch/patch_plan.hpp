@@ -18,8 +18,8 @@
 
 namespace kith {
 
-/// A scheme whose last steps may be made patch by patch: its numbers follow from the tuples in one way everywhere, its reach is
-/// known, and it takes parts of a mesh, which have a rim.
+/// A scheme whose last steps may be made patch by patch: its numbers follow from the tuples in one way everywhere, its
+/// reach is known, and it takes parts of a mesh, which have a rim.
 template <class Scheme, class Point, class Index>
 concept patchable_scheme = fits_lanes<Point> and reaching_scheme<Scheme> and not needs_closed<Scheme> and
                            separable_scheme<Scheme, Index> and has_affine_numbers<Scheme>;
@@ -36,8 +36,8 @@ struct patch_plan {
     [[nodiscard]] const counts& last() const { return levels.back(); }
     [[nodiscard]] double faces_of_patch() const { return double(last().faces) / double(of_begin().faces); }
 
-    /// Whether these are the counts of a level where patches may begin, and of the next one by its scheme. Not so where its state
-    /// says of which tuples elements are made, in another way than it does of no elements at all.
+    /// Whether these are the counts of a level where patches may begin, and of the next one by its scheme. Not so where
+    /// its state says of which tuples elements are made, in another way than it does of no elements at all.
     template <reaching_scheme Scheme>
     [[nodiscard]] bool foresees(const auto& level, const Scheme& scheme, int generation) const
     {
@@ -61,9 +61,10 @@ struct patch_plan {
     }
 };
 
-/// `degree`: of all faces of the control mesh; 0: they have several. A patch has at most some hundred faces. Nothing for a mesh on which the numbers of the scheme do not follow in one way, whose
-/// order it does not ignore even where its state says nothing, which is too large, or where there is no step to make. Precondition: the
-/// levels can be counted. Cost: O(levels).
+/// `degree`: of all faces of the control mesh; 0: they have several. A patch has at most some hundred faces. Nothing
+/// for a mesh on which the numbers of the scheme do not follow in one way, whose order it does not ignore even where
+/// its state says nothing, which is too large, or where there is no step to make. Precondition: the levels can be
+/// counted. Cost: O(levels).
 template <reaching_scheme Scheme>
 std::optional<patch_plan> plan_patches(const counts& control, int degree, const Scheme& scheme, int levels,
                                        int generation)
@@ -92,8 +93,8 @@ std::optional<patch_plan> plan_patches(const counts& control, int degree, const 
     return plan;
 }
 
-/// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1. Measured
-/// with the schemes of the library.
+/// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1.
+/// Measured with the schemes of the library.
 struct patch_costs {
     double in_patch = .45;           ///< .3 (Butterfly) to .6
     double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
@@ -106,8 +107,8 @@ struct patch_costs {
     double to_be_cheaper = .9;       ///< patches must come to less than so much
     double least_faces = 16e6;       ///< of the last level times those of a patch; for fewer nobody looks
 
-    /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three times
-    /// as long there, making a template does not, and who looks reads from all over the memory.
+    /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three
+    /// times as long there, making a template does not, and who looks reads from all over the memory.
     [[nodiscard]] patch_costs if_unlike() const
     {
         patch_costs costs = *this;

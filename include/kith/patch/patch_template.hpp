@@ -14,10 +14,11 @@
 
 namespace kith {
 
-/// What some steps make of a face and its neighbourhood, for all faces whose neighbourhoods are alike: where the coarse points are,
-/// how they become the fine ones, and which numbers are written where. Made once, by the scheme's own text. A face owns what it,
-/// its left sides of edges and the starts of fans in it give birth to: the points and starts of these vertices, the corners of
-/// these faces, what lies on the half-edges at these corners, and that nothing lies across where they are at the boundary.
+/// What some steps make of a face and its neighbourhood, for all faces whose neighbourhoods are alike: where the coarse
+/// points are, how they become the fine ones, and which numbers are written where. Made once, by the scheme's own text.
+/// A face owns what it, its left sides of edges and the starts of fans in it give birth to: the points and starts of
+/// these vertices, the corners of these faces, what lies on the half-edges at these corners, and that nothing lies
+/// across where they are at the boundary.
 template <std::floating_point Scalar, std::unsigned_integral Index>
 struct patch_template {
     using numbers = patch_numbers<Index>;

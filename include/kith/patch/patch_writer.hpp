@@ -32,8 +32,8 @@ struct patch_output {
     [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
 };
 
-/// Writes what faces of one class own, `width` of them side by side, each in a lane, to the places that follow from their numbers:
-/// where a level is larger than the caches, past these.
+/// Writes what faces of one class own, `width` of them side by side, each in a lane, to the places that follow from
+/// their numbers: where a level is larger than the caches, past these.
 template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patch_writer {
@@ -43,7 +43,8 @@ class patch_writer {
 public:
     using template_type = patch_template<scalar, Index>;
 
-    /// How many faces lie side by side. As many as fit two registers: what finds an operand or a place is done once for all.
+    /// How many faces lie side by side. As many as fit two registers: what finds an operand or a place is done once for
+    /// all.
     static constexpr std::size_t width = 2 * lanes<scalar>::count;
     /// How many faces numbers are found for at once; of these `width` are written together.
     static constexpr std::size_t at_once = 2 * width;
@@ -64,8 +65,8 @@ public:
             call_for(to_.vertex_corner, t.vertices);
         }
     }
-    /// Writes points from the slots of the program, coordinate by coordinate and lane by lane, and numbers; where a call is made for
-    /// each, those of the first `count` lanes.
+    /// Writes points from the slots of the program, coordinate by coordinate and lane by lane, and numbers; where a
+    /// call is made for each, those of the first `count` lanes.
     [[gnu::always_inline]] void write(const template_type& t, const scalar* slots, std::size_t count)
     {
         write_points(t, slots);
@@ -222,8 +223,8 @@ private:
             store(to[3] + i, quad(__builtin_shufflevector(ef, gh, 2, 3, 6, 7)));
         };
         std::size_t i = 0;
-        // Each line of the cache at once: a processor has few buffers for what goes past the caches, and what leaves them half full
-        // is slow.
+        // Each line of the cache at once: a processor has few buffers for what goes past the caches, and what leaves
+        // them half full is slow.
         if (is_aligned)
             for (; i + 16 <= count; i += 16) {
                 quad lines[4][4];

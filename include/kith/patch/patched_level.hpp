@@ -29,16 +29,16 @@ class patched_level;
 
 #ifdef KITH_HAS_LANES
 
-/// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of other
-/// classes are refined as meshes of their own.
+/// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of
+/// other classes are refined as meshes of their own.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patched_level {
 public:
     using output = patch_output<Point, Index>;
 
-    /// Of the level that the plan begins with, with its classes by the rings of the plan and the scheme there, to make faces or all
-    /// connectivity; nothing where it is no gain. Cost: O(faces), and that of the templates.
+    /// Of the level that the plan begins with, with its classes by the rings of the plan and the scheme there, to make
+    /// faces or all connectivity; nothing where it is no gain. Cost: O(faces), and that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
                                              bool with_edges = false)
@@ -77,7 +77,8 @@ public:
         return patched_level(classes, std::move(of_class), scheme, plan);
     }
 
-    /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some hundred bytes for a face.
+    /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some
+    /// hundred bytes for a face.
     /// Cost: O(faces).
     void keep_what_is_found(const basic_mesh<Point, Index>& mesh)
     {
@@ -94,8 +95,8 @@ public:
         });
     }
 
-    /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`, or one with other
-    /// points. Cost: that of the programs, and of refining the faces that have no template.
+    /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`,
+    /// or one with other points. Cost: that of the programs, and of refining the faces that have no template.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
         constexpr std::size_t cached_bytes = std::size_t(4) << 20;
@@ -144,8 +145,8 @@ private:
         std::size_t found = 0; ///< where begins what is found for them
     };
 
-    /// For each class that may have a template a face for which it can be made: one of the first faces of the class, if the
-    /// neighbourhood of one of them is a disk. found(class) is called when it has been walked around.
+    /// For each class that may have a template a face for which it can be made: one of the first faces of the class, if
+    /// the neighbourhood of one of them is a disk. found(class) is called when it has been walked around.
     template <class MayHaveOne, class Found>
     static std::vector<Index> models_of(const face_classes<Index>& classes, face_walk<Index>& walk,
                                         const MayHaveOne& may_have_one, const Found& found)

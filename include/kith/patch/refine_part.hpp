@@ -17,8 +17,8 @@
 
 namespace kith {
 
-/// The rings around some faces that are enough on each level before a step, if there are to be none on the last level. At least
-/// one, so that the fans of all their vertices are whole.
+/// The rings around some faces that are enough on each level before a step, if there are to be none on the last level.
+/// At least one, so that the fans of all their vertices are whole.
 template <reaching_scheme Scheme>
 std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps)
 {
@@ -32,10 +32,11 @@ std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps)
     return rings;
 }
 
-/// Makes of a part of a level that of the level before the last one, with a step for each of the bases but the last, of its scheme
-/// the scheme there and of its numbers those there. `refine(mesh, scheme, ids)` makes a step. `is_own` tells by the number of a
-/// face whether it is wanted; after a step all is cut off that no wanted face needs, where that costs less than refining it:
-/// for a wanted face as much as making `cost_of_cut` faces. Precondition: the rings of the first step are there.
+/// Makes of a part of a level that of the level before the last one, with a step for each of the bases but the last, of
+/// its scheme the scheme there and of its numbers those there. `refine(mesh, scheme, ids)` makes a step. `is_own` tells
+/// by the number of a face whether it is wanted; after a step all is cut off that no wanted face needs, where that
+/// costs less than refining it: for a wanted face as much as making `cost_of_cut` faces. Precondition: the rings of the
+/// first step are there.
 /// Errors and cost: those of the steps.
 template <reaching_scheme Scheme, class Point, std::unsigned_integral Index, inherited_number Number, class IsOwn,
           class Refine>

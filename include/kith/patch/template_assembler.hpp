@@ -26,8 +26,9 @@ namespace kith {
 template <std::unsigned_integral Index>
 class sources_of_part {
 public:
-    /// Of the connectivity of a part, which must outlive this, where its faces come from, increasing, and those that were walked
-    /// around, the first of them the one that owns. `degree`: of all faces of any level; 0: they may have several.
+    /// Of the connectivity of a part, which must outlive this, where its faces come from, increasing, and those that
+    /// were walked around, the first of them the one that owns. `degree`: of all faces of any level; 0: they may have
+    /// several.
     sources_of_part(const connectivity<Index>& part, std::size_t degree, std::span<const Index> face_from,
                     std::span<const unsigned char> edge_is_turned, std::span<const Index> walked)
         : topology_(part)
@@ -115,8 +116,8 @@ class template_assembler {
     using affine_numbers = part_of_whole<number>;
 
 public:
-    /// Of the face that was walked around last, with the last level of its part, the numbers of that and its tape; nothing where it is
-    /// too large to be numbered. Cost: that of the program, and of sorting numbers.
+    /// Of the face that was walked around last, with the last level of its part, the numbers of that and its tape;
+    /// nothing where it is too large to be numbered. Cost: that of the program, and of sorting numbers.
     [[nodiscard]] std::optional<result> assemble(const face_walk<Index>& walk, const sources_of_part<Index>& sources,
                                                  const affine_numbers& numbers,
                                                  const basic_mesh<recorded<Scalar>, Index>& fine,
@@ -150,8 +151,8 @@ public:
     }
 
 private:
-    /// The class of a face is told by more rings than its patch reads points and numbers from: of sqrt(3) by 72 faces, of which half are
-    /// read or lead to one.
+    /// The class of a face is told by more rings than its patch reads points and numbers from: of sqrt(3) by 72 faces,
+    /// of which half are read or lead to one.
     static void leave_out_unread_faces(result& made)
     {
         std::vector<bool> is_read(made.steps.size() + 1, false);

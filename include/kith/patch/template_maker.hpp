@@ -30,8 +30,8 @@ class template_maker {
     static constexpr double cost_of_cut = 0; // what is written down costs more
 
 public:
-    /// For the level of a mesh, which has its edges and, if there is one, the degree of refined faces and must outlive this, and one
-    /// step for each of the bases, by the scheme of the level.
+    /// For the level of a mesh, which has its edges and, if there is one, the degree of refined faces and must outlive
+    /// this, and one step for each of the bases, by the scheme of the level.
     template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const column_bases> bases)
         : mesh_(mesh)
         , scheme_(scheme)

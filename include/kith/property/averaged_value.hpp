@@ -9,7 +9,8 @@
 
 namespace kith {
 
-/// A type whose values can be averaged: as up to four coordinates, and back. Where T() leaves them open nothing() is zero.
+/// A type whose values can be averaged: as up to four coordinates, and back. Where T() leaves them open nothing() is
+/// zero.
 template <class T>
 struct averaged_value;
 

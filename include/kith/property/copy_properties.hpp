@@ -33,8 +33,8 @@ struct conversion_report {
 
 namespace detail {
 
-/// The elements of one kind in their order; of half-edges that of the edges, first the side that directs the edge or, where
-/// that has no face, the other one.
+/// The elements of one kind in their order; of half-edges that of the edges, first the side that directs the edge or,
+/// where that has no face, the other one.
 template <class Handle, mesh M>
 std::vector<Handle> all_handles(const M& mesh)
 {

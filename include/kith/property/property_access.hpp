@@ -12,17 +12,17 @@ namespace kith {
 ///
 ///   number                             the type in which values are averaged
 ///   value_types                        std::tuple of the types of values that are looked for
-///   names<Handle>(mesh)                of all properties on elements with such handles, but those of the library itself
+///   names<Handle>(mesh) of all properties on elements with such handles, but those of the library itself
 ///   is_reserved(name)                  whether the library itself has, or may have, a property of that name
 ///   follows_from_points(name)          whether the library makes it, as normals
 ///   find<Handle, T>(mesh, name)        something with [handle] that converts to true if there are such values
 ///   add<Handle, T>(mesh, name)         something with [handle] to write to, new where there is none
-///   standard_name<Handle>(which)       what the library calls a standard_property on such elements; empty if it does not
+///   standard_name<Handle>(which) what the library calls a standard_property on such elements; empty if it does not
 ///   standard_type<which>               and the type of its values; void for any
 ///
 /// and where properties have a value for elements that nobody has given one, which else is T():
 ///
-///   with_one_element(mesh)             a mesh with the same properties and one element of each kind, which have these values
+///   with_one_element(mesh) a mesh with the same properties and one element of each kind, which have these values
 ///   starts_with_a_value<T>             whether they are never left open
 ///   add<Handle, T>(mesh, name, unset)  as above, where new with this value
 ///
@@ -43,8 +43,8 @@ concept mesh_with_properties = mesh<M> and requires { typename property_access<M
 
 namespace detail {
 
-/// Calls f(handle) in the order of dense numbers. A half-edge stands for the corner at its target, as is usual for texture
-/// coordinates.
+/// Calls f(handle) in the order of dense numbers. A half-edge stands for the corner at its target, as is usual for
+/// texture coordinates.
 template <class Handle, mesh M, class F>
 void for_each_handle(const M& mesh, const F& f)
 {

@@ -80,10 +80,10 @@ void store_averaged(To to, const std::vector<Handle>& handles, std::span<const f
         to[handles[i]] = averaged_value<T>::template store<Number>(values[i]);
 }
 
-/// The properties of a mesh on elements with such handles, apart from the mesh and from the types of their values, so that
-/// whatever takes them to finer levels is compiled once for all types, and little for each type of mesh and of values. At
-/// vertices and corners, which half-edges stand for, what can be averaged is coordinates; the rest goes from an element to its
-/// heirs.
+/// The properties of a mesh on elements with such handles, apart from the mesh and from the types of their values, so
+/// that whatever takes them to finer levels is compiled once for all types, and little for each type of mesh and of
+/// values. At vertices and corners, which half-edges stand for, what can be averaged is coordinates; the rest goes from
+/// an element to its heirs.
 template <class Handle, mesh_with_properties M>
 class property_values {
     using traits = mesh_traits<M>;

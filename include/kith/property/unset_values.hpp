@@ -16,7 +16,8 @@ concept is_left_open = requires {
     { averaged_value<T>::nothing() } -> std::same_as<T>;
 };
 
-/// T(), zero where its constructor leaves it open, as those of OpenMesh's vectors and of CGAL's points and exact numbers do.
+/// T(), zero where its constructor leaves it open, as those of OpenMesh's vectors and of CGAL's points and exact
+/// numbers do.
 template <class T>
 const T& value_of_nothing()
 {
@@ -29,7 +30,8 @@ const T& value_of_nothing()
     return value;
 }
 
-/// Meshes whose properties have values of their own for elements that nobody has given one, as property maps of CGAL have.
+/// Meshes whose properties have values of their own for elements that nobody has given one, as property maps of CGAL
+/// have.
 template <class M>
 concept mesh_with_unset_values = mesh_with_properties<M> and requires(const M& mesh) {
     { property_access<M>::with_one_element(mesh) } -> std::same_as<M>;

@@ -67,8 +67,8 @@ void for_each(const block_elements<Level, Element>& range, const F& f)
 }
 
 /// Calls body(part of r) for parts of the coarse level that fit the cache, so that what one loop of the body fetches is
-/// still there for the next. The loops of the body must not read what they make: only the coarse level and what was made
-/// before. Each thread of OpenMP takes consecutive parts. Errors: as for_each.
+/// still there for the next. The loops of the body must not read what they make: only the coarse level and what was
+/// made before. Each thread of OpenMP takes consecutive parts. Errors: as for_each.
 template <level Level, mask_evaluator Space, class Scalar, class Body>
 void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
 {

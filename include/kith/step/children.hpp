@@ -17,9 +17,9 @@
 
 namespace kith {
 
-/// The kinds of elements. Every tuple is listed with one element, its parent: (v) with the vertex, (e) and (v,e) with the
-/// edge, (f), (v,f), (e,f) and (v,f,e) with the face. So every new element has one parent, and the children of an element
-/// are those of its tuples.
+/// The kinds of elements. Every tuple is listed with one element, its parent: (v) with the vertex, (e) and (v,e) with
+/// the edge, (f), (v,f), (e,f) and (v,f,e) with the face. So every new element has one parent, and the children of an
+/// element are those of its tuples.
 enum class element_kind : unsigned char { vertex, edge, face };
 
 constexpr element_kind parent_kind(tuple_kind kind)
@@ -52,8 +52,8 @@ std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
         kind, tuple, [&](std::size_t corner) -> std::size_t { return level.corners()[corner].f().index(); });
 }
 
-/// The face that what a tuple gives birth to comes from: its parent or, where that is an edge or a vertex, the face with
-/// the smallest number there. Cost: O(faces at it).
+/// The face that what a tuple gives birth to comes from: its parent or, where that is an edge or a vertex, the face
+/// with the smallest number there. Cost: O(faces at it).
 template <level Level>
 std::size_t parent_face(const Level& level, tuple_kind kind, std::size_t tuple)
 {
@@ -149,7 +149,8 @@ element_ranges children_by(const Ids& ids, const element_ranges& parents, const 
 } // namespace detail
 
 /// The children of elements of a level, as ranges of numbers of the next level. The children of all elements are all
-/// elements that have a column, and those of two elements have none in common; so over several levels descendants are children of children.
+/// elements that have a column, and those of two elements have none in common; so over several levels descendants are
+/// children of children.
 /// Preconditions: `ids` is the numbering of the step from `level`; ranges increase and do not overlap.
 /// Cost: O(ranges).
 template <level Level, level_numbering Numbering>

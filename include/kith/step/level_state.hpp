@@ -16,8 +16,8 @@
 
 namespace kith {
 
-/// The elements that make up a part of a level: of its vertices, edges and faces the numbers in the level, in the order of the
-/// part. They increase; a vertex whose faces in the part form several fans is there once per fan.
+/// The elements that make up a part of a level: of its vertices, edges and faces the numbers in the level, in the order
+/// of the part. They increase; a vertex whose faces in the part form several fans is there once per fan.
 template <std::unsigned_integral Index>
 struct part_numbers {
     /// The corners of a face in the level: its first one, and how many.
@@ -66,8 +66,8 @@ struct made_step {
     const Numbering& ids; ///< of the next level
     const Fine& fine_mesh;
 
-    /// The elements of the next level, of a native one that has no more its faces and corners; for a mesh of another library a
-    /// pass over it.
+    /// The elements of the next level, of a native one that has no more its faces and corners; for a mesh of another
+    /// library a pass over it.
     [[nodiscard]] level_of<Fine> fine() const { return level_of<Fine>(fine_mesh); }
     /// How many vertices it has, with those of the dictionary.
     [[nodiscard]] std::size_t fine_vertices() const
@@ -90,8 +90,8 @@ concept finished_step = requires(const S& step) {
     { step.fine_vertices() } -> std::convertible_to<std::size_t>;      // with those of the dictionary
 };
 
-/// State of a level is what a scheme keeps by the numbers of a level's elements, such as creases. The scheme names it in its
-/// traits(), `.state`: one object, a std::tie of several, or a scheme of which this one is made. Its class has
+/// State of a level is what a scheme keeps by the numbers of a level's elements, such as creases. The scheme names it
+/// in its traits(), `.state`: one object, a std::tie of several, or a scheme of which this one is made. Its class has
 ///
 ///   T after(level, numbering) const      the state of the next level, made by a step with this numbering, or
 ///   T after(const auto& step) const      the same for one that asks for more: made_step
@@ -99,21 +99,25 @@ concept finished_step = requires(const S& step) {
 /// and, to be refined in tiles and on ranks,
 ///
 ///   T of_part(part_numbers) const        that of a part of the level
-///   void add_part(const T&, part_numbers)   the inverse: takes over what the state of a part says. For exchanging_refinement
+///   void add_part(const T&, part_numbers) the inverse: takes over what the state of a part says. For
+///   exchanging_refinement
 ///   void pack(out) const                 out.add(value), out.add_array(values): plain values, as a message
-///   void unpack(in)                      in.get<T>(), in.get_array<std::vector<T>>(): the same values in the same order
+///   void unpack(in) in.get<T>(), in.get_array<std::vector<T>>(): the same values in the same order
 ///
 /// It may have
 ///
 ///   void require_one_each(level) const   throws mesh_error for a state of another level, before that is cut
 ///
-///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of which it says
-///                                        something, in values that can be copied as bytes: all that the state of a part says
-///                                        beside what that of a part without elements does. Who has none may say anything anywhere
+///   void for_each_place(f) const f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of which it
+///   says
+///                                        something, in values that can be copied as bytes: all that the state of a
+///                                        part says
+///                                        beside what that of a part without elements does. Who has none may say
+///                                        anything anywhere
 ///
-/// It follows from the numbers of the elements and from the step, not from where vertices are: state of levels that are there stays when
-/// points move. Conditions of columns may look at it; `when` and counts of later levels as far as that of a
-/// part without elements tells, such as a number of steps. `reach` holds for that of every level.
+/// It follows from the numbers of the elements and from the step, not from where vertices are: state of levels that are
+/// there stays when points move. Conditions of columns may look at it; `when` and counts of later levels as far as that
+/// of a part without elements tells, such as a number of steps. `reach` holds for that of every level.
 ///
 /// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
 template <scheme Scheme>
@@ -207,8 +211,8 @@ State next_state(const State& state, const Step& step)
 
 } // namespace detail
 
-/// Makes a scheme the scheme of the next level, which a step has made of a level of this generation with this numbering: its
-/// state becomes that of the level.
+/// Makes a scheme the scheme of the next level, which a step has made of a level of this generation with this
+/// numbering: its state becomes that of the level.
 template <scheme Scheme, level Level, level_numbering Numbering, mesh Fine>
 void advance(Scheme& scheme, const Level& coarse, int generation, const Numbering& ids, const Fine& fine)
 {
@@ -224,7 +228,8 @@ void advance(Scheme& scheme, const Level& coarse, int generation, const Numberin
     }
 }
 
-/// Exchanges the state of two schemes of one type. What else they hold, which need not be assignable, is the same in both.
+/// Exchanges the state of two schemes of one type. What else they hold, which need not be assignable, is the same in
+/// both.
 template <scheme Scheme>
 void swap_states(Scheme& a, Scheme& b)
 {
@@ -252,7 +257,8 @@ State state_of_part(const State& state, const part_numbers<Index>& part)
         return state;
 }
 
-/// Makes a scheme that of a part of a level, of which another one that is the same but for its state, or itself, is the scheme.
+/// Makes a scheme that of a part of a level, of which another one that is the same but for its state, or itself, is the
+/// scheme.
 template <scheme Scheme, std::unsigned_integral Index>
 void take_part(Scheme& scheme, const Scheme& of_level, const part_numbers<Index>& part)
 {

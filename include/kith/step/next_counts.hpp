@@ -92,9 +92,10 @@ struct counted_columns<List<C...>> {
 
 } // namespace detail
 
-/// Columns from which the counts of the next level follow: edges are declared, and each condition says how many tuples it
-/// picks; and the boundary edges of the next level are those sides of edges that no corner has, where the degrees of all
-/// faces are fixed or `same_degree`, or else are said (`with_boundary`). `Closed`: there is no boundary to speak of.
+/// Columns from which the counts of the next level follow: edges are declared, and each condition says how many tuples
+/// it picks; and the boundary edges of the next level are those sides of edges that no corner has, where the degrees of
+/// all faces are fixed or `same_degree`, or else are said (`with_boundary`). `Closed`: there is no boundary to speak
+/// of.
 template <class Columns, bool Closed = false>
 concept countable_columns = std::tuple_size_v<decltype(Columns::edges.list)> != 0 and
                             (Closed ? detail::counted_columns<decltype(Columns::vertices)>::all_inside and

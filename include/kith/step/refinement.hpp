@@ -227,8 +227,8 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     return fine;
 }
 
-/// The same with the next level written into a sink, which has room. Precondition: the scheme is trusted and declares its
-/// edges.
+/// The same with the next level written into a sink, which has room. Precondition: the scheme is trusted and declares
+/// its edges.
 template <level_sink Sink, level Level, scheme Scheme, level_numbering Numbering>
 void run_scheme_into(Sink& fine, const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids,
                      vertex_dictionary<typename Numbering::index_type>* dictionary = nullptr)

@@ -66,8 +66,8 @@ template <class Body>
     return rule([](const auto& level) { return level.corners(); }, body);
 }
 
-/// Makes the points of the next level by these rules and connects them by the split, in the order and in the parts that suit
-/// the machine: no rule may read what the others make. What they all read is made before, in a loop of its own.
+/// Makes the points of the next level by these rules and connects them by the split, in the order and in the parts that
+/// suit the machine: no rule may read what the others make. What they all read is made before, in a loop of its own.
 /// Errors: as for_each. Cost: that of the rules.
 template <class Split, running_step R, class... Rules>
 void subdivide(const Split& split, const R& r, const Rules&... rules)

@@ -37,14 +37,14 @@ using columns_type = decltype(columns_of(std::declval<const Scheme&>(), 0));
 template <scheme Scheme, std::unsigned_integral Index>
 using numbering_of = numbering<columns_type<Scheme>, Index>;
 
-/// A scheme whose levels can be counted before they are made; a scheme that takes closed meshes only need say nothing of
-/// the boundary.
+/// A scheme whose levels can be counted before they are made; a scheme that takes closed meshes only need say nothing
+/// of the boundary.
 template <class S>
 concept countable_scheme = scheme<S> and
                            countable_columns<decltype(columns_of(std::declval<const S&>(), 0)), needs_closed<S>>;
 
-/// A scheme that has more state beside one that makes its steps, plain(): such as with_fields. A step is made by that one, which is
-/// compiled once, whatever lies beside it.
+/// A scheme that has more state beside one that makes its steps, plain(): such as with_fields. A step is made by that
+/// one, which is compiled once, whatever lies beside it.
 template <class S>
 concept scheme_beside_state = scheme<S> and requires(const S& s) {
     requires scheme<std::remove_cvref_t<decltype(s.plain())>>;
@@ -52,14 +52,14 @@ concept scheme_beside_state = scheme<S> and requires(const S& s) {
     requires not std::same_as<S, std::remove_cvref_t<decltype(s.plain())>>;
 };
 
-/// A scheme that says in its traits() how far its masks reach: `reach`, a function of k, is the number of rings of faces
-/// (that share a vertex) needed around some faces of a level, so that on the next level k rings around their children
-/// are right: points, faces and fans within. The proofs are in docs/distributed.md.
+/// A scheme that says in its traits() how far its masks reach: `reach`, a function of k, is the number of rings of
+/// faces (that share a vertex) needed around some faces of a level, so that on the next level k rings around their
+/// children are right: points, faces and fans within. The proofs are in docs/distributed.md.
 template <class S>
 concept reaching_scheme = scheme<S> and detail::says_reach<S, traits_type<S>>;
 
-/// The rings of faces needed around some faces of a level for `rings` rings after so many steps. Where the scheme speaks of several steps, what lies
-/// between may be wrong at the rim.
+/// The rings of faces needed around some faces of a level for `rings` rings after so many steps. Where the scheme
+/// speaks of several steps, what lies between may be wrong at the rim.
 template <reaching_scheme S>
 constexpr int reach_of(const S& scheme, int rings, int steps = 1)
 {
@@ -81,8 +81,8 @@ counts next_counts(const S& scheme, const counts& coarse, int generation)
 
 namespace detail {
 
-/// Whether ids follow from tuples in one way in meshes that differ in the order of their elements: no column picks tuples by
-/// a condition or, in a closed mesh, none but by the boundary.
+/// Whether ids follow from tuples in one way in meshes that differ in the order of their elements: no column picks
+/// tuples by a condition or, in a closed mesh, none but by the boundary.
 template <class... Columns>
 constexpr bool is_free_of_order(const std::tuple<Columns...>*, bool closed)
 {

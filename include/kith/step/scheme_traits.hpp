@@ -20,8 +20,8 @@ struct unsaid {
 ///
 ///   static constexpr auto traits() { return kith::scheme_traits{.name = "my-scheme", .closed_only = true}; }
 ///
-/// Every fact may be left out, in this order; a word that is not one of them does not compile. The functions are lambdas or
-/// pointers to members. Those that depend on options of the scheme take it as their first argument:
+/// Every fact may be left out, in this order; a word that is not one of them does not compile. The functions are
+/// lambdas or pointers to members. Those that depend on options of the scheme take it as their first argument:
 ///
 ///   .reach = [](const my_scheme& s, int rings) { return rings / 2 + s.width; }
 template <class Next = unsaid, class Require = unsaid, class Reach = unsaid, class IsMarked = unsaid,
@@ -35,20 +35,23 @@ struct scheme_traits {
     Next next{};          ///< refused: counts of the next level follow from the columns, see next_counts
     /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take.
     Require require{};
-    /// int reach(int rings), or reach(int rings, int steps) where several steps together use up fewer than one after the other: the rings of
-    /// faces around a tile that they use up; see reaching_scheme. Tiles, `evaluator` and `refine` believe it; `require_reach` tries what
-    /// it says of single steps on a mesh.
+    /// int reach(int rings), or reach(int rings, int steps) where several steps together use up fewer than one after
+    /// the other: the rings of faces around a tile that they use up; see reaching_scheme. Tiles, `evaluator` and
+    /// `refine` believe it; `require_reach` tries what it says of single steps on a mesh.
     Reach reach{};
     /// bool is_marked(const auto& edge): for tiles, where columns pick edges by marks; see marks_edges.
     IsMarked is_marked{};
-    /// Its state of a level, such as creases: a pointer to the member, or [](auto& scheme) -> auto& {...}; see level_state.
+    /// Its state of a level, such as creases: a pointer to the member, or [](auto& scheme) -> auto& {...}; see
+    /// level_state.
     State state{};
-    /// bool ignores_numbers(): it keeps nothing by the numbers of elements, so that it may be given levels whose elements are
-    /// in another order. One with state says it of itself, [](const my_scheme& s) {...}: it may be empty. Its masks follow from the mesh and
-    /// from what its == compares, since what has been recorded of one scheme is used for all that are equal; those without members all are.
+    /// bool ignores_numbers(): it keeps nothing by the numbers of elements, so that it may be given levels whose
+    /// elements are in another order. One with state says it of itself, [](const my_scheme& s) {...}: it may be empty.
+    /// Its masks follow from the mesh and from what its == compares, since what has been recorded of one scheme is used
+    /// for all that are equal; those without members all are.
     IgnoresNumbers ignores_numbers{};
     /// What keeps its levels conforming where it refines some faces only, [](const auto& scheme) -> const auto& {...}:
-    ///   lies_on_side(corner)   the corner is not one of those that its face was born with, but lies on a side between two
+    ///   lies_on_side(corner) the corner is not one of those that its face was born with, but lies on a side between
+    ///   two
     ///   is_pair(face, face)    both are parts of one face, of which the next level is made
     Closure closure{};
 };
@@ -86,7 +89,8 @@ constexpr bool answers()
         return false;
 }
 
-// A member of that name, whatever it is and whoever may see it: then it hides, or is ambiguous with, another of that name.
+// A member of that name, whatever it is and whoever may see it: then it hides, or is ambiguous with, another of that
+// name.
 #define KITH_HAS_MEMBER(word)                                                                                          \
     struct with_##word {                                                                                               \
         int word;                                                                                                      \
@@ -193,7 +197,8 @@ consteval auto checked_traits()
 
 } // namespace detail
 
-/// What a scheme says of itself. A former member, a fact of the wrong signature, and traits() that are none do not compile.
+/// What a scheme says of itself. A former member, a fact of the wrong signature, and traits() that are none do not
+/// compile.
 template <class S>
 inline constexpr auto traits_of = detail::checked_traits<S>();
 

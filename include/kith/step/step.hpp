@@ -52,8 +52,8 @@ decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& 
     }
 }
 
-/// One step from a native mesh. Precondition: it has its edges. Errors: as `refine_level`, and for faces that the scheme
-/// does not take.
+/// One step from a native mesh. Precondition: it has its edges. Errors: as `refine_level`, and for faces that the
+/// scheme does not take.
 template <connect Connect, scheme Scheme, class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                      numbering_of<Scheme, Index>& ids)
@@ -80,8 +80,8 @@ void refine_level_into(level_writer<Point, typename Level::index_type>& fine, co
     }
 }
 
-/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_into`, and for faces that the scheme
-/// does not take.
+/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_into`, and for faces that the
+/// scheme does not take.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 void refine_mesh_into(level_writer<Point, Index>& fine, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                       numbering_of<Scheme, Index>& ids)
@@ -99,7 +99,8 @@ namespace detail {
 template <class Point>
 using level_source = std::function<void(level_writer<Point, std::uint32_t>&)>;
 
-/// What is returned is made in place, in a function of its own: g++ before 14 would copy a mesh of OpenMesh out of an inner block.
+/// What is returned is made in place, in a function of its own: g++ before 14 would copy a mesh of OpenMesh out of an
+/// inner block.
 template <class Point, fillable_mesh M>
 M make_here(const M& source, const auto& write)
 {
@@ -125,8 +126,8 @@ M made_like(const M& source, const Write& write)
 
 } // namespace detail
 
-/// One step to a mesh of the type of `source`, from which it was refined. Errors: as `refine_level`, and those of `make_room`
-/// or `build`.
+/// One step to a mesh of the type of `source`, from which it was refined. Errors: as `refine_level`, and those of
+/// `make_room` or `build`.
 template <mesh M, level Level, scheme Scheme>
 M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, int generation,
                     numbering_of<Scheme, typename Level::index_type>& ids)
@@ -143,8 +144,8 @@ M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, 
     }
 }
 
-/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_like`, and for faces that the scheme
-/// does not take.
+/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_like`, and for faces that the
+/// scheme does not take.
 template <mesh M, scheme Scheme, class Point, std::unsigned_integral Index>
 M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                    numbering_of<Scheme, Index>& ids)

@@ -36,8 +36,8 @@ struct submesh {
 
 namespace detail {
 
-/// Starts the fans that have a rim, and gives every fan a vertex of its own; `vertex_from` tells what each comes from and
-/// grows with them. Fans without a rim stay to be started.
+/// Starts the fans that have a rim, and gives every fan a vertex of its own; `vertex_from` tells what each comes from
+/// and grows with them. Fans without a rim stay to be started.
 template <std::unsigned_integral Index, class From>
 void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
 {

@@ -15,8 +15,8 @@
 
 namespace kith {
 
-/// For each element of a mesh the number of the same element in another mesh, which differs in the order of its elements
-/// only: first corners of faces, sides of edges and starts of fans are the same.
+/// For each element of a mesh the number of the same element in another mesh, which differs in the order of its
+/// elements only: first corners of faces, sides of edges and starts of fans are the same.
 template <std::unsigned_integral Index>
 struct element_numbers {
     storage<Index> vertices, edges, faces;
@@ -54,10 +54,10 @@ struct ordered_mesh {
 };
 
 /// Whether faces that share an edge often lie far apart in the order of the faces, as in many files from scanners and
-/// remeshing: across more than a third of the sides lies a face further than 1024 away, and not near one that lies across from one of
-/// the two faces before. Then most of what a step reads around a vertex comes from outside the caches. Faces that lie far away but
-/// follow one another, as where a mesh has been refined, are fetched ahead. Precondition: the mesh has its edges. Cost: that of a look
-/// at one or two thousand faces.
+/// remeshing: across more than a third of the sides lies a face further than 1024 away, and not near one that lies
+/// across from one of the two faces before. Then most of what a step reads around a vertex comes from outside the
+/// caches. Faces that lie far away but follow one another, as where a mesh has been refined, are fetched ahead.
+/// Precondition: the mesh has its edges. Cost: that of a look at one or two thousand faces.
 template <std::unsigned_integral Index>
 bool is_scattered(const connectivity<Index>& mesh)
 {
@@ -84,8 +84,9 @@ bool is_scattered(const connectivity<Index>& mesh)
     return far > sides / 3;
 }
 
-/// The faces in an order in which those that lie close together on the surface follow one another: clump after clump, each
-/// breadth first, the next from the front of those before it. Precondition: the mesh has its edges. Cost: O(corners).
+/// The faces in an order in which those that lie close together on the surface follow one another: clump after clump,
+/// each breadth first, the next from the front of those before it. Precondition: the mesh has its edges. Cost:
+/// O(corners).
 template <std::unsigned_integral Index>
 storage<Index> surface_order(const connectivity<Index>& mesh)
 {
@@ -119,8 +120,8 @@ storage<Index> surface_order(const connectivity<Index>& mesh)
     return order;
 }
 
-/// The mesh with its faces in that order, vertices and edges as the faces meet them. Precondition: it has its edges, and all
-/// its vertices are in faces. Cost: O(corners).
+/// The mesh with its faces in that order, vertices and edges as the faces meet them. Precondition: it has its edges,
+/// and all its vertices are in faces. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 ordered_mesh<Point, Index> in_surface_order(const basic_mesh<Point, Index>& given)
 {
@@ -183,8 +184,8 @@ storage<Index> numbers_of_children(const element_numbers<Index>& numbers, const 
 
 } // namespace detail
 
-/// The numbers of the elements of the next level, which a step has just made with these ids. Precondition: its columns do
-/// not leave tuples out here and there, and all new faces have one degree. Cost: O(elements).
+/// The numbers of the elements of the next level, which a step has just made with these ids. Precondition: its columns
+/// do not leave tuples out here and there, and all new faces have one degree. Cost: O(elements).
 template <std::unsigned_integral Index, level Level, level_numbering Numbering, declared_columns Columns>
 element_numbers<Index> after(const element_numbers<Index>& numbers, const Level& coarse, const Numbering& ids,
                              const Columns& columns)

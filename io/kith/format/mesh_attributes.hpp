@@ -23,12 +23,13 @@ struct attribute {
         labels{}; ///< not empty: the values are numbers of these words, the first of which says "none"
 };
 
-/// What a file says of the elements of its mesh besides places. Values have the order of the vertices, of the faces, and of the
-/// corners face by face. Names that all formats share: red, green, blue, alpha; u, v, w of textures; nx, ny, nz of normals;
-/// object, group, material, smoothing group, which are words.
+/// What a file says of the elements of its mesh besides places. Values have the order of the vertices, of the faces,
+/// and of the corners face by face. Names that all formats share: red, green, blue, alpha; u, v, w of textures; nx, ny,
+/// nz of normals; object, group, material, smoothing group, which are words.
 struct mesh_attributes {
     std::vector<attribute> vertices, faces, corners;
-    /// That name other files: "mtllib paint.mtl" of OBJ, "TextureFile skin.png" of PLY, as MeshLab writes it. And odd_generation.
+    /// That name other files: "mtllib paint.mtl" of OBJ, "TextureFile skin.png" of PLY, as MeshLab writes it. And
+    /// odd_generation.
     std::vector<std::string> file_lines;
 
     [[nodiscard]] bool empty() const
@@ -56,13 +57,15 @@ inline constexpr std::string_view color_names[]{"red", "green", "blue", "alpha"}
 /// Of faces, which are words.
 inline constexpr std::string_view label_names[]{"object", "group", "material", "smoothing group"};
 
-/// What an attribute is about: "normals", "colours", "texture coordinates", "materials", or "the property 'quality' of vertices".
+/// What an attribute is about: "normals", "colours", "texture coordinates", "materials", or "the property 'quality' of
+/// vertices".
 std::string topic_of(std::string_view name, std::string_view elements);
 
 /// The topics of all attributes, each once; colours of faces are told from those of vertices.
 std::vector<std::string> topics_of(const mesh_attributes& attributes);
 
-/// The value that a file with this type holds: rounded, and within its range. NaN, which says that there is none, stays.
+/// The value that a file with this type holds: rounded, and within its range. NaN, which says that there is none,
+/// stays.
 double as_stored(const ply_number& type, double value);
 
 /// Calls f with a value in its type, among whole numbers with 0 for none. Precondition: as_stored.

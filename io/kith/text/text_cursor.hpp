@@ -37,8 +37,8 @@ inline std::string_view without_byte_order_mark(std::string_view bytes)
     return bytes.substr(bytes.starts_with("\xef\xbb\xbf") ? 3 : 0);
 }
 
-/// Walks over the words of a text in memory, of which it changes nothing. Lines end with LF, CR or CRLF; their numbers are
-/// counted only when there is something to complain about.
+/// Walks over the words of a text in memory, of which it changes nothing. Lines end with LF, CR or CRLF; their numbers
+/// are counted only when there is something to complain about.
 template <text_kind Kind>
 class text_cursor {
 public:

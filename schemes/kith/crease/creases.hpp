@@ -43,8 +43,8 @@ public:
     [[nodiscard]] const auto& edges() const { return edges_.list(); }
     [[nodiscard]] const auto& vertices() const { return vertices_.list(); }
 
-    /// The reach of a scheme with creases whose smooth masks reach one ring: Chaikin's sharpness of an edge, and with it its
-    /// point, depends on the edges around both of its ends.
+    /// The reach of a scheme with creases whose smooth masks reach one ring: Chaikin's sharpness of an edge, and with
+    /// it its point, depends on the edges around both of its ends.
     [[nodiscard]] int reach(int rings) const { return (method == crease_method::chaikin ? rings + 1 : rings) / 2 + 1; }
 
     /// Boundary edges are sharp by nature.
@@ -59,7 +59,8 @@ public:
         std::size_t vertex, count;
         double total; ///< of their sharpness
     };
-    /// Those at the ends of sharp edges, by vertex; none for a method that does not ask. Cost: O(edges around these ends).
+    /// Those at the ends of sharp edges, by vertex; none for a method that does not ask. Cost: O(edges around these
+    /// ends).
     template <level Level>
     [[nodiscard]] std::vector<large_fan> large_fans(const Level& level) const
     {
@@ -106,8 +107,9 @@ public:
         return std::max((count == 0 ? s : 3. / 4 * s + 1. / 4 * (others / double(count))) - 1, 0.);
     }
 
-    /// The sharp elements of the next level, from the numbering of the step. What a step keeps as it is, as `selected` does beside
-    /// the faces that it splits, stays as sharp. Cost: O(sharp elements log of them + edges around sharp vertices).
+    /// The sharp elements of the next level, from the numbering of the step. What a step keeps as it is, as `selected`
+    /// does beside the faces that it splits, stays as sharp. Cost: O(sharp elements log of them + edges around sharp
+    /// vertices).
     template <level Level, level_numbering Numbering>
     [[nodiscard]] creases after(const Level& coarse, const Numbering& ids) const
     {

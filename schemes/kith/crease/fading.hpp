@@ -7,8 +7,8 @@
 
 namespace kith {
 
-/// How much of the sharper rule is left in the last step of what makes a vertex sharp: the mean sharpness of what ends there.
-/// DeRose, Kass & Truong 1998, section 3; as in OpenSubdiv.
+/// How much of the sharper rule is left in the last step of what makes a vertex sharp: the mean sharpness of what ends
+/// there. DeRose, Kass & Truong 1998, section 3; as in OpenSubdiv.
 class fading {
 public:
     explicit fading(crease_method method) : method_(method) {}

@@ -19,7 +19,8 @@ namespace kith {
 
 namespace detail {
 
-/// What a function, a property map (`get(map, handle)`) or an array by handles says of an element, which has this number.
+/// What a function, a property map (`get(map, handle)`) or an array by handles says of an element, which has this
+/// number.
 template <class Source, class Handle>
 double sharpness_from(const Source& source, const Handle& x, std::size_t number, const char* kind)
 {
@@ -37,10 +38,10 @@ double sharpness_from(const Source& source, const Handle& x, std::size_t number,
 
 } // namespace detail
 
-/// The creases of a mesh from what its user knows of them: of edges and of vertices each a function of the mesh's handles,
-/// a property map over them, such as CGAL's edge_is_constrained_map, or anything that takes them in brackets.
-/// Numbers are sharpness; `true` stands for infinitely_sharp. Errors: mesh_error for a sharpness below 0 or NaN, and for a
-/// mesh without edges.
+/// The creases of a mesh from what its user knows of them: of edges and of vertices each a function of the mesh's
+/// handles, a property map over them, such as CGAL's edge_is_constrained_map, or anything that takes them in brackets.
+/// Numbers are sharpness; `true` stands for infinitely_sharp. Errors: mesh_error for a sharpness below 0 or NaN, and
+/// for a mesh without edges.
 /// Cost: O(elements).
 template <mesh M, class EdgeSharpness, class VertexSharpness>
 creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const VertexSharpness& vertex_sharpness,

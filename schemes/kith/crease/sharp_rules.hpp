@@ -63,7 +63,8 @@ public:
         return (near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary();
     }
 
-    /// What the limit at a vertex that is not smooth depends on: nothing (a corner), a curve, or more than a mask can tell.
+    /// What the limit at a vertex that is not smooth depends on: nothing (a corner), a curve, or more than a mask can
+    /// tell.
     enum class limit_kind : unsigned char { corner, curve, unknown };
     struct limit_rule {
         limit_kind kind;
@@ -104,7 +105,8 @@ private:
                              "; make the creases for this mesh and level");
     }
 
-    /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every time.
+    /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every
+    /// time.
     template <class Range, mask_evaluator Space, class Smooth>
     void make_all(const Range& range, const Space& assoc, const Smooth& smooth_mask) const
     {

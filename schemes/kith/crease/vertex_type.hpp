@@ -58,9 +58,9 @@ std::vector<vertex_type> vertex_types(const M& mesh, const creases& sharp,
     return result;
 }
 
-/// Makes v a vertex of this type by the sharpness that it takes. A corner gets it itself. A crease gets it along two inner
-/// edges of v, a boundary crease along one or more; other types go without edges. All types but the corner take the
-/// sharpness of v and of its other inner edges back, which may change the types of their other ends.
+/// Makes v a vertex of this type by the sharpness that it takes. A corner gets it itself. A crease gets it along two
+/// inner edges of v, a boundary crease along one or more; other types go without edges. All types but the corner take
+/// the sharpness of v and of its other inner edges back, which may change the types of their other ends.
 /// Precondition: sharpness > 0. Errors: mesh_error when v cannot be of this type; the creases are as they were then.
 /// Cost: O(valence log sharp elements), O(sharp elements) where one is new.
 template <level Level>

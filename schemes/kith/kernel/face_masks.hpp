@@ -13,8 +13,8 @@
 
 namespace kith {
 
-/// Weights around faces, for rules that make a point of each corner of a face: rows for the degrees that occur, waves for
-/// larger ones.
+/// Weights around faces, for rules that make a point of each corner of a face: rows for the degrees that occur, waves
+/// for larger ones.
 template <mask_evaluator Space, class Real>
 class face_masks {
     using waves = ring_waves<Space, 1>;
@@ -64,8 +64,9 @@ template <running_step R, class Weight>
 face_masks(const R&, const Weight&)
     -> face_masks<std::remove_cvref_t<decltype(std::declval<const R&>().assoc)>, typename R::scalar>;
 
-/// The weights of the corners of a quad at the boundary, from c on: the tensor product of the clamped quadratic B-spline, in
-/// each direction all of the weight for a point on the boundary, half of it beside a boundary, else 3/4. docs/schemes.md.
+/// The weights of the corners of a quad at the boundary, from c on: the tensor product of the clamped quadratic
+/// B-spline, in each direction all of the weight for a point on the boundary, half of it beside a boundary, else 3/4.
+/// docs/schemes.md.
 template <class Real, corner_element Corner>
 std::array<Real, 4> clamped_quad_weights(const Corner& c)
 {

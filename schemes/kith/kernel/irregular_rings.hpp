@@ -28,8 +28,8 @@ std::vector<fan_kind> fan_kinds(const Level& coarse, std::size_t regular, fan_ki
     return result;
 }
 
-/// The neighbours of irregular vertices, summed with weights that go around the ring: by a row of weights, or by the waves of
-/// a large ring, whose weights are those of a wave_kernel.
+/// The neighbours of irregular vertices, summed with weights that go around the ring: by a row of weights, or by the
+/// waves of a large ring, whose weights are those of a wave_kernel.
 template <mask_evaluator Space, class Scalar>
 class irregular_rings {
     using waves = ring_waves<Space, 2>;
@@ -68,7 +68,8 @@ public:
     {
         return sum_from(c, 0, [](const Corner& d) { return d; });
     }
-    /// The same with angles counted from the middle of the face of c, the first weight being that of the next neighbour.
+    /// The same with angles counted from the middle of the face of c, the first weight being that of the next
+    /// neighbour.
     template <corner_element Corner>
     [[nodiscard]] auto sum_from_face(const Corner& c) const
     {

@@ -26,8 +26,8 @@ constexpr fan_kind irregular_fan(std::size_t valence)
     return valence > longest_row ? fan_kind::large : fan_kind::irregular;
 }
 
-/// What has been summed of each large fan (ring_waves), and where its corners lie in it. Few among many, so they are kept as
-/// a sorted list. Cost: O(corners of large fans log of them), and a look at every vertex's kind.
+/// What has been summed of each large fan (ring_waves), and where its corners lie in it. Few among many, so they are
+/// kept as a sorted list. Cost: O(corners of large fans log of them), and a look at every vertex's kind.
 template <class Sums>
 class large_fans {
 public:

@@ -90,8 +90,8 @@ private:
     double factor_;
 };
 
-/// The unit normal that two tangent masks give; nothing where they give none. Where their sums overflow, or are so small that
-/// digits are lost, they are formed once more of scaled points.
+/// The unit normal that two tangent masks give; nothing where they give none. Where their sums overflow, or are so
+/// small that digits are lost, they are formed once more of scaled points.
 template <level Level, class First, class Second>
 std::optional<normal_vector> normal_of(const First& first, const Second& second)
 {
@@ -118,8 +118,8 @@ std::optional<normal_vector> normal_of(const First& first, const Second& second)
 
 /// Where the vertices of a level end up when it is refined for ever, by closed masks alone; nothing where none is known
 /// (faces that the first step splits, darts, semi-sharp creases that still decay): limit_surface finds those, too.
-/// `level` is mesh.elements(i) of a hierarchy, `scheme` its scheme(i). Instead of the level, its vertices() or, where the
-/// scheme has masks for them, its faces() may be given: of Doo-Sabin, level.faces(). Cost: O(corners).
+/// `level` is mesh.elements(i) of a hierarchy, `scheme` its scheme(i). Instead of the level, its vertices() or, where
+/// the scheme has masks for them, its faces() may be given: of Doo-Sabin, level.faces(). Cost: O(corners).
 template <level Level, element Element, scheme Scheme>
 auto limit_positions(const all_elements<Level, Element>& elements, const Scheme& scheme)
 {
@@ -131,7 +131,8 @@ auto limit_positions(const Level& level, const Scheme& scheme)
     return limit_positions(level.vertices(), scheme);
 }
 
-/// Any values of the vertices of a level, carried to the limit by the same masks: colours, or stencil rows for a matrix.
+/// Any values of the vertices of a level, carried to the limit by the same masks: colours, or stencil rows for a
+/// matrix.
 /// Precondition: one value per vertex.
 template <level Level, element Element, scheme Scheme, affine_value T>
 auto limit_values(const all_elements<Level, Element>& elements, const Scheme& scheme, std::span<const T> values)
@@ -144,8 +145,8 @@ auto limit_values(const Level& level, const Scheme& scheme, std::span<const T> v
     return limit_values(level.vertices(), scheme, values);
 }
 
-/// The unit normals of the limit surface at the same places, outward for counter-clockwise faces; nothing where no mask is
-/// known or the surface has none (corners with several faces, creases). For points of three coordinates.
+/// The unit normals of the limit surface at the same places, outward for counter-clockwise faces; nothing where no mask
+/// is known or the surface has none (corners with several faces, creases). For points of three coordinates.
 template <level Level, element Element, scheme Scheme>
 auto limit_normals(const all_elements<Level, Element>& elements, const Scheme& scheme)
 {

@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// What a search for limits needs to know of a scheme beside its masks: the reach of tiles, in its traits(), or that of its
-/// limit_rules.
+/// What a search for limits needs to know of a scheme beside its masks: the reach of tiles, in its traits(), or that of
+/// its limit_rules.
 template <class S>
 concept searchable_scheme = scheme<S> and requires(const S& s) {
     { limit_rules<S>::reach(s, 1) } -> std::convertible_to<int>;

@@ -23,8 +23,8 @@ namespace kith {
 
 namespace detail {
 
-/// Looks for the limits of vertices that have no closed mask: refines what lies around them, and nothing else, until what has
-/// become of them has a mask or is one point. What is found depends on the neighbourhood of the vertex alone.
+/// Looks for the limits of vertices that have no closed mask: refines what lies around them, and nothing else, until
+/// what has become of them has a mask or is one point. What is found depends on the neighbourhood of the vertex alone.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class limit_search {
 public:
@@ -35,7 +35,8 @@ public:
         std::optional<normal_vector> normal;
     };
 
-    /// Tangents are looked for a little longer than positions: beside irregular vertices they are known a step or two later.
+    /// Tangents are looked for a little longer than positions: beside irregular vertices they are known a step or two
+    /// later.
     static constexpr int patience()
     {
         return has_limit_tangents<Scheme, vertex<level_type>, level_type> ? limit_rules<Scheme>::tangent_steps : 0;
@@ -45,7 +46,8 @@ public:
     limit_search(const mesh_type& mesh, const Scheme& scheme) : mesh_(mesh), scheme_(scheme), cutter_(mesh) {}
 
     /// Completes what is known of some vertices; `limits[i]` is that of vertices[i], which increase. Of a part of
-    /// a mesh no more is looked at than limit_rings says. Errors: mesh_error where the neighbourhood of a vertex does not become a point.
+    /// a mesh no more is looked at than limit_rings says. Errors: mesh_error where the neighbourhood of a vertex does
+    /// not become a point.
     void complete(std::span<const Index> vertices, std::span<found> limits, bool is_part)
     {
         constexpr std::size_t at_once = 1 << 12; // so that what is virtual stays small

@@ -14,8 +14,8 @@
 
 namespace kith {
 
-/// The vertices of a level at their places on the limit surface, with the unit normals there, outward for counter-clockwise
-/// faces.
+/// The vertices of a level at their places on the limit surface, with the unit normals there, outward for
+/// counter-clockwise faces.
 template <class Point>
 struct limit_surface {
     storage<Point> positions;
@@ -33,8 +33,8 @@ int limit_rings(const Scheme& scheme)
     return most + 2; // the neighbours of their vertices, and the faces at these
 }
 
-/// The limits of some vertices, those with a mark; all if there are no marks. All others stay, but for the neighbours of these.
-/// As limit_surface_of. Precondition: a mark per vertex, or none.
+/// The limits of some vertices, those with a mark; all if there are no marks. All others stay, but for the neighbours
+/// of these. As limit_surface_of. Precondition: a mark per vertex, or none.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                           std::span<const unsigned char> marks)
@@ -92,12 +92,13 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
     return result;
 }
 
-/// Where all vertices of a mesh end up when it is refined for ever. By closed masks where they are known; where not, what lies
-/// around the vertex is refined until what has become of it has one, or is a point; docs/schemes.md, Limit. A normal is that
-/// of the limit surface where it is known at once or a few steps on, else the mean of the normals of the faces at their limit
-/// positions, weighed by area, or, if these have none, at their places; zero if these have none either. `scheme` is that of this level: the creases are its. For points
-/// of three coordinates. Errors: mesh_error for a mesh without edges. Cost: O(corners), and for each vertex without a mask that
-/// of refining its neighbourhood, seldom more than a few times.
+/// Where all vertices of a mesh end up when it is refined for ever. By closed masks where they are known; where not,
+/// what lies around the vertex is refined until what has become of it has one, or is a point; docs/schemes.md, Limit. A
+/// normal is that of the limit surface where it is known at once or a few steps on, else the mean of the normals of the
+/// faces at their limit positions, weighed by area, or, if these have none, at their places; zero if these have none
+/// either. `scheme` is that of this level: the creases are its. For points of three coordinates. Errors: mesh_error for
+/// a mesh without edges. Cost: O(corners), and for each vertex without a mask that of refining its neighbourhood,
+/// seldom more than a few times.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
 {

@@ -16,7 +16,8 @@ namespace kith {
 
 namespace detail {
 
-/// Tangent masks have weights without bounds where a surface has no tangent plane: Catmull-Clark's inside, of valence 2.
+/// Tangent masks have weights without bounds where a surface has no tangent plane: Catmull-Clark's inside, of valence
+/// 2.
 inline bool has_finite_weights(const stencil_row& row)
 {
     return std::ranges::all_of(row.entries, [](const auto& entry) { return std::isfinite(entry.second); });
@@ -24,16 +25,16 @@ inline bool has_finite_weights(const stencil_row& row)
 
 } // namespace detail
 
-/// A row per vertex in each: what two tangents of the limit surface there are of the vertices of another level. Their cross
-/// product points outward for counter-clockwise faces.
+/// A row per vertex in each: what two tangents of the limit surface there are of the vertices of another level. Their
+/// cross product points outward for counter-clockwise faces.
 struct tangent_matrices {
     subdivision_matrix first, second;
 };
 
-/// The tangents at the vertices of level `to`, from the vertices of level `from`, by the closed masks that limit_normals takes,
-/// so normalised cross products are those. Where no mask is known on level `to`, or it has no finite weights, both rows are
-/// empty; docs/schemes.md, Limit, says where that is. Rows sum to zero; how long a tangent is depends on the mask. For schemes with
-/// tangent masks.
+/// The tangents at the vertices of level `to`, from the vertices of level `from`, by the closed masks that
+/// limit_normals takes, so normalised cross products are those. Where no mask is known on level `to`, or it has no
+/// finite weights, both rows are empty; docs/schemes.md, Limit, says where that is. Rows sum to zero; how long a
+/// tangent is depends on the mask. For schemes with tangent masks.
 /// Errors: mesh_error unless from <= to. Cost: as that of matrix(from, to).
 template <mesh M, scheme Scheme>
 tangent_matrices tangent_matrices_of(const hierarchy<M, Scheme>& levels, int from, int to)

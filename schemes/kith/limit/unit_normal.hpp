@@ -90,8 +90,8 @@ std::optional<normal_vector> unit_normal(const Vector& first, const Vector& seco
     return unit_vector(n);
 }
 
-/// For each wanted vertex the mean of its faces' normals, each weighed by its area (Newell's formula), of length one; zero where
-/// no face has an area, or where they cancel out, as those of two faces back to back do.
+/// For each wanted vertex the mean of its faces' normals, each weighed by its area (Newell's formula), of length one;
+/// zero where no face has an area, or where they cancel out, as those of two faces back to back do.
 /// Sums are formed with exponents of their own, so that they neither overflow nor vanish.
 /// Precondition: `wanted` is empty, which means all, or has a mark per vertex. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>

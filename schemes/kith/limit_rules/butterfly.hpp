@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// Tangents inside, where the masks around v do not reach another irregular vertex: after one step, everywhere. Around an
-/// irregular vertex the cosines of the ring, around a regular one those of two rings. docs/schemes.md.
+/// Tangents inside, where the masks around v do not reach another irregular vertex: after one step, everywhere. Around
+/// an irregular vertex the cosines of the ring, around a regular one those of two rings. docs/schemes.md.
 template <>
 struct limit_rules<butterfly> : interpolating_limits {
     template <level Level, class Use>

@@ -14,8 +14,8 @@ namespace kith {
 
 /// The centre of every face is on the limit surface, unless a boundary rule moves its corners. Doo & Sabin 1978.
 /// A vertex becomes a face, so its limit is the centre of that. On the boundary it becomes two points of the quadratic
-/// B-spline, whose middle is on the curve; corners stay. Without a boundary rule it goes with the middle one of its faces,
-/// or with what its middle edge becomes.
+/// B-spline, whose middle is on the curve; corners stay. Without a boundary rule it goes with the middle one of its
+/// faces, or with what its middle edge becomes.
 template <>
 struct limit_rules<doo_sabin> : limit_defaults {
     template <level Level, class Use>

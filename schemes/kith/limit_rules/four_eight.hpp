@@ -13,8 +13,9 @@ namespace kith {
 
 template <>
 struct limit_rules<four_eight> : limit_defaults {
-    /// With the blocks of two triangles seen as quads, which both kinds of steps do alike, a mask over two rings of them,
-    /// where v's first ring is regular and inside; docs/schemes.md. On the boundary that of the cubic B-spline curve.
+    /// With the blocks of two triangles seen as quads, which both kinds of steps do alike, a mask over two rings of
+    /// them, where v's first ring is regular and inside; docs/schemes.md. On the boundary that of the cubic B-spline
+    /// curve.
     template <level Level, class Use>
     static void position(const four_eight&, const vertex<Level>& v, const Use& use)
     {
@@ -61,8 +62,8 @@ struct limit_rules<four_eight> : limit_defaults {
     /// The triangles that these look at: two rings of blocks.
     static constexpr int rings(const four_eight&) { return 3; }
 
-    /// The modulus of the subdominant eigenvalues of one step at a vertex with n quads: a quarter of the largest root of
-    /// x^5 - 3c x^4 + (2c^2 - 5) x^3 + 6c x^2 + 4x + c - 2c^3, c = cos(pi/n); docs/schemes.md.
+    /// The modulus of the subdominant eigenvalues of one step at a vertex with n quads: a quarter of the largest root
+    /// of x^5 - 3c x^4 + (2c^2 - 5) x^3 + 6c x^2 + 4x + c - 2c^3, c = cos(pi/n); docs/schemes.md.
     static constexpr double subdominant(std::int64_t n)
     {
         const double c = cos_turn(1, 2 * n);
@@ -94,8 +95,8 @@ private:
     }
 
     /// Calls use(e, d, h, p, q) with the vertices around v: block j lies between the neighbours e_j and e_j+1, d_j is
-    /// opposite v in it, h_j lies behind e_j, and p_j and q_j beside d_j in the second ring, p_j nearer to e_j. Not unless
-    /// all e and d lie inside and have four blocks.
+    /// opposite v in it, h_j lies behind e_j, and p_j and q_j beside d_j in the second ring, p_j nearer to e_j. Not
+    /// unless all e and d lie inside and have four blocks.
     template <vertex_element Vertex, class Use>
     static void with_two_rings(const Vertex& v, const Use& use)
     {

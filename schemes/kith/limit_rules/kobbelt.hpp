@@ -7,7 +7,8 @@
 
 namespace kith {
 
-/// The tangents of the two four-point curves through v where v and its neighbours are regular and inside. docs/schemes.md.
+/// The tangents of the two four-point curves through v where v and its neighbours are regular and inside.
+/// docs/schemes.md.
 template <>
 struct limit_rules<kobbelt> : interpolating_limits {
     template <level Level, class Use>

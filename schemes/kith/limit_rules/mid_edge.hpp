@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// The midpoints of a face's edges have its centroid and shrink to it. A vertex goes with the face that is made of it, at the
-/// boundary too; one with a single face goes with that.
+/// The midpoints of a face's edges have its centroid and shrink to it. A vertex goes with the face that is made of it,
+/// at the boundary too; one with a single face goes with that.
 template <>
 struct limit_rules<mid_edge> : limit_defaults {
     template <level Level, class Use>

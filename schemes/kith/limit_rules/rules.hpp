@@ -32,8 +32,8 @@ struct limit_defaults {
     static constexpr int tangent_steps = 2;
 };
 
-/// Where the surface of a scheme ends up. A scheme whose limits are known in closed form specialises this, beside its own
-/// text, by functions that call use(mask), or use(first, second), unless no closed mask is known for an element:
+/// Where the surface of a scheme ends up. A scheme whose limits are known in closed form specialises this, beside its
+/// own text, by functions that call use(mask), or use(first, second), unless no closed mask is known for an element:
 ///
 ///   template <>
 ///   struct kith::limit_rules<my_scheme> : kith::limit_defaults {
@@ -68,7 +68,8 @@ struct creased_scheme {
     sharp_rules<Level> sharp;
 };
 
-/// The limit rules of schemes that have the members `sharpness` and `corners`; position and tangents take a creased_scheme.
+/// The limit rules of schemes that have the members `sharpness` and `corners`; position and tangents take a
+/// creased_scheme.
 struct crease_limits : limit_defaults {
     template <scheme Scheme, level Level>
     static creased_scheme<Scheme, Level> on(const Scheme& scheme, const Level& level)
@@ -89,8 +90,8 @@ struct crease_limits : limit_defaults {
         else if (kind == kinds::curve)
             use((ends[0] + 4. * v + ends[1]) / 6);
     }
-    /// A corner with one face lies in the plane of its two edges; at other corners and along creases each side has a plane
-    /// of its own, and none is given.
+    /// A corner with one face lies in the plane of its two edges; at other corners and along creases each side has a
+    /// plane of its own, and none is given.
     template <level Level, class Use>
     static void tangents_at_corner(const sharp_rules<Level>& sharp, const vertex<Level>& v, const Use& use)
     {

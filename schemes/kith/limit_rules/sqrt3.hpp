@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// Kobbelt 2000, section 4; on the boundary the ternary cubic B-spline. Not for inner vertices of a face at the boundary,
-/// whose rings the odd steps cut.
+/// Kobbelt 2000, section 4; on the boundary the ternary cubic B-spline. Not for inner vertices of a face at the
+/// boundary, whose rings the odd steps cut.
 template <>
 struct limit_rules<sqrt3> : limit_defaults {
     template <level Level, class Use>

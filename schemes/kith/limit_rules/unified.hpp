@@ -51,9 +51,9 @@ inline constexpr auto spline_values_by_degree = []<std::size_t... D>(std::index_
     return std::array{spline_values(int(D))...};
 }(std::make_index_sequence<10>());
 
-/// Calls f(i, j, vertex) for the vertices to the left of the straight line that starts with half-edge u: i = 1, ..., `steps`
-/// along the line, then j = 0, ..., `steps` to the left. Tells whether all faces there are quads and all vertices but the
-/// outermost regular. Precondition: no boundary.
+/// Calls f(i, j, vertex) for the vertices to the left of the straight line that starts with half-edge u: i = 1, ...,
+/// `steps` along the line, then j = 0, ..., `steps` to the left. Tells whether all faces there are quads and all
+/// vertices but the outermost regular. Precondition: no boundary.
 template <corner_element Corner, class F>
 bool walk_sector(Corner u, int steps, const F& f)
 {
@@ -74,8 +74,8 @@ bool walk_sector(Corner u, int steps, const F& f)
     return true;
 }
 
-/// The vertices around an element among quads, seen as n sectors of a lattice: `use(sector, x, y, vertex)` with the place
-/// in the sector in half steps, the element being at 0, 0. False where the lattice is not regular.
+/// The vertices around an element among quads, seen as n sectors of a lattice: `use(sector, x, y, vertex)` with the
+/// place in the sector in half steps, the element being at 0, 0. False where the lattice is not regular.
 template <level Level, class Use>
 bool walk_lattice(const vertex<Level>& v, int degree, const Use& use)
 {
@@ -116,8 +116,9 @@ bool walk_lattice(const face<Level>& f, int degree, const Use& use)
     return true;
 }
 
-/// The limit mask of the family of Zorin & Schroeder at an element with n sectors: averaging does to the mean of the sectors
-/// what it does to four alike, whatever n is, so the weights are those of the tensor B-spline, shared out among n sectors.
+/// The limit mask of the family of Zorin & Schroeder at an element with n sectors: averaging does to the mean of the
+/// sectors what it does to four alike, whatever n is, so the weights are those of the tensor B-spline, shared out among
+/// n sectors.
 template <element Element, class Use>
 void use_spline_position(const Element& x, std::size_t sectors, int degree, const Use& use)
 {
@@ -153,7 +154,8 @@ void use_spline_tangents(const Element& x, int degree, const Use& use)
 
 namespace kith {
 
-/// At vertices and, of even degrees, faces with regular quads around; not where there are others so near. docs/schemes.md.
+/// At vertices and, of even degrees, faces with regular quads around; not where there are others so near.
+/// docs/schemes.md.
 template <>
 struct limit_rules<unified> : limit_defaults {
     template <level Level, class Use>

@@ -32,9 +32,10 @@ auto diagonal(const Corner& c, const LargeFaces& large)
         });
 }
 
-/// The points of an inner vertex beside faces that are not quads; docs/schemes.md, Nasri-Hasbini. The ring weights of the quad
-/// rule are redistributed: what belongs to a special face (one that holds the new point) is spent on the corners of that
-/// face by its own kernel. Cost: O(valence + corners of the faces that are not large); in fans that are not large, times 64.
+/// The points of an inner vertex beside faces that are not quads; docs/schemes.md, Nasri-Hasbini. The ring weights of
+/// the quad rule are redistributed: what belongs to a special face (one that holds the new point) is spent on the
+/// corners of that face by its own kernel. Cost: O(valence + corners of the faces that are not large); in fans that are
+/// not large, times 64.
 template <vertex_element Vertex, mask_evaluator Assoc, class LargeFaces>
 class beside_polygons {
 public:
@@ -117,8 +118,8 @@ private:
         target = weighted(row_) / 729;
     }
 
-    /// The points on the edges and in the faces of a large fan: that of the quad rule, by its waves, but what the one or two
-    /// special faces of each point change.
+    /// The points on the edges and in the faces of a large fan: that of the quad rule, by its waves, but what the one
+    /// or two special faces of each point change.
     void make_large()
     {
         using namespace targets;

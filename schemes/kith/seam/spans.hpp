@@ -51,8 +51,8 @@ struct corner_span {
     }
 };
 
-/// Calls f(span) for those around a vertex, counter-clockwise from its first corner or, inside, from a seam. A vertex inside
-/// with one seam has one span, all around; so has one without. Cost: O(valence).
+/// Calls f(span) for those around a vertex, counter-clockwise from its first corner or, inside, from a seam. A vertex
+/// inside with one seam has one span, all around; so has one without. Cost: O(valence).
 template <walkable_level Level, class F>
 void for_each_span(const vertex<Level>& v, std::span<const corner_mark> marks, const F& f)
 {

@@ -17,9 +17,9 @@
 
 namespace kith {
 
-/// The values at the corners of a level, as the new vertices have them in the faces of the next one. A vertex and an edge away
-/// from seams have one value, by the masks of the scheme itself, in which a neighbour counts with its value on this side of its own
-/// seams; so has a face. Along a seam each side is a surface of its own, with a boundary.
+/// The values at the corners of a level, as the new vertices have them in the faces of the next one. A vertex and an
+/// edge away from seams have one value, by the masks of the scheme itself, in which a neighbour counts with its value
+/// on this side of its own seams; so has a face. Along a seam each side is a surface of its own, with a boundary.
 template <class T, finished_step Step>
 class varied_level {
     using level_type = std::remove_cvref_t<decltype(std::declval<const Step&>().coarse)>;

@@ -13,8 +13,8 @@
 
 namespace kith {
 
-/// What a side of a face is to the green face that it belongs to: a face beside split ones, which has not been split itself
-/// but has vertices on its sides. A face of polygons has them as corners of its own, a triangle is cut in two.
+/// What a side of a face is to the green face that it belongs to: a face beside split ones, which has not been split
+/// itself but has vertices on its sides. A face of polygons has them as corners of its own, a triangle is cut in two.
 enum class side_kind : unsigned char {
     whole,       ///< a whole side, as all sides of other faces
     first_half,  ///< of a side that was cut, the half up to the vertex on it
@@ -22,11 +22,13 @@ enum class side_kind : unsigned char {
     inner,       ///< where a triangle was cut in two
 };
 
-/// Which faces of a level are split, and what keeps the next level conforming: red-green refinement, Bank, Sherman & Weiser
-/// 1983. Chosen faces are red, that is, split by the rule of the scheme. A face becomes red, too, if no more than one of its
-/// sides stays whole, and a green face if one of its parts is chosen or a half of its side is cut: then it is split as if
-/// it had never been green, so that no face is ever made of a part of a green one. What else has a cut side is green.
-/// This is the least set with these properties, whatever the order. State of a level. `Split` says what becomes of the faces.
+/// Which faces of a level are split, and what keeps the next level conforming: red-green refinement, Bank, Sherman &
+/// Weiser
+/// 1983. Chosen faces are red, that is, split by the rule of the scheme. A face becomes red, too, if no more than one
+/// of its sides stays whole, and a green face if one of its parts is chosen or a half of its side is cut: then it is
+/// split as if it had never been green, so that no face is ever made of a part of a green one. What else has a cut side
+/// is green. This is the least set with these properties, whatever the order. State of a level. `Split` says what
+/// becomes of the faces.
 template <class Split>
 class closure {
 public:

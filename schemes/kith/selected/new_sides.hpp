@@ -6,8 +6,8 @@
 
 namespace kith {
 
-/// What the side from a corner of a face to the next one gives birth to, each the side of the new edge that runs the same way: the
-/// edge itself where it is kept, and where it is cut its halves.
+/// What the side from a corner of a face to the next one gives birth to, each the side of the new edge that runs the
+/// same way: the edge itself where it is kept, and where it is cut its halves.
 template <class Assoc>
 class new_sides {
     static constexpr targets::to_edge E{};

@@ -13,14 +13,16 @@
 
 namespace kith {
 
-/// The quad split of some faces of a level: red faces are split into a quad per corner; in a green one the vertices on its cut
-/// sides become corners, at most one on each side. So a green face is a polygon: one of n sides has n + 1 to 2n - 2 corners, a quad 5
-/// or 6. When it turns red its own corners give birth to the quads, and those on its sides become what the middles of sides are.
-/// A quad at a half of a side that is cut in the same step is green at once. In a green face with the vertex m on side ab
+/// The quad split of some faces of a level: red faces are split into a quad per corner; in a green one the vertices on
+/// its cut sides become corners, at most one on each side. So a green face is a polygon: one of n sides has n + 1 to 2n
+/// - 2 corners, a quad 5 or 6. When it turns red its own corners give birth to the quads, and those on its sides become
+/// what the middles of sides are. A quad at a half of a side that is cut in the same step is green at once. In a green
+/// face with the vertex m on side ab
 ///
 ///   a first_half    m second_half    all others whole
 ///
-/// Numbers are those of quad_split where all is red: kept edges and those from the corners on sides come after all others.
+/// Numbers are those of quad_split where all is red: kept edges and those from the corners on sides come after all
+/// others.
 struct polygon_closure_split {
     static constexpr bool makes_polygons = true;
 
@@ -193,8 +195,8 @@ private:
                 append(lines, c);
             assoc_(f, F) = lines;
         }
-        /// Its quad, green where halves are cut: from the corner along its side to the middle, to the centre, to the middle of
-        /// the side before and back.
+        /// Its quad, green where halves are cut: from the corner along its side to the middle, to the centre, to the
+        /// middle of the side before and back.
         template <corner_element Corner>
         void make_quad(const Corner& c) const
         {
@@ -215,7 +217,8 @@ private:
             assoc_(c, F) = lines;
         }
 
-        /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its side.
+        /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its
+        /// side.
         template <corner_element Corner>
         [[nodiscard]] auto leaving(const Corner& c) const
         {
@@ -226,8 +229,8 @@ private:
                 return std::pair(assoc_(c.next(), F).corner(3 + std::size_t(is_cut_half(marks_, c.next()))), side);
             return std::pair(assoc_(c, F).corner(0), side);
         }
-        /// The same for the vertex in the middle of the side: along its second half or, where the side is a whole one of a red
-        /// face, along the edge to the centre.
+        /// The same for the vertex in the middle of the side: along its second half or, where the side is a whole one
+        /// of a red face, along the edge to the centre.
         template <corner_element Corner>
         [[nodiscard]] auto leaving_middle(const Corner& c) const
         {
@@ -239,8 +242,8 @@ private:
                 return std::pair(assoc_(c, F).corner(1), spoke(c).left);
             return std::pair(assoc_(c, F).corner(1), end(c));
         }
-        /// The edge from the middle of the side to the centre of a red face; the corner is one of the two that the side's halves
-        /// start from, or that of the whole side.
+        /// The edge from the middle of the side to the centre of a red face; the corner is one of the two that the
+        /// side's halves start from, or that of the whole side.
         template <corner_element Corner>
         [[nodiscard]] sides spoke(const Corner& c) const
         {

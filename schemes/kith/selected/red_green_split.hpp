@@ -11,16 +11,17 @@
 
 namespace kith {
 
-/// The triangle split of some faces of a level with triangles only: red faces are split in four, a green one, which has one cut
-/// side, in two. A pair of green triangles that turns red is split into the four triangles of the face that it was, of which the
-/// two at its middle vertex may be green again. With m the vertex in the middle of side ab, o the one of side ca:
+/// The triangle split of some faces of a level with triangles only: red faces are split in four, a green one, which has
+/// one cut side, in two. A pair of green triangles that turns red is split into the four triangles of the face that it
+/// was, of which the two at its middle vertex may be green again. With m the vertex in the middle of side ab, o the one
+/// of side ca:
 ///
 ///   green:  (a, m, c) the left one, (m, b, c) the right one; the edge between them runs from m to c
 ///   corners of the left one    a first_half    m inner       c whole
 ///   corners of the right one   m second_half   b whole       c inner
 ///
-/// Numbers are those of triangle_split where all is red: kept edges come after all others, and kept faces stand in the column of
-/// the faces in the middle.
+/// Numbers are those of triangle_split where all is red: kept edges come after all others, and kept faces stand in the
+/// column of the faces in the middle.
 struct red_green_split {
     static constexpr bool makes_polygons = false;
 
@@ -156,7 +157,8 @@ private:
             return has([this](const auto& c) { return cut(c); });
         }
 
-        /// The line from a corner along its side, which is kept, and where the side is cut along its first and second half.
+        /// The line from a corner along its side, which is kept, and where the side is cut along its first and second
+        /// half.
         [[nodiscard]] auto along(const corner_type& c) const { return assoc_(c.v(), V) >> kept(c); }
         [[nodiscard]] auto first(const corner_type& c) const { return assoc_(c.v(), V) >> start(c); }
         [[nodiscard]] auto second(const corner_type& c) const { return assoc_(c.next_edge(), V) >> end(c); }
@@ -174,7 +176,8 @@ private:
             assoc_(a, F) = polygon(first(a), middle(a) >> assoc_(c, E).left(), along(c));
             assoc_(b, F) = polygon(second(a), along(b), assoc_(c.v(), V) >> assoc_(c, E).right());
         }
-        /// Of a pair that is red what lies in one of its triangles, and of what lies in both the part that is the left one's.
+        /// Of a pair that is red what lies in one of its triangles, and of what lies in both the part that is the left
+        /// one's.
         void make_red_half() const
         {
             const auto inner = inner_corner();
@@ -205,8 +208,8 @@ private:
             }
         }
 
-        /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its side.
-        /// Where the side between a pair has gone it is the next one counter-clockwise.
+        /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its
+        /// side. Where the side between a pair has gone it is the next one counter-clockwise.
         [[nodiscard]] auto leaving(const corner_type& c) const
         {
             if (not marks_.is_red(f_)) {
@@ -231,7 +234,8 @@ private:
             }
             return std::pair(assoc_(c, F).corner(0), start(c));
         }
-        /// The side that leaves the vertex in the middle of a corner's side first, counter-clockwise from the end of the side.
+        /// The side that leaves the vertex in the middle of a corner's side first, counter-clockwise from the end of
+        /// the side.
         [[nodiscard]] auto middle_side(const corner_type& c) const
         {
             if (not marks_.is_red(f_))

@@ -8,10 +8,10 @@
 
 namespace kith {
 
-/// The 4-8 bisection of a tri-quad mesh: triangles that each mark one edge, both triangles of an inner marked edge marking
-/// it. Every marked edge gives birth to a vertex and is bisected; the edges that were unmarked are the marked ones of the
-/// next level. The marked edge of a triangle is its first one, on every mesh type, so the mark needs no room and is handed
-/// on by the order of the corners alone. Velho & Zorin 2001, section 3.
+/// The 4-8 bisection of a tri-quad mesh: triangles that each mark one edge, both triangles of an inner marked edge
+/// marking it. Every marked edge gives birth to a vertex and is bisected; the edges that were unmarked are the marked
+/// ones of the next level. The marked edge of a triangle is its first one, on every mesh type, so the mark needs no
+/// room and is handed on by the order of the corners alone. Velho & Zorin 2001, section 3.
 struct bisection_split {
     template <corner_element Corner>
     static bool is_first(const Corner& c)
@@ -24,7 +24,8 @@ struct bisection_split {
         return is_first(e.lcorner());
     }
 
-    /// Two triangles at a marked edge are a block, a quad; of a corner whose half-edge is a side of one, that of the next side.
+    /// Two triangles at a marked edge are a block, a quad; of a corner whose half-edge is a side of one, that of the
+    /// next side.
     /// Precondition: the marked edge of c's triangle does not lie at the boundary.
     template <corner_element Corner>
     static Corner block_next(const Corner& c)
@@ -32,9 +33,9 @@ struct bisection_split {
         return c.next() == c.f().first_corner() ? c.next().across().next() : c.next();
     }
 
-    /// What the columns pick. `before(n, m)`: how many of the tuples before the n-th, with m marked edges before that of the
-    /// n-th. `picked(r, m)`: the r-th that is picked, where the m marked edges come first. By these tiles number what is picked
-    /// in a mesh that nobody holds. `marked(counts, generation)`: m of a whole level.
+    /// What the columns pick. `before(n, m)`: how many of the tuples before the n-th, with m marked edges before that
+    /// of the n-th. `picked(r, m)`: the r-th that is picked, where the m marked edges come first. By these tiles number
+    /// what is picked in a mesh that nobody holds. `marked(counts, generation)`: m of a whole level.
     struct of_marks {
         /// Boundary edges are marked in odd generations, as `tri_quad` makes and numbers them.
         static constexpr std::uint64_t marked(const counts& c, int generation)

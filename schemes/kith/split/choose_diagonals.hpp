@@ -15,11 +15,12 @@
 
 namespace kith::detail {
 
-/// Chooses diagonals for quads so that no two edges join the same two vertices. Each pair of opposite corners is a place that
-/// at most one quad may take, none if an edge has it; a quad needs one of its two places. As a graph whose nodes are places
-/// and whose edges are quads: each edge is directed to one of its ends, each node is reached at most once, so that a
-/// connected piece has to have as many nodes as edges or one more. Quads are asked in the order of their vertices and take
-/// the place with the smallest one if they may, so that nothing depends on the order of the faces.
+/// Chooses diagonals for quads so that no two edges join the same two vertices. Each pair of opposite corners is a
+/// place that at most one quad may take, none if an edge has it; a quad needs one of its two places. As a graph whose
+/// nodes are places and whose edges are quads: each edge is directed to one of its ends, each node is reached at most
+/// once, so that a connected piece has to have as many nodes as edges or one more. Quads are asked in the order of
+/// their vertices and take the place with the smallest one if they may, so that nothing depends on the order of the
+/// faces.
 class diagonal_choice {
 public:
     /// `places[0]` and `places[1]` of a quad: its even and odd corners, if somebody else wants them; else `own`.
@@ -46,7 +47,8 @@ public:
                 at_place_[place].push_back(i);
     }
 
-    /// The quads with the place that each has taken. Errors: mesh_error for a quad that finds none. Cost: O(quads log quads).
+    /// The quads with the place that each has taken. Errors: mesh_error for a quad that finds none. Cost: O(quads log
+    /// quads).
     [[nodiscard]] std::vector<quad> solve() &&
     {
         for (std::size_t place = 0; place < is_taken_.size(); ++place)
@@ -149,8 +151,8 @@ private:
     std::vector<std::size_t> pushed_;
 };
 
-/// For each face of a level of quads whether its diagonal joins its second and fourth corner rather than the first and third:
-/// the one with the smallest vertex, unless another edge joins the same two vertices.
+/// For each face of a level of quads whether its diagonal joins its second and fourth corner rather than the first and
+/// third: the one with the smallest vertex, unless another edge joins the same two vertices.
 /// Errors: mesh_error if there is no choice without such edges. Cost: O(corners log valence).
 template <level Level>
 std::vector<unsigned char> choose_diagonals(const Level& level)

@@ -5,11 +5,11 @@
 
 namespace kith {
 
-/// The mid-edge split: every edge gives birth to a vertex, every face and every vertex to a face. At the boundary the face
-/// of a vertex is closed by an edge of its own; vertices with a single face there get none.
+/// The mid-edge split: every edge gives birth to a vertex, every face and every vertex to a face. At the boundary the
+/// face of a vertex is closed by an edge of its own; vertices with a single face there get none.
 struct mid_edge_split {
-    /// Counts are exact for one step and for closed meshes; for further steps at a boundary an upper bound, since they take
-    /// no account of runs of boundary vertices with a single face, which get no face of their own.
+    /// Counts are exact for one step and for closed meshes; for further steps at a boundary an upper bound, since they
+    /// take no account of runs of boundary vertices with a single face, which get no face of their own.
     static constexpr auto columns()
     {
         const auto capped = [](const auto& v) { return v.face_count() >= 2; };

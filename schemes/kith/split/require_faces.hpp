@@ -9,10 +9,10 @@
 
 namespace kith {
 
-/// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one of
-/// two corners there; between two triangles, which are back to back then, those that split triangles would make two edges
-/// with the same ends, at every level, which no list of faces can tell apart. No step makes such vertices where there are
-/// none, so looking at a mesh before the first is enough. Cost: O(vertices).
+/// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one
+/// of two corners there; between two triangles, which are back to back then, those that split triangles would make two
+/// edges with the same ends, at every level, which no list of faces can tell apart. No step makes such vertices where
+/// there are none, so looking at a mesh before the first is enough. Cost: O(vertices).
 template <scheme Scheme, level Level>
 void require_three_faces(const Level& coarse)
 {

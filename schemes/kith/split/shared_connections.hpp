@@ -5,8 +5,8 @@
 
 namespace kith {
 
-/// What several splits connect alike: those that cut the edges at a vertex start the fan of the vertex that it gives birth to
-/// where its own fan starts, with the new edge of that end, in the face of that corner.
+/// What several splits connect alike: those that cut the edges at a vertex start the fan of the vertex that it gives
+/// birth to where its own fan starts, with the new edge of that end, in the face of that corner.
 template <running_step R>
 void start_fans_along_ends(const R& r)
 {
@@ -19,7 +19,8 @@ void start_fans_along_ends(const R& r)
     });
 }
 
-/// Those that make a vertex of each corner make a face inside each face, between these, and a new edge of each of its sides.
+/// Those that make a vertex of each corner make a face inside each face, between these, and a new edge of each of its
+/// sides.
 template <running_step R>
 void make_faces_inside(const R& r)
 {

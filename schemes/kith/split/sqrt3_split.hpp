@@ -7,10 +7,10 @@
 
 namespace kith {
 
-/// The sqrt(3) split of triangles: every vertex and face gives birth to a vertex, every half-edge x -> y to the triangle
-/// (x, centre of its right face, centre of its left face). Boundary edges are left alone in even steps and trisected in
-/// odd ones: then a boundary face has no centre, and the new point on its boundary edge near the corner that it shares
-/// with a half-edge stands for it. Kobbelt 2000, section 5.
+/// The sqrt(3) split of triangles: every vertex and face gives birth to a vertex, every half-edge x -> y to the
+/// triangle (x, centre of its right face, centre of its left face). Boundary edges are left alone in even steps and
+/// trisected in odd ones: then a boundary face has no centre, and the new point on its boundary edge near the corner
+/// that it shares with a half-edge stands for it. Kobbelt 2000, section 5.
 struct sqrt3_split {
     static constexpr bool is_odd(int generation) { return generation % 2 != 0; }
 
