@@ -145,9 +145,9 @@ TEST(association, an_association_can_be_kept_and_set_later)
               (points{{0, -1, -1}, {0, -1, -1}}));
 }
 
-TEST(association, vertices_of_the_dictionary_can_be_corners_of_faces)
+/// A fan of triangles around the middle of the only face, which is kept under two of its opposite vertices.
+auto fan_of_the_only_face()
 {
-    // A fan of triangles around the middle of the only face, which is kept under two of its opposite vertices.
     const auto text = [](const auto& coarse, const auto& assoc) {
         for (auto v : coarse.vertices())
             assoc(v, V) = v;
@@ -157,7 +157,12 @@ TEST(association, vertices_of_the_dictionary_can_be_corners_of_faces)
             assoc(c, F) = polygon(assoc(c.v(), V), assoc(c.next().v(), V), assoc(opposite, first, V));
     };
     const kith::columns columns(new_vertices(kith::per_vertex), kith::new_faces(triangles(kith::per_corner)));
-    const own_scheme scheme(columns, text);
+    return own_scheme(columns, text);
+}
+
+TEST(association, vertices_of_the_dictionary_can_be_corners_of_faces)
+{
+    const auto scheme = fan_of_the_only_face();
     kith::numbering_of<decltype(scheme), std::uint32_t> ids;
     const auto fine = kith::refine_mesh<kith::connect::everything>(native(shapes::polygon(4)), scheme, ids);
     EXPECT_EQ(fine.vertex_count(), 5U);
@@ -168,16 +173,7 @@ TEST(association, vertices_of_the_dictionary_can_be_corners_of_faces)
 
 TEST(association, vertices_of_the_dictionary_are_counted_on_a_last_level_of_faces)
 {
-    const auto text = [](const auto& coarse, const auto& assoc) {
-        for (auto v : coarse.vertices())
-            assoc(v, V) = v;
-        const auto first = coarse.vertices()[0], opposite = coarse.vertices()[2];
-        assoc(first, opposite, V) = average(coarse.faces()[0].vertices());
-        for (auto c : coarse.corners())
-            assoc(c, F) = polygon(assoc(c.v(), V), assoc(c.next().v(), V), assoc(opposite, first, V));
-    };
-    const kith::columns columns(new_vertices(kith::per_vertex), kith::new_faces(triangles(kith::per_corner)));
-    const own_scheme scheme(columns, text);
+    const auto scheme = fan_of_the_only_face();
     const auto fine = kith::refine(native(shapes::polygon(4)), scheme, 1, {.last_level = kith::connect::faces});
     EXPECT_EQ(fine.points().size(), 5U);
     EXPECT_EQ(fine.vertex_count(), 5U);
