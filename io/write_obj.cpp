@@ -72,10 +72,14 @@ private:
     std::vector<std::uint32_t> line_of_; ///< by corner
 };
 
-/// A line that goes on with nothing: a backslash at its end would have the next one go on.
+/// A line that goes on with nothing: a backslash at its end would have the next one go on, and a number sign where a word
+/// begins makes a comment of the rest.
 std::string as_line(const std::string& text)
 {
     std::string line = one_line(text);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (line[i] == '#' and (i == 0 or line[i - 1] == ' ' or line[i - 1] == '\t'))
+            line[i] = '_';
     if (const auto last = line.find_last_not_of(" \t"); last != std::string::npos and line[last] == '\\')
         line += '_';
     return line;

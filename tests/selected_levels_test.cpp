@@ -13,9 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <utility>
 #include <vector>
@@ -94,6 +96,19 @@ std::vector<std::array<double, 2>> coordinates_at_corners(const Level& level)
     return result;
 }
 
+/// A rule of fields that runs out of memory.
+struct failing {
+    static inline bool fails = false;
+
+    template <class T, class Step>
+    kith::storage<T> after(std::span<const T> values, const Step& step) const
+    {
+        if (fails)
+            throw std::bad_alloc();
+        return kith::from_parent<>().template after<T>(values, step);
+    }
+};
+
 } // namespace
 
 TEST(selected_levels, parents_answer)
@@ -137,6 +152,29 @@ TEST(selected_levels, another_selection_gives_up_what_was_undone)
     hierarchy straight(triangles(), selected(kith::loop()));
     straight.refine();
     EXPECT_TRUE(same_bits(levels.finest(), straight.finest()));
+}
+
+TEST(selected_levels, are_redone_after_another_step_has_failed)
+{
+    const auto mesh = polygons();
+    const std::vector<int> numbers(mesh.face_count(), 7);
+    hierarchy levels(mesh, kith::with_fields(selected(kith::catmull_clark()), kith::on_faces(numbers, failing())));
+    std::vector<unsigned char> one(mesh.face_count(), 0);
+    one[0] = 1;
+    levels.refine_flagged(one);
+    auto points = std::vector(levels[1].points().begin(), levels[1].points().end());
+    points[0][2] += 1;
+    levels.move_points(1, std::span<const point>(points)); // so that it stays when it is undone
+    const auto expected = levels.carry(0, 1, std::span<const double>(std::vector<double>(mesh.vertex_count(), 1)));
+    levels.undo();
+    failing::fails = true;
+    EXPECT_THROW(levels.refine(), std::bad_alloc);
+    failing::fails = false;
+    ASSERT_EQ(levels.undone(), 1);
+    levels.redo();
+    const auto carried = levels.carry(0, 1, std::span<const double>(std::vector<double>(mesh.vertex_count(), 1)));
+    EXPECT_EQ(carried.size(), levels[1].vertex_count());
+    EXPECT_TRUE(std::ranges::equal(carried, expected));
 }
 
 TEST(selected_levels, are_dropped_and_restored)

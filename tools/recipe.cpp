@@ -116,7 +116,7 @@ std::vector<std::byte> pack_kinds(const io::mesh_attributes& kinds)
     for_each_element(kinds, [&](const std::vector<io::attribute>& of_elements) {
         out.add(of_elements.size());
         for (const io::attribute& a : of_elements) {
-            out.add_array(a.name).add(a.type).add(a.labels.size());
+            out.add_array(a.name).add(a.type.bytes).add(a.type.floating).add(a.type.is_signed).add(a.labels.size());
             for (const std::string& label : a.labels)
                 out.add_array(label);
         }
@@ -135,7 +135,9 @@ io::mesh_attributes unpack_kinds(const std::vector<std::byte>& bytes)
         for (auto left = in.get<std::size_t>(); left > 0; --left) {
             auto& a = of_elements.emplace_back();
             a.name = next_text(in);
-            a.type = in.get<ply_number>();
+            a.type.bytes = in.get<std::size_t>();
+            a.type.floating = in.get<bool>();
+            a.type.is_signed = in.get<bool>();
             for (auto labels = in.get<std::size_t>(); labels > 0; --labels)
                 a.labels.push_back(next_text(in));
         }

@@ -40,6 +40,11 @@ std::string result_line(const tile_request& request, const tiling& how, const ti
             .add("edges", counts.edges)
             .add("faces", counts.faces)
             .add("output", is_complete ? request.output : how.journal);
+        if (is_complete and checksum) {
+            std::ostringstream digits;
+            digits << std::hex << checksum->bits;
+            object.add("checksum", digits.str());
+        }
         if (how.verify)
             object.add("verified", true);
         if (with_seconds)

@@ -173,6 +173,11 @@ void give_creases(any_scheme& scheme, control_mesh& control, scheme_words& words
                 if (tags.corners and words.preset.empty() and words.boundary_corners.empty()) {
                     s.corners = *tags.corners;
                     words.boundary_corners = word_of(s.corners);
+                } else if (tags.corners and words.boundary_corners.empty() and *tags.corners != s.corners) {
+                    std::cerr << "kith: note: --preset " << words.preset
+                              << " decides on the corners of the boundary, not the rule of the file; for that add "
+                                 "--boundary-corners "
+                              << word_of(*tags.corners) << '\n';
                 }
             } else if (tags.has_creases() or not holes_of(tags, control.mesh).empty()) {
                 throw mesh_error(std::string(scheme_name<Scheme>()) +

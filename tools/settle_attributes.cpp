@@ -32,6 +32,16 @@ void add_not_kept(control_mesh& control, const std::vector<std::string>& topics)
             control.not_kept.push_back(topic);
 }
 
+/// What some vertices have no value of: what is made of such a vertex has none, either.
+void add_spreading_lack(control_mesh& control, int levels)
+{
+    for (const io::attribute& a : control.attributes.vertices) {
+        const auto missing = std::ranges::count_if(a.values, [](double x) { return std::isnan(x); });
+        if (levels > 0 and missing != 0 and missing != std::ranges::ssize(a.values))
+            add_not_kept(control, {io::topic_of(a.name, "vertices") + ", around vertices that have none"});
+    }
+}
+
 template <class Which>
 void move_if(std::vector<io::attribute>& from, std::vector<io::attribute>& to, const Which& which)
 {
@@ -74,6 +84,7 @@ void settle_attributes(control_mesh& control, io::mesh_format format, const attr
     settle_normals(control, use);
     add_not_kept(control, not_held(format, control.attributes));
     keep_held(format, control.attributes);
+    add_spreading_lack(control, use.levels);
     if (format == io::mesh_format::ply and some_faces_lack_some(control))
         control.not_kept.emplace_back("texture coordinates of faces that have not all of theirs");
 }
@@ -83,6 +94,7 @@ void settle_tile_attributes(control_mesh& control, const std::string& output, co
     if (extension_of(output) != ".ply") {
         settle_normals(control, use);
         add_not_kept(control, topics_of(not_in_vtu(control.attributes)));
+        add_spreading_lack(control, use.levels);
         return;
     }
     settle_attributes(control, io::mesh_format::ply, use);

@@ -103,7 +103,9 @@ control_mesh triangulated(control_mesh control)
     control.tags.holes = std::move(holes);
     basic_mesh<> cut_mesh = make_mesh(mesh.points(), triangles);
     cut_attributes(control.attributes, mesh, cut_mesh, first);
-    control.mesh = std::move(cut_mesh);
+    // It is as many steps old as it was.
+    control.mesh = basic_mesh<>(
+        storage<basic_mesh<>::point_type>(cut_mesh.points()), connectivity<>(cut_mesh.topology()), mesh.generation());
     return control;
 }
 

@@ -45,7 +45,7 @@ bool is_consistent(const connectivity<Index>& t, std::size_t points)
     const bool is_mixed = t.degree == 0;
     if (points != t.vertices or t.vertex_corner.size() != t.vertices or t.corner_halfedge.size() != corners or
         sides % 2 != 0 or t.corner_face.size() != (is_mixed ? corners : 0) or
-        (is_mixed ? t.face_corner.size() != t.faces + 1
+        (is_mixed ? t.face_corner.empty() or t.face_corner.size() - 1 != t.faces
                   : (t.degree != 3 and t.degree != 4) or t.faces != corners / std::size_t(t.degree) or
                         corners % std::size_t(t.degree) != 0))
         return false;
@@ -53,7 +53,7 @@ bool is_consistent(const connectivity<Index>& t, std::size_t points)
         if (t.face_corner[0] != 0 or t.face_corner[t.faces] != corners)
             return false;
         for (std::size_t f = 0; f < t.faces; ++f) {
-            if (t.face_corner[f + 1] < t.face_corner[f] or t.face_corner[f + 1] > corners)
+            if (t.face_corner[f + 1] > corners or t.face_corner[f + 1] < t.face_corner[f] + std::size_t(3))
                 return false;
             for (std::size_t c = t.face_corner[f]; c < t.face_corner[f + 1]; ++c)
                 if (t.corner_face[c] != f)

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -213,6 +214,7 @@ TEST(saved_levels, refuse_arrays_that_do_not_fit_each_other)
     EXPECT_TRUE(is_refused([](auto& t) { std::swap(t.vertex_corner[0], t.vertex_corner[1]); }));
     EXPECT_TRUE(is_refused([](auto& t) { t.face_corner[1] = 99; }));
     EXPECT_TRUE(is_refused([](auto& t) { t.corner_face[0] = 1; }));
+    EXPECT_TRUE(is_refused([](auto& t) { t.faces = std::numeric_limits<std::size_t>::max(), t.face_corner = {}; }));
     EXPECT_TRUE(is_refused([](auto& t) { t.degree = 3; }));
     EXPECT_TRUE(is_refused([](auto& t) { t.vertices += 1; }));
 }

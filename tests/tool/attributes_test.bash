@@ -54,12 +54,22 @@ run refine part.obj -s catmull-clark -n 0 -o part.ply
 exits 0
 says 'part.obj: not kept: texture coordinates of faces that have not all of theirs'
 
+# What is made of a vertex that has no colour has none.
+printf 'COFF\n4 4 0\n0 0 0 200 10 10 255\n1 0 0\n0 1 0 10 200 10 255\n0 0 1 10 10 200 255\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' >gap.off
+run refine gap.off -s loop -n 1 -o out.ply
+exits 0
+says 'not kept: colours, around vertices that have none'
+run refine gap.off -s loop -n 0 -o out.off
+exits 0
+says_nothing
+
 # Words end no line and let none go on.
 cat >words.ply <<'END'
 ply
 format ascii 1.0
 comment mtllib C:\tex\
 comment word material 1 C:\red\
+comment word material 2 #2 of #3
 element vertex 4
 property float x
 property float y
@@ -73,13 +83,14 @@ end_header
 1 1 0
 0 1 0
 3 0 1 2 1
-3 0 2 3 0
+3 0 2 3 2
 END
 run refine words.ply -s loop -n 0 -o words.obj
 exits 0
 run info words.obj
 prints 'face degrees +3 to 3 .2 of 3.'
 has words.obj '^usemtl C:.red.*_$'
+has words.obj '^usemtl _2 of _3$' # no comment
 
 # Creases stay beside holes, by the numbers that are left.
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 1\nv 3 1 0\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nt hole 1/0/0 0\nt crease 2/1/0 2 6 2.5\nt corner 1/1/0 6 3\n' >creased.obj

@@ -200,6 +200,10 @@ says "note: 1 tag of the file is not understood: 'smoothtriangles' in line 7"
 check "the corner is smoothed" at 4 smoothed.off 0.125 0.125 0
 run refine quad.obj -s catmull-clark -n 1 -o kept.off --boundary-corners kept
 check "unless the command line says otherwise" at 4 kept.off 0 0 0
+run refine quad.obj -s catmull-clark -n 1 -o preset.off --preset opensubdiv
+says 'note: --preset opensubdiv decides on the corners of the boundary, .* add --boundary-corners smoothed$'
+run refine quad.obj -s catmull-clark -n 1 -o preset.off --preset opensubdiv --boundary-corners smoothed
+check "which goes before the preset" at 4 preset.off 0.125 0.125 0
 
 # What is left of sharpness is written as tags: refining a file twice by one level is refining it by two.
 run refine cube.off -s linear -n 0 -o plain.obj
@@ -248,6 +252,10 @@ for output in once.obj once.ply 'once.ply --tiles 2 --binary'; do
         exits 0
     done
 done
+run refine open.off -s sqrt3 -n 1 -o odd.obj
+run refine odd.obj -s sqrt3 -n 1 -o plain.off
+run refine odd.obj -s sqrt3 -n 1 -o cut.off --triangulate # of what are triangles already
+same plain.off cut.off
 run refine open.off -s sqrt3 -n 1 -o whole.ply --binary
 run refine open.off -s sqrt3 -n 1 -o tiles.ply --tiles 2
 same whole.ply tiles.ply

@@ -8,6 +8,9 @@ run refine cube.off -s catmull-clark -n 4 -o one.vtu --checksum
 exits 0
 says_nothing
 prints '^one.vtu: 1538 vertices, 3072 edges, 1536 faces, checksum [0-9a-f]+$'
+checksum=$(sed 's/.* //' "$results/out")
+run refine cube.off -s catmull-clark -n 4 -o one.vtu --checksum --json
+prints "\"checksum\":\"$checksum\""
 for tiles in 2 5 6 9; do
     for partitioner in metis block; do
         run refine cube.off -s catmull-clark -n 4 -o many.vtu --tiles $tiles --partitioner $partitioner

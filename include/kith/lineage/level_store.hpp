@@ -218,11 +218,18 @@ private:
     void take_step()
     {
         entry& last = *levels_[std::size_t(depth_)];
-        auto next = std::make_unique<entry>(last.scheme);
-        next->hold([&] { return refined(depth()); });
-        advance(next->scheme, elements(depth()), generation(depth()), last.ids, next->here->mesh);
-        levels_.resize(std::size_t(depth_) + 1);
-        levels_.push_back(std::move(next));
+        // Of the step that was undone, if there is one: by these a level that is redone goes.
+        auto ids = std::move(last.ids);
+        try {
+            auto next = std::make_unique<entry>(last.scheme);
+            next->hold([&] { return refined(depth()); });
+            advance(next->scheme, elements(depth()), generation(depth()), last.ids, next->here->mesh);
+            levels_.resize(std::size_t(depth_) + 1);
+            levels_.push_back(std::move(next));
+        } catch (...) {
+            last.ids = std::move(ids);
+            throw;
+        }
         ++depth_;
         drop_old();
     }
