@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Named parameters of kith::cgal, what becomes of handles and property maps, and errors.
+#include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include "error_text.hpp"
@@ -272,6 +273,31 @@ TEST(cgal_parameters, descriptors_of_a_polyhedron_stay)
     EXPECT_TRUE(p.is_valid());
 }
 
+TEST(cgal_parameters, what_items_of_a_polyhedron_hold_is_on_no_other_element)
+{
+    using numbered = CGAL::Polyhedron_3<kernel, CGAL::Polyhedron_items_with_id_3>;
+    const auto none = std::size_t(-1); // of an item that nobody has given a number
+    for (const bool keeps_vertices : {true, false}) {
+        auto p = make_graph<numbered>(shapes::open_house());
+        CGAL::set_halfedgeds_items_id(p);
+        const std::size_t count = num_vertices(p);
+        if (keeps_vertices)
+            ours::CatmullClark_subdivision(p, 1);
+        else
+            ours::DooSabin_subdivision(p, 1);
+        EXPECT_TRUE(p.is_valid());
+        std::size_t v = 0;
+        for (const auto x : vertices(p)) {
+            EXPECT_EQ(x->id(), keeps_vertices and v < count ? v : none);
+            ++v;
+        }
+        for (const auto f : faces(p))
+            EXPECT_EQ(f->id(), none);
+        for (const auto h : halfedges(p))
+            EXPECT_EQ(h->id(), none);
+    }
+}
+
 TEST(cgal_parameters, points_may_lie_in_another_map)
 {
     mesh m = house();
@@ -289,6 +315,8 @@ TEST(cgal_parameters, points_may_lie_in_another_map)
         EXPECT_EQ(place[v], expected.point(v));
     for (const auto v : before.vertices())
         EXPECT_EQ(m.point(v), before.point(v));
+    for (std::size_t v = before.number_of_vertices(); v < m.number_of_vertices(); ++v)
+        EXPECT_EQ(m.point(vertex(std::uint32_t(v))), point(0, 0, 0));
 }
 
 TEST(cgal_parameters, geometry_may_stay)

@@ -130,11 +130,32 @@ void write_creases(const Graph& g, const Np& np, const creases& sharp)
           [&](std::size_t v) { return sharp.of_vertex(v); });
 }
 
+/// Where the points of a graph lie in another map, its own ones say nothing of new vertices: zero in a Surface_mesh,
+/// which leaves them open.
+template <class Graph, class VertexPointMap>
+void clear_own_points(Graph&, const VertexPointMap&, std::size_t)
+{
+}
+template <class Point, class VertexPointMap>
+void clear_own_points(CGAL::Surface_mesh<Point>& m, const VertexPointMap& points, std::size_t first)
+{
+    using mesh = CGAL::Surface_mesh<Point>;
+    using vertex = typename mesh::Vertex_index;
+    if constexpr (std::same_as<VertexPointMap, typename mesh::template Property_map<vertex, Point>>)
+        if (points.data() == m.points().data())
+            return;
+    if constexpr (std::constructible_from<Point, CGAL::Origin>)
+        for (std::size_t v = first; v < m.num_vertices(); ++v)
+            m.point(vertex(typename mesh::size_type(v))) = Point(CGAL::ORIGIN);
+}
+
 /// Overwrites the graph with a refined mesh.
 template <class Graph, class VertexPointMap, class Point, class Carried>
 void write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, const Carried& carried)
 {
+    const std::size_t first_new = fine.keeps_vertices ? num_vertices(g) : 0;
     write_connectivity(g, fine.mesh.topology(), fine.keeps_vertices);
+    clear_own_points(g, points, first_new);
     carried.write(g);
     std::size_t i = 0;
     for (const auto v : graph_calls::all_vertices(g))

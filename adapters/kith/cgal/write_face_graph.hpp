@@ -7,8 +7,10 @@
 
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -16,11 +18,17 @@ namespace kith::cgal {
 
 namespace detail {
 
-/// As many descriptors as are asked for: those that the graph has, of which what is too much is removed, and new ones.
+/// A graph whose elements hold values of their own, such as a Polyhedron_3: what a vertex, an edge or a face has is not
+/// what another should have.
+template <class Graph>
+concept has_items = requires { typename Graph::HalfedgeDS; };
+
+/// As many descriptors as are asked for: of those that the graph has at most `kept`, while the others are removed, and
+/// new ones.
 template <class Descriptor, class Add, class Remove>
-void resize(std::vector<Descriptor>& all, std::size_t size, const Add& add, const Remove& remove)
+void resize(std::vector<Descriptor>& all, std::size_t kept, std::size_t size, const Add& add, const Remove& remove)
 {
-    while (all.size() > size) {
+    while (all.size() > std::min(kept, size)) {
         remove(all.back());
         all.pop_back();
     }
@@ -48,10 +56,10 @@ void take_back_removed(CGAL::Surface_mesh<Point>& m)
 } // namespace detail
 
 /// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their
-/// order, those of vertices, edges and faces from 0 on; new ones come after them. Points are not written. Cost:
-/// O(elements).
+/// order, those of vertices, edges and faces from 0 on, and new ones come after them; where elements hold values, only
+/// those of vertices that are to keep them. Points are not written. Cost: O(elements).
 template <class Graph>
-void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool)
+void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {
     using traits = boost::graph_traits<Graph>;
     using halfedge = typename traits::halfedge_descriptor;
@@ -63,9 +71,15 @@ void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool)
     auto vertices = list(all_vertices(g));
     auto edges = list(all_edges(g));
     auto faces = list(all_faces(g));
-    detail::resize(vertices, t.vertices, [&] { return add_vertex(g); }, [&](auto v) { remove_vertex(v, g); });
-    detail::resize(edges, t.edges(), [&] { return add_edge(g); }, [&](auto e) { remove_edge(e, g); });
-    detail::resize(faces, t.faces, [&] { return add_face(g); }, [&](auto f) { remove_face(f, g); });
+    constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), kept = detail::has_items<Graph> ? 0 : all;
+    detail::resize(
+        vertices,
+        keeps_vertices ? all : kept,
+        t.vertices,
+        [&] { return add_vertex(g); },
+        [&](auto v) { remove_vertex(v, g); });
+    detail::resize(edges, kept, t.edges(), [&] { return add_edge(g); }, [&](auto e) { remove_edge(e, g); });
+    detail::resize(faces, kept, t.faces, [&] { return add_face(g); }, [&](auto f) { remove_face(f, g); });
 
     std::vector<halfedge> halfedges;
     halfedges.reserve(2 * edges.size());
