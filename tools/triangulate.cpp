@@ -104,8 +104,8 @@ control_mesh triangulated(control_mesh control)
     basic_mesh<> cut_mesh = make_mesh(mesh.points(), triangles);
     cut_attributes(control.attributes, mesh, cut_mesh, first);
     // It is as many steps old as it was.
-    control.mesh = basic_mesh<>(
-        storage<basic_mesh<>::point_type>(cut_mesh.points()), connectivity<>(cut_mesh.topology()), mesh.generation());
+    auto topology = cut_mesh.topology();
+    control.mesh = {storage<basic_mesh<>::point_type>(cut_mesh.points()), std::move(topology), mesh.generation()};
     return control;
 }
 
