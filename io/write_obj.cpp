@@ -72,8 +72,8 @@ private:
     std::vector<std::uint32_t> line_of_; ///< by corner
 };
 
-/// A line that goes on with nothing: a backslash at its end would have the next one go on, and a number sign where a word
-/// begins makes a comment of the rest.
+/// A line that goes on with nothing: a backslash at its end would have the next one go on, and a number sign where a
+/// word begins makes a comment of the rest.
 std::string as_line(const std::string& text)
 {
     std::string line = one_line(text);

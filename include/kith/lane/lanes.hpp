@@ -21,8 +21,8 @@ inline constexpr bool fits_lanes = false;
 #if defined(__GNUC__)
 #define KITH_HAS_LANES 1
 #if defined(__x86_64__)
-// Nobody asks whether there is prfchw: a processor without it passes over that instruction. Aligned, so that their loops
-// are as fast in every program.
+// Nobody asks whether there is prfchw: a processor without it passes over that instruction. Aligned, so that their
+// loops are as fast in every program.
 #define KITH_LANES [[gnu::target("avx2,prfchw"), gnu::noinline, gnu::aligned(64)]]
 #else
 #define KITH_LANES

@@ -21,10 +21,10 @@ namespace kith {
 
 namespace detail {
 
-/// A level that knows a better order for its elements than that of their numbers goes through them by faces: the faces of
-/// a refined level follow a quadtree, and the neighbourhoods that are met in that order lie close together in memory; in
-/// the order of their numbers every ring would be fetched anew. Not where values have memory of their own, which lies
-/// elsewhere, nor where they are written down, of few faces.
+/// A level that knows a better order for its elements than that of their numbers goes through them by faces: the faces
+/// of a refined level follow a quadtree, and the neighbourhoods that are met in that order lie close together in
+/// memory; in the order of their numbers every ring would be fetched anew. Not where values have memory of their own,
+/// which lies elsewhere, nor where they are written down, of few faces.
 template <class Level>
 concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level::vertex_handle),
                                     void (*g)(typename Level::edge_handle, typename Level::corner_handle)) {
@@ -36,9 +36,9 @@ template <walkable_level Level, element Element>
 inline constexpr bool met_by_faces = ordered_by_faces<Level> and
                                      (std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>);
 
-/// Whether a mask is worth being inlined into the loop as a whole: it is a tree of small functions, and one that stays a
-/// call in the innermost loop costs more than the arithmetic. Not for the walks through the traits of other meshes, nor
-/// for numbers that are classes with memory of their own, which would make very large functions.
+/// Whether a mask is worth being inlined into the loop as a whole: it is a tree of small functions, and one that stays
+/// a call in the innermost loop costs more than the arithmetic. Not for the walks through the traits of other meshes,
+/// nor for numbers that are classes with memory of their own, which would make very large functions.
 template <walkable_level Level>
 inline constexpr bool inlines_masks = ordered_by_faces<Level>;
 
