@@ -139,8 +139,7 @@ public:
     /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
     /// `use` may move away; a third argument is the scheme for the next level, if this one keeps its edges. Tiles that
     /// lay on their ranks are refined there, once. A rank with several threads refines up to `most_at_once` of its
-    /// tiles at the same time (tiles_at_once); then `use` is called on these threads at the same time.
-    /// Errors: phase_error, of the first rank that has one.
+    /// tiles at once (tiles_at_once), and calls `use` on these threads. Errors: phase_error, of the first rank with one.
     template <class Use>
     work_done refine(sharing how, const Use& use, std::size_t most_at_once = 1)
     {
@@ -176,8 +175,7 @@ public:
     /// Collective. Refines all tiles as above and hands over each level of each, from level 0 to the last, with its
     /// scheme (creases, fields) as it is there: keep(kept_tile), which may move it away. All have their edges and the
     /// shadows that later levels need. Two levels of a tile are in memory, and those that are kept.
-    /// Errors: as above, and phase_error where `last_rings` was left out, so that the last level has no scheme of its
-    /// own.
+    /// Errors: as above, and phase_error where `last_rings` was left out: then the last level has no scheme.
     template <std::invocable<kept_type> Keep>
     work_done refine_levels(sharing how, const Keep& keep, std::size_t most_at_once = 1)
     {
