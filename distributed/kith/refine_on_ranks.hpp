@@ -139,7 +139,7 @@ public:
     /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
     /// `use` may move away; a third argument is the scheme for the next level, if this one keeps its edges. Tiles that
     /// lay on their ranks are refined there, once. A rank with several threads refines up to `most_at_once` of its
-    /// tiles at once (tiles_at_once), and calls `use` on these threads. Errors: phase_error, of the first rank with one.
+    /// tiles at once (tiles_at_once), and calls `use` on these threads. Errors: phase_error, of the first that has one.
     template <class Use>
     work_done refine(sharing how, const Use& use, std::size_t most_at_once = 1)
     {
