@@ -195,6 +195,20 @@ TEST(refine_in_patches, takes_more_steps_than_a_patch_has)
     EXPECT_TRUE(compare(mesh, smoothing(), 13));
 }
 
+TEST(refine_in_patches, begins_where_classes_of_faces_can_be_numbered)
+{
+    const kith::catmull_clark scheme;
+    const std::uint64_t quads = std::uint64_t(1) << 26; // a torus of 2^28 half-edges
+    const auto plan = kith::plan_patches(kith::counts{quads, 2 * quads, quads, 0}, 4, scheme, 3, 0);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->begin, 0);
+    auto later = *plan;
+    later.begin_at(1, scheme, 0); // 2^30
+    EXPECT_TRUE(later.has_room_for_classes());
+    later.begin_at(2, scheme, 0);
+    EXPECT_FALSE(later.has_room_for_classes());
+}
+
 TEST(refine_in_patches, knows_where_the_columns_of_as_many_steps_begin_as_a_path_has_room_for)
 {
     using kith::tuple_kind;

@@ -20,7 +20,6 @@
 #include <kith/tile/tiles_at_once.hpp>
 
 #include <algorithm>
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -76,8 +75,9 @@ public:
     /// Collective. From tiles of level 0 that lie on their ranks already, with ring_schedule(scheme, levels,
     /// last_rings)[0] rings of shadows: read_tiles makes them of a file that is too large for one rank. State of
     /// the scheme (creases) is that of the whole mesh, by its numbers, as far as the tiles of this rank go.
-    /// Errors: phase_error for faces that the scheme does not take, counts beyond 64 bits, and schemes whose numbers
-    /// need more than a tile can tell: of the boundary, if the mesh has one, and of marked edges (4-8).
+    /// Errors: phase_error for tiles that are not numbered from 0 on, each once, faces that the scheme does not take,
+    /// counts beyond 64 bits, and schemes whose numbers need more than a tile can tell: of the boundary, if the mesh has
+    /// one, and of marked edges (4-8).
     rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                     const Scheme& scheme, int levels, std::optional<int> last_rings = std::nullopt)
         : comm_(comm)
@@ -85,6 +85,7 @@ public:
         , last_(last_rings ? connect::everything : connect::faces)
         , held_(std::move(tiles))
     {
+        tiles_ = require_all_tiles(comm, *held_);
         const int generation = generation_of_tiles(comm, *held_);
         in_agreement(comm, [&] {
             kith::detail::require_levels<Scheme>(levels);
@@ -106,7 +107,6 @@ public:
                            levels,
                            last_rings.value_or(0));
         });
-        tiles_ = comm.sum(std::array{std::uint64_t(held_->size())})[0];
     }
 
     /// Collective. The same from tiles of level 0 that have a scheme each, whose state (fields, creases) is numbered as

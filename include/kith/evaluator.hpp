@@ -99,7 +99,8 @@ private:
             look();
             if (not patches_ and plan->begin + 1 < count_) { // faces of the next level are more alike
                 plan->begin_at(plan->begin + 1, levels_.scheme(0), generation_);
-                look();
+                if (plan->has_room_for_classes())
+                    look();
             }
             last_vertices_ = plan->last().vertices;
             if (patches_)

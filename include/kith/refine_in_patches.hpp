@@ -79,7 +79,7 @@ private:
         costs_ = costs_.if_unlike();
         if (plan_->begin < plan_->rings and plan_->rings < levels)
             plan_->begin_at(plan_->rings, scheme, last_generation_ - levels);
-        if (plan_->begin < plan_->rings)
+        if (plan_->begin < plan_->rings or not plan_->has_room_for_classes())
             plan_.reset();
     }
     /// Makes of the mesh the level whose faces own patches, and of the scheme that of this level; nothing where they

@@ -160,6 +160,24 @@ TEST(rank_refinement, refuses_tiles_that_are_not_there)
     EXPECT_NE(refine({1, 3}).find("tile 3 was asked for; there are 3"), std::string::npos) << refine({1, 3});
 }
 
+TEST(rank_refinement, refuses_tiles_whose_numbers_it_cannot_ask_for)
+{
+    const auto torus = native(shapes::torus(6, 6));
+    const auto parts = in_blocks(torus, 3);
+    const kith::catmull_clark scheme;
+    const auto text = [&](const std::vector<std::uint64_t>& numbers) {
+        kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);
+        tiles3d tiles;
+        for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size()))
+            tiles.push_back({numbers[t], cutter.cut(t, kith::ring_schedule(scheme, 1, 0)[0]).part});
+        return error_text<kith::mpi::phase_error>(
+            [&] { kith::mpi::rank_refinement(world(), std::move(tiles), cutter.counts(), scheme, 1); });
+    };
+    EXPECT_EQ(text({2, 0, 1}), "no error");
+    EXPECT_EQ(text({1, 2, 3}), "tile 3 is one of 3; number them from 0 to 2");
+    EXPECT_EQ(text({0, 2, 2}), "tile 2 is held 2 times; give each tile a number of its own");
+}
+
 TEST(gather, refuses_what_is_too_large_or_not_all)
 {
     const auto torus = native(shapes::torus(5, 7));

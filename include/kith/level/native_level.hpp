@@ -42,7 +42,7 @@ public:
         , degree_(Index(mesh.topology().degree))
         , corners_(Index(mesh.topology().corners()))
     {
-        KITH_ASSERT(Degree == 0 or Degree == topology_->degree);
+        KITH_ASSERT(Degree == 0 or corner_count() == Degree * face_count());
     }
 
     [[nodiscard]] std::size_t vertex_count() const { return topology_->vertices; }

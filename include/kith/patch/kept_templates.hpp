@@ -52,7 +52,8 @@ public:
     {
         std::size_t number = 0;
         if constexpr (comparable_scheme<Scheme>) {
-            static const auto of_all = std::make_shared<store>();
+            // Never destroyed, since static objects of a user may refine until the end.
+            static const auto& of_all = *new std::shared_ptr<store>(std::make_shared<store>());
             store_ = of_all;
             number = store_->number_of(scheme);
         } else {

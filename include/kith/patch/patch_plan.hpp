@@ -35,6 +35,11 @@ struct patch_plan {
     [[nodiscard]] const counts& of_begin() const { return levels[std::size_t(begin)]; }
     [[nodiscard]] const counts& last() const { return levels.back(); }
     [[nodiscard]] double faces_of_patch() const { return double(last().faces) / double(of_begin().faces); }
+    /// Whether the classes of the faces that own patches can be found.
+    [[nodiscard]] bool has_room_for_classes() const
+    {
+        return 2 * of_begin().edges <= face_classes<std::uint32_t>::most_corners;
+    }
 
     /// Whether these are the counts of a level where patches may begin, and of the next one by its scheme. Not so where
     /// its state says of which tuples elements are made, in another way than it does of no elements at all.
@@ -87,7 +92,7 @@ std::optional<patch_plan> plan_patches(const counts& control, int degree, const 
     while (plan.begin > plan.first and levels - plan.begin < column_path::most_columns and
            plan.last().faces / plan.levels[std::size_t(plan.begin) - 1].faces <= most_faces_of_patch)
         --plan.begin;
-    if (plan.begin == levels or 2 * plan.of_begin().edges > face_classes<std::uint32_t>::most_corners)
+    if (plan.begin == levels or not plan.has_room_for_classes())
         return {};
     plan.begin_at(plan.begin, scheme, generation);
     return plan;

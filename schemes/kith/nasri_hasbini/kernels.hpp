@@ -161,7 +161,7 @@ class polygon_rows {
 public:
     static const polygon_rows& shared()
     {
-        static const polygon_rows rows;
+        static const auto& rows = *new polygon_rows; // never destroyed: static objects may refine until the end
         return rows;
     }
 
