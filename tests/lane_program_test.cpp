@@ -60,30 +60,47 @@ private:
     kith::recording<double> recording_;
 };
 
-using pack = kith::lanes<double>::type;
+template <std::size_t Bytes>
+using pack = typename kith::lanes<double, Bytes>::type;
 
 KITH_LANES void run(const kith::lane_program<double>& program, double* slots)
 {
-    program.run<1>(reinterpret_cast<pack*>(slots));
+    program.run<1>(reinterpret_cast<pack<kith::lane_bytes>*>(slots));
+}
+#if defined(KITH_WIDE_LANES)
+KITH_WIDE_LANES void run_wide(const kith::lane_program<double>& program, double* slots)
+{
+    program.run<1, kith::wide_lane_bytes>(reinterpret_cast<pack<kith::wide_lane_bytes>*>(slots));
+}
+#endif
+
+/// The outputs in each of so many lanes, where lane k has the inputs times 2 to the power of k, which changes no
+/// rounding.
+template <std::size_t Width, class Run>
+void expect_outputs_in_lanes(const twins& t, const std::vector<std::uint32_t>& outputs, const Run& run_program)
+{
+    const auto program = kith::lane_program_maker<double>().make(t.tape, outputs);
+    alignas(64) std::array<double, 64 * Width> slots{};
+    ASSERT_LE(program.slots(), 64U);
+    for (std::size_t i = 0; i < program.inputs().size(); ++i)
+        for (std::size_t lane = 0; lane < Width; ++lane)
+            slots[i * Width + lane] = std::ldexp(t.numbers[program.inputs()[i]], int(lane));
+    run_program(program, slots.data());
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        for (std::size_t lane = 0; lane < Width; ++lane)
+            EXPECT_EQ(slots[program.outputs()[i] * Width + lane], std::ldexp(t.numbers[outputs[i]], int(lane)))
+                << "output " << i << ", lane " << lane << " of " << Width;
 }
 
-/// The outputs in each lane, where lane k has the inputs times 2 to the power of k, which changes no rounding.
 void expect_outputs(const twins& t, const std::vector<std::uint32_t>& outputs)
 {
     if (not kith::has_lanes())
         GTEST_SKIP() << "this processor has no lanes";
-    const auto program = kith::lane_program_maker<double>().make(t.tape, outputs);
-    constexpr std::size_t width = kith::lanes<double>::count;
-    alignas(64) std::array<double, 64 * width> slots{};
-    ASSERT_LE(program.slots(), 64U);
-    for (std::size_t i = 0; i < program.inputs().size(); ++i)
-        for (std::size_t lane = 0; lane < width; ++lane)
-            slots[i * width + lane] = std::ldexp(t.numbers[program.inputs()[i]], int(lane));
-    run(program, slots.data());
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-        for (std::size_t lane = 0; lane < width; ++lane)
-            EXPECT_EQ(slots[program.outputs()[i] * width + lane], std::ldexp(t.numbers[outputs[i]], int(lane)))
-                << "output " << i << ", lane " << lane;
+    expect_outputs_in_lanes<kith::lanes<double>::count>(t, outputs, run);
+#if defined(KITH_WIDE_LANES)
+    if (kith::has_wide_lanes())
+        expect_outputs_in_lanes<kith::lanes<double, kith::wide_lane_bytes>::count>(t, outputs, run_wide);
+#endif
 }
 
 TEST(lane_program, makes_sums_of_weighted_sums)

@@ -37,11 +37,11 @@ public:
     [[nodiscard]] bool is_too_long() const { return slots_ > std::numeric_limits<slot>::max(); }
 
 #ifdef KITH_HAS_LANES
-    /// Makes all outputs; slot s is Size registers from slots[s * Size] on.
-    template <std::size_t Size>
-    [[gnu::always_inline]] void run(typename lanes<Scalar>::type* slots) const
+    /// Makes all outputs; slot s is Size registers of so many bytes from slots[s * Size] on.
+    template <std::size_t Size, std::size_t Bytes = lane_bytes>
+    [[gnu::always_inline]] void run(typename lanes<Scalar, Bytes>::type* slots) const
     {
-        using pack = typename lanes<Scalar>::type;
+        using pack = typename lanes<Scalar, Bytes>::type;
         const slot* next = operands_.data();
         const term* t = terms_.data();
         for (const value& v : values_) {

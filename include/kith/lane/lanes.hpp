@@ -8,7 +8,7 @@
 
 /// As many numbers as a register of the processor holds, added and scaled side by side: each lane is what one number
 /// would be, to the bit. Vectors are those of g++ and clang. On x86-64 functions marked KITH_LANES use registers that
-/// most, not all processors have; has_lanes() looks.
+/// most, not all processors have, those marked KITH_WIDE_LANES wider ones; has_lanes() and has_wide_lanes() look.
 
 namespace kith {
 
@@ -24,6 +24,7 @@ inline constexpr bool fits_lanes = false;
 // Nobody asks whether there is prfchw: a processor without it passes over that instruction. Aligned, so that their
 // loops are as fast in every program.
 #define KITH_LANES [[gnu::target("avx2,prfchw"), gnu::noinline, gnu::aligned(64)]]
+#define KITH_WIDE_LANES [[gnu::target("avx512f,avx512vl,prfchw"), gnu::noinline, gnu::aligned(64)]]
 #else
 #define KITH_LANES
 #endif
@@ -36,11 +37,20 @@ inline constexpr bool fits_lanes<std::array<Scalar, N>> = true;
 
 #if defined(__x86_64__)
 inline constexpr std::size_t lane_bytes = 32;
+inline constexpr std::size_t wide_lane_bytes = 64;
 
 /// Whether this processor can run what is marked KITH_LANES. Cost: that of a look.
 inline bool has_lanes()
 {
     static const bool has = __builtin_cpu_supports("avx2");
+    return has;
+}
+/// Whether this processor can run what is marked KITH_WIDE_LANES, at its usual clock: the first ones that had such
+/// registers slow down for them; VBMI2 came with those that do not. Cost: that of a look.
+inline bool has_wide_lanes()
+{
+    static const bool has = __builtin_cpu_supports("avx512f") and __builtin_cpu_supports("avx512vl") and
+                            __builtin_cpu_supports("avx512vbmi2");
     return has;
 }
 #else
@@ -52,10 +62,10 @@ inline bool has_lanes()
 }
 #endif
 
-template <class Scalar>
+template <class Scalar, std::size_t Bytes = lane_bytes>
 struct lanes {
-    static constexpr std::size_t count = lane_bytes / sizeof(Scalar);
-    typedef Scalar type __attribute__((vector_size(lane_bytes), may_alias));
+    static constexpr std::size_t count = Bytes / sizeof(Scalar);
+    typedef Scalar type __attribute__((vector_size(Bytes), may_alias));
 };
 
 /// Keeps the compiler from making a product and the sum that follows one operation, which would round once; clang does

@@ -18,16 +18,15 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// Writes what some faces of a level own, after templates, as many faces at a time as two registers have lanes.
+/// Writes what some faces of a level own, after templates, as many faces at a time as two registers have lanes: of the
+/// wide ones, where the processor has them and there are so many faces.
 template <class Point, std::unsigned_integral Index, std::size_t Degree>
     requires fits_lanes<Point>
 class patch_filler {
     using scalar = scalar_of<Point>;
-    using pack = typename lanes<scalar>::type;
     using writer = patch_writer<Point, Index>;
     static constexpr std::size_t size = std::tuple_size_v<Point>;
-    static constexpr std::size_t width = writer::width;
-    static constexpr std::size_t packs = size * width / lanes<scalar>::count; // of a point of each face
+    static constexpr std::size_t width = writer::template width<lane_bytes>;
 
 public:
     using template_type = typename writer::template_type;
@@ -65,35 +64,57 @@ public:
     /// `bases`: what is added to each multiple in this mesh. Preconditions: has_lanes(), and this is what `find` has
     /// found for so many faces.
     /// Cost: that of the program.
-    KITH_LANES void fill(const template_type& t, std::span<const Index> bases, std::span<const Index> found,
-                         std::size_t count)
+    void fill(const template_type& t, std::span<const Index> bases, std::span<const Index> found, std::size_t count)
     {
-        ensure_size(slots_, t.program.slots() * size * width);
+#if defined(KITH_WIDE_LANES)
+        if (count > width and has_wide_lanes())
+            return fill_wide_lanes(t, bases, found.data(), count);
+#endif
         for (std::size_t begin = 0; begin < count; begin += width)
             fill_lanes(t, bases, found.data() + begin, std::min(width, count - begin));
     }
 
 private:
-    /// Of some of these faces, at most as many as there are lanes. A function of its own: in the loop g++ 12 makes
-    /// slower code of it.
+    // Of some of these faces, at most as many as there are lanes. Functions of their own: in the loop g++ 12 makes
+    // slower code of them.
+
     KITH_LANES void fill_lanes(const template_type& t, std::span<const Index> bases, const Index* found,
                                std::size_t count)
     {
-        load(t, found);
-        writer_.begin(t, bases.data(), found + t.inputs.size() * at_once);
-        t.program.template run<packs>(reinterpret_cast<pack*>(slots_.data()));
-        writer_.write(t, slots_.data(), count);
+        fill_registers<lane_bytes>(t, bases, found, count);
+    }
+#if defined(KITH_WIDE_LANES)
+    KITH_WIDE_LANES void fill_wide_lanes(const template_type& t, std::span<const Index> bases, const Index* found,
+                                         std::size_t count)
+    {
+        static_assert(writer::template width<wide_lane_bytes> == at_once);
+        fill_registers<wide_lane_bytes>(t, bases, found, count);
+    }
+#endif
+    template <std::size_t Bytes>
+    [[gnu::always_inline]] void fill_registers(const template_type& t, std::span<const Index> bases, const Index* found,
+                                               std::size_t count)
+    {
+        using registers = lanes<scalar, Bytes>;
+        constexpr std::size_t faces = writer::template width<Bytes>;
+        ensure_size(slots_, t.program.slots() * size * faces);
+        load<faces>(t, found);
+        writer_.template begin<faces>(t, bases.data(), found + t.inputs.size() * at_once);
+        t.program.template run<size * faces / registers::count, Bytes>(
+            reinterpret_cast<typename registers::type*>(slots_.data()));
+        writer_.template write<faces>(t, slots_.data(), count);
     }
 
     /// The points of the inputs, each neighbourhood into a lane.
+    template <std::size_t Width>
     [[gnu::always_inline]] void load(const template_type& t, const Index* found)
     {
         scalar* to = slots_.data();
-        for (std::size_t input = 0; input < t.inputs.size(); ++input, to += size * width, found += at_once)
-            for (std::size_t lane = 0; lane < width; ++lane) {
+        for (std::size_t input = 0; input < t.inputs.size(); ++input, to += size * Width, found += at_once)
+            for (std::size_t lane = 0; lane < Width; ++lane) {
                 const Point& point = coarse_->point(found[lane]);
                 for (std::size_t i = 0; i < size; ++i)
-                    to[i * width + lane] = point[i];
+                    to[i * Width + lane] = point[i];
             }
     }
 
