@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 // Faults of a scheme, each told with its tuple. Those of new edges: edge_errors_test.cpp.
 
@@ -156,4 +158,31 @@ TEST(association_errors, faces_that_form_no_manifold)
             assoc(f, F) = polygon(assoc(coarse.faces()[0].vertices(), V));
     });
     EXPECT_TRUE(text.starts_with("the faces that the scheme made are no manifold:\nedge 0-1: 6 faces")) << text;
+}
+
+TEST(association_errors, a_face_of_less_than_three_vertices)
+{
+    const auto pillow = kith::make_mesh(std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                        std::vector<std::vector<int>>{{0, 1, 2, 3}, {0, 3, 2, 1}});
+    const auto fault_of = [&](auto chosen) { // faces of vertices, with so many of the corners there
+        const auto degree = [=](const auto& v) {
+            std::size_t corners = 0;
+            for (const auto c : v.corners().only(chosen))
+                corners += c.v().index() == v.index();
+            return corners;
+        };
+        const auto text = [=](const auto& coarse, const auto& assoc) {
+            for (const auto c : coarse.corners())
+                assoc(c, V) = c.v();
+            for (const auto v : coarse.vertices())
+                assoc(v, F) = polygon(assoc(v.corners().only(chosen), V));
+        };
+        const own_scheme scheme(kith::columns(new_vertices(kith::per_corner),
+                                              new_edges<>(),
+                                              kith::new_faces(kith::per_vertex.of_degree(degree))),
+                                text);
+        return error_text<kith::association_error>([&] { kith::refine(pillow, scheme, 1); });
+    };
+    EXPECT_EQ(fault_of([](const auto&) { return true; }), "assoc(v 0) -> F has 2 vertices; a face has three or more");
+    EXPECT_EQ(fault_of([](const auto&) { return false; }), "assoc(v 0) -> F has 0 vertices; a face has three or more");
 }

@@ -144,3 +144,55 @@ TEST(edge_errors, a_fan_that_starts_at_the_side_of_another_corner)
               }),
         "assoc(v 3) -> V starts at a corner that is not its own, or at another side there");
 }
+
+TEST(edge_errors, a_fan_that_starts_at_no_corner)
+{
+    EXPECT_EQ(fault(shapes::cube(),
+                    new_edges(kith::per_edge),
+                    [](const auto& coarse, const auto& assoc) {
+                        copy_vertices(coarse, assoc);
+                        copy_faces_and_edges(coarse, assoc);
+                        const auto c = coarse.vertices()[3].first_corner();
+                        const auto e = c.next_edge();
+                        assoc(coarse.vertices()[3], V).starts_at(assoc(c.f(), F).corner(100'000), assoc(e, E).along(e));
+                    }),
+              "assoc(v 3) -> V starts at a corner that is not its own, or at another side there");
+}
+
+TEST(edge_errors, lines_with_elements_of_a_pass)
+{
+    const auto lines = [](const auto& vertex_of, const auto& edge_of) {
+        return [=](const auto& coarse, const auto& assoc) {
+            copy_vertices(coarse, assoc);
+            const auto pass = assoc.pass(kith::columns(kith::new_vertices(kith::per_face, kith::per_vertex),
+                                                       new_edges(kith::per_side, kith::per_edge),
+                                                       kith::new_faces()));
+            for (auto f : coarse.faces())
+                assoc(f, F) = polygon(f.corners(), [&](auto c) {
+                    const auto e = c.next_edge();
+                    return vertex_of(assoc, pass)(c.v(), V) >> edge_of(assoc, pass)(e, E).along(e);
+                });
+        };
+    };
+    constexpr auto of_step = [](const auto& assoc, const auto&) -> const auto& { return assoc; };
+    constexpr auto of_pass = [](const auto&, const auto& pass) -> const auto& { return pass; };
+    EXPECT_EQ(fault(shapes::cube(), new_edges(kith::per_edge), lines(of_step, of_step)), "no error");
+    const std::string vertex = fault(shapes::cube(), new_edges(kith::per_edge), lines(of_pass, of_step));
+    EXPECT_TRUE(vertex.ends_with("does not exist, there are 8; vertices of a pass are on no level")) << vertex;
+    const std::string edge = fault(shapes::cube(), new_edges(kith::per_edge), lines(of_step, of_pass));
+    EXPECT_TRUE(edge.ends_with("does not exist, there are 12; edges of a pass are on no level")) << edge;
+}
+
+TEST(edge_errors, edges_that_should_join_faces_and_do_not)
+{
+    EXPECT_EQ(fault(shapes::cube(),
+                    new_edges(kith::per_side), // an edge for each side, so that no two faces have one in common
+                    [](const auto& coarse, const auto& assoc) {
+                        copy_vertices(coarse, assoc);
+                        for (auto f : coarse.faces())
+                            assoc(f, F) = polygon(f.corners(), [&](auto c) {
+                                return assoc(c.v(), V) >> assoc(c.next_edge(), f, E).left();
+                            });
+                    }),
+              "assoc(v 0) -> V is in 3 faces, of which only 1 follow one another at their edges");
+}

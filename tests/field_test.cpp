@@ -349,6 +349,9 @@ TEST(field, of_another_number_of_values_is_refused_and_changes_nothing)
                       " faces; give it one for each");
     }
     EXPECT_EQ(with.field().size(), 3U);
+    auto few = kith::on_faces(std::vector<int>(3, 1));
+    for (const int levels : {0, 1})
+        EXPECT_THROW(kith::refine_with_fields(mesh, kith::catmull_clark{}, levels, std::tie(few)), kith::mesh_error);
     kith::hierarchy levels(mesh, with);
     EXPECT_THROW(levels.refine(), kith::mesh_error);
     EXPECT_EQ(levels.depth(), 0);

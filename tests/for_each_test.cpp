@@ -22,6 +22,17 @@ TEST(for_each, visits_every_element_once)
         ASSERT_EQ(n, 1);
 }
 
+TEST(for_each, finds_nothing_in_a_mesh_without_elements)
+{
+    const mesh3d nothing;
+    const level_type level(nothing);
+    const auto fail = [](const auto&) { FAIL(); };
+    kith::for_each(level.vertices(), fail);
+    kith::for_each(level.edges(), fail);
+    kith::for_each(level.faces(), fail);
+    kith::for_each(level.corners(), fail);
+}
+
 TEST(for_each, an_error_in_a_body_reaches_the_caller)
 {
     const auto mesh = native(shapes::torus(100, 100));

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -220,6 +221,23 @@ TEST(hierarchy, refuses_the_wrong_number_of_values)
     const std::vector<double> few(10);
     EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(h.levels.carry(0, 1, std::span(few))); }),
               "level 0 has 11 vertices, 10 values were given; give one per vertex");
+}
+
+TEST(hierarchy, refuses_a_field_of_another_level_even_where_it_would_carry_it_nowhere)
+{
+    const refined_house h;
+    const auto few = kith::on_vertices(std::vector<double>(10), kith::by_mask());
+    for (const int to : {0, 1})
+        EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(h.levels.carry(0, to, few)); }),
+                  "a field has 10 values, the level has 11 vertices; give it one for each");
+}
+
+TEST(hierarchy, refuses_more_levels_than_there_are_numbers_for)
+{
+    hierarchy levels(native(shapes::cube()), kith::catmull_clark());
+    levels.refine(1);
+    EXPECT_THROW(levels.refine(std::numeric_limits<int>::max()), kith::mesh_error);
+    EXPECT_EQ(levels.depth(), 1);
 }
 
 TEST(hierarchy, keeps_its_levels_when_a_step_fails)
@@ -509,6 +527,11 @@ TEST(hierarchy, gives_vertices_of_the_dictionary_the_value_that_new_ones_are_bor
         EXPECT_EQ(values[v], v < 8 ? marks[v] : 77);
         EXPECT_EQ(without[v], v < 8 ? marks[v] : 0);
     }
+    const std::vector<std::string> names(8, "old");
+    const auto words = levels.carry(
+        0, 1, kith::on_vertices(names, kith::from_vertex<std::identity, const char*>{{}, "new"}));
+    for (std::size_t v = 0; v < 14; ++v)
+        EXPECT_EQ(words[v], v < 8 ? "old" : "new");
 }
 
 TEST(hierarchy, carries_values_to_corners_at_vertices_of_the_dictionary)

@@ -203,6 +203,26 @@ TEST(limit_surface, of_edges_that_are_sharp_for_longer_than_digits_last)
         EXPECT_LT(distance(a.positions[v], b.positions[v]), 1e-13) << "vertex " << v;
 }
 
+TEST(limit_surface, of_floats_comes_as_near_as_floats_can)
+{
+    const auto shape = shapes::shaken(shapes::torus(5, 7));
+    const auto torus = native(shape);
+    const auto floats = kith::make_mesh(std::vector<std::array<float, 3>>(shape.points.size()), shape.faces);
+    auto of_floats = kith::basic_mesh(kith::storage<std::array<float, 3>>(floats.points()), floats.topology());
+    for (std::size_t v = 0; v < torus.vertex_count(); ++v)
+        for (std::size_t i = 0; i < 3; ++i)
+            of_floats.points()[v][i] = float(torus.point(v)[i]);
+    for (std::size_t e = 0; e < torus.edge_count(); e += 5) { // its ends are darts
+        kith::catmull_clark scheme;
+        scheme.sharpness.sharpen_edge(e, kith::infinitely_sharp);
+        const auto in_doubles = limit_surface_of(torus, scheme);
+        const auto in_floats = limit_surface_of(of_floats, scheme);
+        for (std::size_t v = 0; v < torus.vertex_count(); ++v)
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_NEAR(double(in_floats.positions[v][i]), in_doubles.positions[v][i], 1e-5) << "vertex " << v;
+    }
+}
+
 /// 112 of its vertices had no limit, on any level.
 TEST(limit_surface, of_the_triangulated_cube_on_a_deep_level)
 {

@@ -31,6 +31,43 @@ struct never_run : kith::catmull_clark {
     }
 };
 
+/// Makes of each face a frame around a hole: what is closed has a boundary then.
+template <bool Trusted>
+struct frames {
+    static constexpr auto traits() { return kith::scheme_traits{.name = "frames", .trusted = Trusted}; }
+    static constexpr auto columns()
+    {
+        using namespace kith;
+        return kith::columns(new_vertices(per_vertex, per_corner),
+                             new_edges(per_edge, per_corner, per_side),
+                             new_faces(quads(per_side)));
+    }
+    template <kith::running_step R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.vertices(), [&](auto v) {
+            assoc(v, V) = v;
+            const auto c = v.first_corner();
+            assoc(v, V).starts_at(assoc(c.next_edge(), c.f(), F).corner(0),
+                                  assoc(c.next_edge(), E).along(c.next_edge()));
+        });
+        for_each(coarse.corners(), [&](auto c) {
+            assoc(c, V) = .5 * c.v() + .5 * average(c.f().vertices());
+            assoc(c, V).starts_at(assoc(c.next_edge(), c.f(), F).corner(3), assoc(c, E).right());
+        });
+        for_each(coarse.corners(), [&](auto c) {
+            const auto e = c.next_edge();
+            const auto next = c.next();
+            assoc(e, c.f(), F) = polygon(assoc(c.v(), V) >> assoc(e, E).along(e),
+                                         assoc(next.v(), V) >> assoc(next, E).left(),
+                                         assoc(next, V) >> assoc(e, c.f(), E).left(),
+                                         assoc(c, V) >> assoc(c, E).right());
+        });
+    }
+};
+
 std::string refusal(const auto& mesh, const auto& scheme, int levels, const kith::refine_options& options = {})
 {
     return error_text<kith::mesh_error>([&] { refine(mesh, scheme, levels, options); });
@@ -249,4 +286,31 @@ TEST(refine, takes_points_of_long_doubles)
     for (std::size_t v = 0; v < fine.vertex_count(); ++v)
         for (std::size_t i = 0; i < 3; ++i)
             EXPECT_NEAR(double(fine.point(v)[i]), rounded.point(v)[i], 1e-14);
+}
+
+TEST(refine, may_open_what_was_closed)
+{
+    const auto cube = native(shapes::cube());
+    const auto expect_frames = [&](const auto& scheme) {
+        for (const int levels : {1, 2}) {
+            const auto fine = refine(cube, scheme, levels);
+            EXPECT_TRUE(validate(fine)) << validate(fine).text();
+            std::vector<std::size_t> faces(fine.vertex_count()); // of each vertex
+            for (std::size_t f = 0; f < fine.face_count(); ++f)
+                for (const auto v : fine.face(f))
+                    ++faces[v];
+            const kith::level_of<mesh3d> level(fine);
+            for (const auto v : level.vertices())
+                EXPECT_EQ(v.face_count(), faces[v.index()]) << "vertex " << v.index();
+            const auto planned = kith::plan(count(cube.topology()), scheme, levels).back().counts;
+            EXPECT_EQ(planned.vertices, fine.vertex_count());
+            EXPECT_EQ(planned.boundary_edges, count(fine.topology()).boundary_edges);
+        }
+    };
+    expect_frames(frames<false>());
+    expect_frames(frames<true>());
+    EXPECT_TRUE(same_bits(refine(cube, frames<true>(), 3), refine(cube, frames<false>(), 3)));
+    const auto once = refine(cube, frames<false>(), 1);
+    EXPECT_EQ(count(once.topology()).boundary_edges, 24U);
+    EXPECT_EQ(once.point(8), (shapes::point{-.5, -.5, -1}));
 }

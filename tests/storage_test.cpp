@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <new>
 #include <stdexcept>
@@ -55,6 +56,17 @@ TEST(storage, copies_any_contiguous_range_and_converts)
 {
     const storage<std::uint32_t> numbers(std::vector<std::size_t>{3, 1, 4});
     EXPECT_EQ(std::vector<std::size_t>(numbers.begin(), numbers.end()), (std::vector<std::size_t>{3, 1, 4}));
+}
+
+TEST(storage, gives_values_the_alignment_that_they_ask_for)
+{
+    struct alignas(256) wide {
+        std::array<double, 32> x;
+    };
+    for (const std::size_t size : {3, 600}) { // small and large
+        const storage<wide> some(size);
+        EXPECT_EQ(address(some) % 256, 0U) << size;
+    }
 }
 
 TEST(storage, small_arrays_start_at_a_cache_line)

@@ -68,6 +68,18 @@ TEST(values, listed_values_come_after_all_others)
     EXPECT_EQ((std::vector<double>(all.begin(), all.end())), (std::vector{7., 8., 9.}));
 }
 
+TEST(values, listed_values_may_refer_to_those_in_an_array_of_somebody_else)
+{
+    std::vector<double> array{3, 4};
+    kith::fine_values<double> values;
+    values.allocate_at(array.data(), array.size());
+    values.assign(1, 7);
+    values.append(8);
+    EXPECT_EQ(array[1], 7.);
+    EXPECT_EQ(values.listed(1), 7.);
+    EXPECT_EQ(values.listed(2), 8.);
+}
+
 TEST(values, taking_leaves_nothing)
 {
     kith::fine_values<double> values;

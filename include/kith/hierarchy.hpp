@@ -11,8 +11,10 @@
 #include <kith/lineage/selection.hpp>
 #include <kith/mask/stencil.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -232,6 +234,7 @@ public:
     [[nodiscard]] field<Where, T, Rule> carry(int from, int to, field<Where, T, Rule> values) const
     {
         require_order(levels_, from, to);
+        values.require_one_each(elements(from));
         for (int level = from; level < to; ++level)
             values = values.after(made_step{levels_.at(level).scheme,
                                             elements(level),
@@ -275,16 +278,15 @@ private:
     void require_room(int n) const
     {
         if constexpr (countable_scheme<Scheme>) {
+            const int last = depth() + std::min(n, std::numeric_limits<int>::max() - depth());
             const auto planned = plan(elements(0).counts(),
                                       scheme(0),
-                                      depth() + n,
+                                      last,
                                       levels_.generation(0),
                                       sizeof(typename traits::point),
                                       sizeof(index_type));
-            detail::require_bytes(scheme_name<Scheme>(),
-                                  peak_bytes_keeping_last(planned, levels_.kept()),
-                                  depth() + n,
-                                  options_.memory_limit);
+            detail::require_bytes(
+                scheme_name<Scheme>(), peak_bytes_keeping_last(planned, levels_.kept()), last, options_.memory_limit);
         }
     }
 

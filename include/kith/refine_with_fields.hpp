@@ -25,6 +25,13 @@ void advance_with_fields(Fields& fields, Scheme& scheme, const Level& coarse, in
     advance(scheme, coarse, generation, ids, fine);
 }
 
+/// Errors: mesh_error for a field that has another number of values than the level has elements.
+template <level Level, class Fields>
+void require_fields(const Level& level, const Fields& fields)
+{
+    std::apply([&](const auto&... each) { (each.require_one_each(level), ...); }, fields);
+}
+
 /// Refines a native mesh and makes scheme and fields those of the last level.
 template <class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with(basic_mesh<Point, Index> mesh, Scheme& scheme, Fields& fields, int levels,
@@ -49,6 +56,7 @@ basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Schem
     validate(mesh).require_ok();
     auto control = with_edges(mesh);
     require_refinable(control, scheme, levels, options);
+    require_fields(level_of<basic_mesh<Point, Index>>(control), fields);
     return refine_with(std::move(control), scheme, fields, levels, options.last_level);
 }
 template <mesh M, scheme Scheme, class Fields>
@@ -56,6 +64,7 @@ M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const r
 {
     auto control = lift_valid(mesh);
     require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
+    require_fields(level_of<decltype(control)>(control), fields);
     if (levels == 0)
         return build_like(mesh, std::move(control));
     const auto coarse = refine_with(std::move(control), scheme, fields, levels - 1, connect::everything);

@@ -53,6 +53,16 @@ template <level Level>
     refuse(list_tuple(level, kind, tuple),
            " -> F has " + std::to_string(has) + " vertices, its column says " + std::to_string(declared));
 }
+template <level Level>
+[[gnu::noinline]] void require_degree(const Level& level, tuple_kind kind, std::size_t tuple, std::size_t has,
+                                      std::size_t declared)
+{
+    if (has != declared)
+        wrong_degree(level, kind, tuple, has, declared);
+    if (has < 3)
+        refuse(list_tuple(level, kind, tuple),
+               " -> F has " + std::to_string(has) + " vertices; a face has three or more");
+}
 /// What declares the vertex of such a tuple, which no column does; nothing for elements of one kind, of which no column
 /// can speak.
 inline std::string column_for(const tuple_elements& tuple)
@@ -94,13 +104,27 @@ inline constexpr const char* vertex_read_early = " -> V is read before it is set
 inline constexpr const char* vertex_set_twice = " -> V is set twice";
 inline constexpr const char* face_set_twice = " -> F is set twice";
 
-/// A line of a face needs a side of a new edge that no other face has.
+/// A line of a face needs a vertex of the level that is made, of which there are so many.
+template <level Level>
+[[gnu::noinline]] void require_vertex(const Level& level, tuple_kind kind, std::size_t tuple, std::size_t vertex,
+                                      std::size_t vertices)
+{
+    if (vertex >= vertices)
+        refuse(list_tuple(level, kind, tuple),
+               " -> F: new vertex " + std::to_string(vertex) + " does not exist, there are " +
+                   std::to_string(vertices) + "; vertices of a pass are on no level");
+}
+/// And a side of a new edge that no other face has.
 template <level Level, std::unsigned_integral Index>
 [[gnu::noinline]] void require_free_side(const Level& level, tuple_kind kind, std::size_t tuple, Index halfedge,
                                          const connectivity<Index>& fine)
 {
     if (halfedge == connectivity<Index>::none)
         refuse(level, kind, tuple, " -> F: the scheme declares edges, so each line needs its side: v >> side");
+    if (halfedge >= fine.halfedge_corner.size())
+        refuse(list_tuple(level, kind, tuple),
+               " -> F: new edge " + std::to_string(halfedge / 2) + " does not exist, there are " +
+                   std::to_string(fine.edges()) + "; edges of a pass are on no level");
     if (fine.halfedge_corner[halfedge] != connectivity<Index>::none)
         refuse(list_tuple(level, kind, tuple),
                " -> F: side " + std::to_string(halfedge % 2) + " of new edge " + std::to_string(halfedge / 2) +

@@ -234,6 +234,8 @@ private:
             if constexpr (Checked) {
                 if (corner >= first_corner(id + 1))
                     faults::wrong_degree(*coarse_, Kind, tuple, corner - first + 1, first_corner(id + 1) - first);
+                const std::size_t vertices = ids_.vertices.total() + values_->listed_count();
+                faults::require_vertex(*coarse_, Kind, tuple, line.vertex, vertices);
                 if constexpr (Connect == connect::everything and Numbering::has_edges)
                     faults::require_free_side(*coarse_, Kind, tuple, line.halfedge, *fine_);
             }
@@ -246,8 +248,7 @@ private:
             ++corner;
         }
         if constexpr (Checked)
-            if (corner != first_corner(id + 1))
-                faults::wrong_degree(*coarse_, Kind, tuple, corner - first, first_corner(id + 1) - first);
+            faults::require_degree(*coarse_, Kind, tuple, corner - first, first_corner(id + 1) - first);
     }
     [[nodiscard]] index_type first_corner(std::size_t face) const
     {

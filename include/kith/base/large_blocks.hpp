@@ -48,6 +48,7 @@ public:
     static constexpr std::size_t page = huge_page;
     /// Smaller blocks are not for here: malloc keeps them.
     static constexpr std::size_t smallest = std::size_t(64) << 10;
+    static constexpr std::size_t cache_line = 64;
 
     /// A block that starts at a cache line, or from two huge pages on at a huge page, and is not cleared.
     /// Errors: std::bad_alloc. Cost: O(kept blocks).
@@ -78,7 +79,6 @@ private:
         std::size_t bytes;
     };
 
-    static constexpr std::size_t cache_line = 64;
     static constexpr bool is_huge(std::size_t bytes) { return bytes >= 2 * page; }
 
     /// Blocks of nearly one size are of one size. What is added is never touched, so it is address space only.

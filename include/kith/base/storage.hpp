@@ -73,15 +73,20 @@ public:
 private:
     static constexpr bool trivial = std::is_trivially_copyable_v<T>;
 
+    static constexpr std::size_t alignment = std::max(large_blocks::cache_line, alignof(T));
+
+    static bool is_large(std::size_t size)
+    {
+        return alignment == large_blocks::cache_line and size * sizeof(T) >= large_blocks::smallest;
+    }
     static T* allocate(std::size_t size)
     {
         if (size == 0)
             return nullptr;
         if (size > PTRDIFF_MAX / sizeof(T))
             throw std::bad_array_new_length();
-        if (size * sizeof(T) >= large_blocks::smallest)
+        if (is_large(size))
             return static_cast<T*>(shared_blocks.allocate(size * sizeof(T)));
-        constexpr std::size_t alignment = std::max<std::size_t>(64, alignof(T));
         void* const block = std::aligned_alloc(alignment, (size * sizeof(T) + alignment - 1) / alignment * alignment);
         if (block == nullptr)
             throw std::bad_alloc();
@@ -89,7 +94,7 @@ private:
     }
     void release() noexcept
     {
-        if (size_ * sizeof(T) >= large_blocks::smallest)
+        if (is_large(size_))
             shared_blocks.free(data_, size_ * sizeof(T));
         else
             std::free(data_);

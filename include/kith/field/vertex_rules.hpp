@@ -106,7 +106,7 @@ struct from_vertex {
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         auto result = detail::values_at_new_vertices<T>(step);
-        if constexpr (std::same_as<Born, T> or std::is_arithmetic_v<Born>)
+        if constexpr (std::convertible_to<const Born&, T>)
             std::fill(result.begin() + step.ids.vertices.total(), result.end(), T(born));
         detail::for_new_elements(step.coarse,
                                  step.ids.vertices,

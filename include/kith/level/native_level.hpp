@@ -134,6 +134,8 @@ public:
     template <class F>
     void for_vertices_of(std::size_t begin, std::size_t end, const F& f) const
     {
+        if (begin == end) // a mesh without faces has no first corners
+            return;
         const Index last = first(face_handle{Index(end)}).value;
         for (Index c = first(face_handle{Index(begin)}).value; c < last; ++c)
             if (const vertex_handle v = vertex_of({c}); vertex_corner_[v.value] == c)
@@ -144,6 +146,8 @@ public:
     template <class F>
     void for_edges_of(std::size_t begin, std::size_t end, const F& f) const
     {
+        if (begin == end)
+            return;
         const Index last = first(face_handle{Index(end)}).value;
         for (Index c = first(face_handle{Index(begin)}).value; c < last; ++c)
             if (const Index halfedge = corner_halfedge_[c]; halfedge % 2 == 0)

@@ -33,10 +33,14 @@ public:
     void allocate(std::size_t size)
     {
         own_ = storage<T>(size);
-        fine_ = own_.data();
+        allocate_at(own_.data(), size);
     }
     /// They are made in an array of somebody else, who keeps them.
-    void allocate_at(T* array) { fine_ = array; }
+    void allocate_at(T* array, std::size_t size)
+    {
+        fine_ = array;
+        size_ = size;
+    }
     [[nodiscard]] decltype(auto) fine(std::size_t id) const { return affine<T>::load(fine_[id]); }
     void assign(std::size_t id, const sum& total) { fine_[id] = affine<T>::store(total); }
 
@@ -45,7 +49,7 @@ public:
     void append(const sum& total) { listed_.push_back(affine<T>::store(total)); }
     [[nodiscard]] sum listed(std::size_t id) const
     {
-        return affine<T>::load(id < own_.size() ? own_[id] : listed_[id - own_.size()]);
+        return affine<T>::load(id < size_ ? fine_[id] : listed_[id - size_]);
     }
 
     /// All values of the fine level; this object is empty then.
@@ -63,6 +67,7 @@ public:
 private:
     storage<T> own_;
     T* fine_ = nullptr;
+    std::size_t size_ = 0; // of the vertices of columns
     std::vector<T> listed_;
 };
 

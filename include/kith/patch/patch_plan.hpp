@@ -75,8 +75,7 @@ std::optional<patch_plan> plan_patches(const counts& control, int degree, const 
                                        int generation)
 {
     constexpr std::uint64_t most_faces_of_patch = 100;
-    if (levels < 1 or not numbers_are_affine<Scheme>(control.boundary_edges == 0) or
-        not ignores_numbers(without_state(scheme)))
+    if (levels < 1 or not ignores_numbers(without_state(scheme)))
         return {};
     constexpr std::size_t degree_of_refined = numbering_of<Scheme, std::uint32_t>::common_degree;
     const bool is_like_refined = not has_faces_by_valence<Scheme> and not has_numbers_by_marks<Scheme> and
@@ -89,6 +88,9 @@ std::optional<patch_plan> plan_patches(const counts& control, int degree, const 
             not agree_on_corners(*of_level, plan.levels[std::size_t(level)], plan.last(), of_level.generation()))
             return {};
     }
+    const bool are_closed = std::ranges::all_of(plan.levels, [](const counts& c) { return c.boundary_edges == 0; });
+    if (not numbers_are_affine<Scheme>(are_closed))
+        return {};
     while (plan.begin > plan.first and levels - plan.begin < column_path::most_columns and
            plan.last().faces / plan.levels[std::size_t(plan.begin) - 1].faces <= most_faces_of_patch)
         --plan.begin;

@@ -121,8 +121,8 @@ counts next_counts(const Columns& columns, const counts& c, int generation)
     next.edges = detail::counted_columns<decltype(Columns::edges)>::count(columns.edges, c, generation).total();
     next.faces = faces.total();
     if constexpr (not Closed and not std::invocable<decltype(Columns::boundary), const counts&>)
-        if (c.boundary_edges != 0) // corners without a side are a fault of the scheme, which the step itself will name
-            next.boundary_edges = std::max(2 * next.edges, faces.total_corners()) - faces.total_corners();
+        // More corners than sides are a fault of the scheme, which the step itself will name.
+        next.boundary_edges = std::max(2 * next.edges, faces.total_corners()) - faces.total_corners();
     return next;
 }
 

@@ -17,9 +17,11 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace kith {
 
@@ -112,7 +114,7 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
             fine.corner_face = storage<index>(corners);
         fine.corner_vertex = storage<index>(corners);
         if constexpr (Connect == connect::everything and Numbering::has_edges) {
-            const bool clear = Checked or not coarse.is_closed(); // the far sides of boundary edges are never written
+            const bool clear = Checked or corners != 2 * ids.edges.total(); // else there is no side that nobody writes
             fine.corner_halfedge = storage<index>(corners);
             fine.halfedge_corner = clear ? none_yet<index>(2 * ids.edges.total())
                                          : storage<index>(2 * ids.edges.total());
@@ -165,7 +167,8 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
         return;
     for (std::size_t v = 0; v < made.starts().size(); ++v)
         if (const Index c = fine.vertex_corner[v];
-            c != fine.none and (fine.corner_vertex[c] != v or fine.corner_halfedge[c] != made.starts()[v])) {
+            c != fine.none and
+            (c >= fine.corners() or fine.corner_vertex[c] != v or fine.corner_halfedge[c] != made.starts()[v])) {
             const auto [kind, index] = ids.vertices.origin(v);
             faults::refuse(
                 coarse, kind, index, " -> V starts at a corner that is not its own, or at another side there");
@@ -178,6 +181,29 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
             const auto [kind, index] = ids.vertices.origin(v);
             faults::refuse(coarse, kind, index, " -> V is in no face");
         }
+}
+
+/// And vertices at which several fans of faces meet. Precondition: fans start where they have to at the boundary.
+template <level Level, level_numbering Numbering, std::unsigned_integral Index>
+void check_fans(const Level& coarse, const Numbering& ids, const connectivity<Index>& fine)
+{
+    std::vector<Index> faces(fine.vertices, 0);
+    for (const Index v : fine.corner_vertex)
+        ++faces[v];
+    for (std::size_t v = 0; v < fine.vertices; ++v) {
+        const Index start = fine.vertex_corner[v];
+        Index met = 0, c = start;
+        do {
+            ++met;
+            c = fine.next_in_fan(c);
+        } while (c != fine.none and c != start);
+        if (met != faces[v]) {
+            const auto [kind, index] = ids.vertices.origin(v);
+            faults::refuse(list_tuple(coarse, kind, index),
+                           " -> V is in " + std::to_string(faces[v]) + " faces, of which only " + std::to_string(met) +
+                               " follow one another at their edges");
+        }
+    }
 }
 
 /// One step of a scheme. What is no function of a step is told in one sentence, so no concept asks for it before.
@@ -215,8 +241,10 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
         fine.vertices += values.listed_count();
     if constexpr (Connect == connect::everything) {
         if constexpr (Numbering::has_edges) {
-            if (not coarse.is_closed())
+            if (fine.corners() != 2 * fine.edges())
                 detail::turn_boundary_fans(fine);
+            if constexpr (Checked)
+                detail::check_fans(coarse, ids, fine);
         } else {
             mesh_report report;
             match(fine, report);
@@ -234,7 +262,7 @@ void run_scheme_into(Sink& fine, const Level& coarse, const Scheme& scheme, int 
                      vertex_dictionary<typename Numbering::index_type>* dictionary = nullptr)
 {
     point_values<Level> values;
-    values.allocate_at(fine.points());
+    values.allocate_at(fine.points(), ids.vertices.total());
     using space = association_space<Level, Numbering, point_values<Level>, connect::everything, false, Sink>;
     space assoc(coarse, ids, values, fine);
     const detail::loop_body outside(false);

@@ -65,6 +65,17 @@ basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const
             mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
 }
 
+/// Whether the next level of a closed one is known to be closed: a scheme may make faces around holes.
+template <level Level, scheme Scheme>
+bool stays_closed(const Level& coarse, const Scheme& scheme, int generation)
+{
+    if constexpr (countable_scheme<Scheme>)
+        return next_counts(scheme, {coarse.vertex_count(), coarse.edge_count(), coarse.face_count()}, generation)
+                   .boundary_edges == 0;
+    else
+        return false;
+}
+
 /// One step into a mesh of another library: straight where the scheme is trusted and declares its edges. Errors: as
 /// `refine_level`, and those of `make_room`.
 template <class Point, level Level, scheme Scheme>
@@ -73,7 +84,10 @@ void refine_level_into(level_writer<Point, typename Level::index_type>& fine, co
 {
     if constexpr (is_trusted<Scheme> and std::remove_cvref_t<decltype(ids)>::has_edges) {
         ids = {coarse, columns_of(scheme, generation)};
-        fine.make_room(ids.vertices.total(), ids.edges.total(), ids.faces.total(), coarse.is_closed());
+        fine.make_room(ids.vertices.total(),
+                       ids.edges.total(),
+                       ids.faces.total(),
+                       coarse.is_closed() and stays_closed(coarse, scheme, generation));
         run_scheme_into(fine, coarse, scheme, generation, ids, &ids.dictionary);
     } else {
         write_level(fine, refine_level<connect::everything>(coarse, scheme, generation, ids));

@@ -106,7 +106,10 @@ private:
         for (const auto f : level.vertices()[v].faces())
             for (const auto u : f.vertices())
                 size = std::max(size, largest(u.point()));
-        return std::max(std::scalbn(size, -51), 8 * std::numeric_limits<double>::denorm_min());
+        // Two units in the last place of such a number: nearer than that coordinates need not come.
+        const auto last_place = double(std::numeric_limits<typename affine<Point>::scalar>::epsilon());
+        return std::max(size * std::max(2 * last_place, std::scalbn(1., -51)),
+                        8 * std::numeric_limits<double>::denorm_min());
     }
     std::vector<seeker> back_to_start(std::vector<seeker> left, std::span<const Index> vertices) const
     {
