@@ -24,7 +24,7 @@ struct refine_options {
     /// edge numbers. For native meshes; those of other libraries and the levels of a `hierarchy` have everything.
     connect last_level = connect::everything;
     /// In bytes; a refinement whose native levels would need more is refused before they are made. Meshes of other
-    /// libraries that are copied or built are not counted, nor are levels that are not `countable_scheme`'s: of a scheme
+    /// libraries that are copied or built are not counted, nor are the levels of a scheme that is no countable_scheme:
     /// whose edges are matched or whose columns pick tuples in a way that nobody counts.
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
 };

@@ -34,8 +34,8 @@ void require_tiles(const std::vector<numbered_tile<Tile>>& tiles)
 
 namespace mpi {
 
-/// Collective. How many tiles all ranks hold; their numbers have to be those from 0 on, each once, since tiles are asked
-/// for by them. Errors: phase_error. Cost: O(tiles) on each rank.
+/// Collective. How many tiles all ranks hold; their numbers have to be those from 0 on, each once, since tiles are
+/// asked for by them. Errors: phase_error. Cost: O(tiles) on each rank.
 template <tile_like Tile>
 std::uint64_t require_all_tiles(communicator& comm, const std::vector<numbered_tile<Tile>>& tiles)
 {
