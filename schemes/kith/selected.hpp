@@ -56,10 +56,8 @@ public:
     void operator()(const R& r) const
     {
         using namespace targets;
-        if (closure_.is_everything()) {
-            scheme_(r);
-            return;
-        }
+        if (closure_.is_everything())
+            return scheme_(r);
         const auto& assoc = r.assoc;
         const auto all = assoc.pass(columns_of(scheme_, r.generation));
         scheme_(refinement<std::remove_cvref_t<decltype(r.coarse)>, std::remove_cvref_t<decltype(all)>, scalar_type<R>>{
@@ -71,10 +69,11 @@ public:
             else
                 assoc(v, V) = v;
         });
+        const auto is_green = closure_.vertices_of_green(r.coarse);
         const auto edges = at_edges([&](auto e) {
             if (not closure_.is_cut(e))
                 return;
-            if (detail::is_wide<Scheme>() and closure_.is_beside_green(e))
+            if (detail::is_wide<Scheme>() and (is_green[e.org().index()] or is_green[e.dst().index()]))
                 assoc(e, V) = average(e.org(), e.dst());
             else
                 assoc(e, V) = all(e, V);

@@ -69,16 +69,22 @@ public:
                 return true;
         return false;
     }
-    /// One of the faces around an end of the edge is green.
-    template <edge_element Edge>
-    [[nodiscard]] bool is_beside_green(const Edge& e) const
+    /// For each vertex whether a face around it is green. Cost: O(level).
+    template <level Level>
+    [[nodiscard]] std::vector<unsigned char> vertices_of_green(const Level& level) const
     {
-        for (const auto& end : {e.org(), e.dst()})
-            for (const auto& f : end.faces())
+        std::vector<unsigned char> result(level.vertex_count(), 0);
+        if (sides_.empty())
+            return result;
+        for (const auto& f : level.faces()) {
+            bool is_green = false;
+            for (const auto& c : f.corners())
+                is_green = is_green or side(c) != side_kind::whole;
+            if (is_green)
                 for (const auto& c : f.corners())
-                    if (side(c) != side_kind::whole)
-                        return true;
-        return false;
+                    result[c.v().index()] = 1;
+        }
+        return result;
     }
     /// An edge at the vertex is cut: the vertex has the scheme's rule, all others stay where they are.
     template <vertex_element Vertex>
