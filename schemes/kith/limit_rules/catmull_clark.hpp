@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 namespace kith {
 
@@ -32,16 +31,14 @@ struct limit_rules<catmull_clark> : crease_limits {
     {
         if (not has_quads_only(v))
             return;
-        const std::size_t k = v.face_count();
-        const bool inside = s.sharp.is_smooth(v);
-        if (not inside and not s.sharp.is_on_boundary_curve(v))
+        const auto ring = turns_of_ring(s.sharp, v);
+        if (not ring)
             return tangents_at_corner(s.sharp, v, use);
-        const auto turns = std::int64_t(inside ? k : 2 * k); // the ring spans a full turn, or half of one
+        const auto [inside, turns] = *ring;
         const double c = cos_turn(1, turns), half = cos_turn(1, 2 * turns);
         const double lambda = 5. / 16 + (c + half * std::sqrt(2 * (9 + c))) / 16;
         const double mu = 1 / (4 * lambda - 1);
-        const auto sine = [turns](std::size_t j) { return sin_turn(std::int64_t(j), turns); };
-        const auto cosine = [turns](std::size_t j) { return cos_turn(std::int64_t(j), turns); };
+        const auto cosine = cosine_wave(turns), sine = sine_wave(turns);
         const auto along_edges = [](auto f) { return [f](std::size_t j) { return 4 * f(j); }; };
         const auto along_faces = [mu](auto f) { return [f, mu](std::size_t j) { return mu * (f(j) + f(j + 1)); }; };
         if (inside) {

@@ -3,7 +3,6 @@
 
 #include "rules.hpp"
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/mask/ring_waves.hpp>
 
@@ -28,9 +27,7 @@ struct limit_rules<doo_sabin> : limit_defaults {
     static void tangents(const doo_sabin& s, const face<Level>& f, const Use& use)
     {
         if (not has_boundary_rule(s, f))
-            with_waves(std::int64_t(f.degree()), [&](const auto& cosine, const auto& sine) {
-                use(sum(f.vertices(), cosine), sum(f.vertices(), sine));
-            });
+            use_first_wave(f.vertices(), std::int64_t(f.degree()), use);
     }
     template <level Level, class Use>
     static void position(const doo_sabin& s, const vertex<Level>& v, const Use& use)
@@ -50,10 +47,7 @@ struct limit_rules<doo_sabin> : limit_defaults {
     static void tangents(const doo_sabin& s, const vertex<Level>& v, const Use& use)
     {
         if (not v.is_boundary())
-            with_points(s, v, [&](const auto& points) {
-                with_waves(std::int64_t(v.face_count()),
-                           [&](const auto& cosine, const auto& sine) { use(sum(points, cosine), sum(points, sine)); });
-            });
+            with_points(s, v, [&](const auto& points) { use_first_wave(points, std::int64_t(v.face_count()), use); });
     }
 
 private:
@@ -61,12 +55,6 @@ private:
     static bool has_boundary_rule(const doo_sabin& s, const face<Level>& f)
     {
         return s.boundary != doo_sabin_boundary::drop and f.is_boundary();
-    }
-    template <class Use>
-    static void with_waves(std::int64_t n, const Use& use)
-    {
-        use([n](std::size_t j) { return cos_turn(std::int64_t(j), n); },
-            [n](std::size_t j) { return sin_turn(std::int64_t(j), n); });
     }
     /// The point that a step makes of a corner, unless a boundary rule decides about it.
     template <corner_element Corner>

@@ -6,9 +6,6 @@
 #include <kith/base/cos_turn.hpp>
 #include <kith/loop.hpp>
 
-#include <cstddef>
-#include <cstdint>
-
 namespace kith {
 
 /// The left eigenvectors of the vertex's own matrix.
@@ -28,16 +25,14 @@ struct limit_rules<loop> : crease_limits {
     template <level Level, class Use>
     static void tangents(const creased_scheme<loop, Level>& s, const vertex<Level>& v, const Use& use)
     {
-        const std::size_t k = v.face_count();
-        const bool inside = s.sharp.is_smooth(v);
-        if (not inside and not s.sharp.is_on_boundary_curve(v))
+        const auto ring = turns_of_ring(s.sharp, v);
+        if (not ring)
             return tangents_at_corner(s.sharp, v, use);
-        const auto turns = std::int64_t(inside ? k : 2 * k); // the ring spans a full turn, or half of one
-        const auto sine = [turns](std::size_t j) { return sin_turn(std::int64_t(j), turns); };
+        const auto [inside, turns] = *ring;
         if (inside) {
-            use(sum(v.neighbors(), [turns](std::size_t j) { return cos_turn(std::int64_t(j), turns); }),
-                sum(v.neighbors(), sine));
+            use_first_wave(v.neighbors(), turns, use);
         } else {
+            const auto sine = sine_wave(turns);
             const double cotangent = cos_turn(1, 2 * turns) / sin_turn(1, 2 * turns);
             const double x = (sine(1) - cotangent) / (1 + 2 * cos_turn(1, turns));
             use(v.first_rim() - v.last_rim(), // the sines of the two boundary edges are zero

@@ -3,10 +3,8 @@
 
 #include "rules.hpp"
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/mid_edge.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace kith {
@@ -34,8 +32,7 @@ struct limit_rules<mid_edge> : limit_defaults {
     {
         const auto n = std::int64_t(v.valence());
         if (not v.is_boundary() and n > 3)
-            use(sum(v.neighbors(), [n](std::size_t j) { return cos_turn(std::int64_t(j), n); }),
-                sum(v.neighbors(), [n](std::size_t j) { return sin_turn(std::int64_t(j), n); }));
+            use_first_wave(v.neighbors(), n, use);
     }
     static constexpr int tangent_steps = 0; ///< those of three faces stay without
 };

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/cos_turn.hpp>
 #include <kith/crease/sharp_rules.hpp>
 #include <kith/field/with_fields.hpp>
 #include <kith/mask/mask.hpp>
 #include <kith/step/scheme.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 
 namespace kith {
 
@@ -30,6 +35,23 @@ struct limit_defaults {
     }
     /// After how many further steps a normal may be known where a position is: beside irregular vertices one or two.
     static constexpr int tangent_steps = 2;
+
+protected:
+    /// The weight of the j-th point of a ring by its angle, j/n of a turn.
+    static auto cosine_wave(std::int64_t n)
+    {
+        return [n](std::size_t j) { return cos_turn(std::int64_t(j), n); };
+    }
+    static auto sine_wave(std::int64_t n)
+    {
+        return [n](std::size_t j) { return sin_turn(std::int64_t(j), n); };
+    }
+    /// The tangents of a ring of n points that are all that has a weight.
+    template <mask_range Range, class Use>
+    static void use_first_wave(const Range& ring, std::int64_t n, const Use& use)
+    {
+        use(sum(ring, cosine_wave(n)), sum(ring, sine_wave(n)));
+    }
 };
 
 /// Where the surface of a scheme ends up. A scheme whose limits are known in closed form specialises this, beside its
@@ -98,6 +120,23 @@ struct crease_limits : limit_defaults {
         using kinds = typename sharp_rules<Level>::limit_kind;
         if (v.is_boundary() and v.face_count() == 1 and sharp.limit_of(v).kind == kinds::corner)
             use(v.first_rim() - v, v.last_rim() - v);
+    }
+
+protected:
+    struct ring_turns {
+        bool inside;        ///< the ring spans a full turn, and not half of one
+        std::int64_t turns; ///< a face at the vertex spans one of so many parts of a full turn
+    };
+    /// Nothing where the ring spans neither: at corners and along creases.
+    template <level Level>
+    static std::optional<ring_turns> turns_of_ring(const sharp_rules<Level>& sharp, const vertex<Level>& v)
+    {
+        const std::size_t k = v.face_count();
+        if (sharp.is_smooth(v))
+            return ring_turns{true, std::int64_t(k)};
+        if (sharp.is_on_boundary_curve(v))
+            return ring_turns{false, std::int64_t(2 * k)};
+        return {};
     }
 };
 

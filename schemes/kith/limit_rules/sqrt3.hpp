@@ -3,10 +3,8 @@
 
 #include "rules.hpp"
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/sqrt3.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace kith {
@@ -31,8 +29,7 @@ struct limit_rules<sqrt3> : limit_defaults {
     {
         const auto n = std::int64_t(v.valence());
         if (not v.is_boundary() and not touches_boundary_face(v))
-            use(sum(v.neighbors(), [n](std::size_t j) { return cos_turn(std::int64_t(j), n); }),
-                sum(v.neighbors(), [n](std::size_t j) { return sin_turn(std::int64_t(j), n); }));
+            use_first_wave(v.neighbors(), n, use);
     }
 
 private:
