@@ -2,7 +2,9 @@
 #pragma once
 
 #include <kith/association/association_space.hpp>
+#include <kith/association/running_step.hpp>
 #include <kith/level/elements.hpp>
+#include <kith/level/for_each.hpp>
 
 namespace kith {
 
@@ -36,5 +38,29 @@ protected:
 
     const Assoc& assoc_;
 };
+
+/// Makes the faces of the next level, and says where the fans of the old vertices and of those on cut edges start.
+/// `split_of(face)` knows how a face is split: make_all() makes what it gives birth to, and the half-edges leaving(corner)
+/// and leaving_middle(corner), each as the corner that it starts in and its side, leave the vertex of a corner and the
+/// middle of the side from it. Cost: O(corners).
+template <running_step R, class Closure, class SplitOf>
+void connect_split_faces(const R& r, const Closure& marks, const SplitOf& split_of)
+{
+    using namespace targets;
+    const auto& [coarse, assoc, generation] = r;
+    for_each(coarse.faces(), [&](auto f) { split_of(f).make_all(); });
+    for_each(coarse.vertices(), [&](auto v) {
+        const auto c = v.first_corner();
+        const auto [corner, side] = split_of(c.f()).leaving(c);
+        assoc(v, V).starts_at(corner, side);
+    });
+    for_each(coarse.edges(), [&](auto e) {
+        if (not marks.is_cut(e))
+            return;
+        const auto c = e.lcorner();
+        const auto [corner, side] = split_of(c.f()).leaving_middle(c);
+        assoc(e, V).starts_at(corner, side);
+    });
+}
 
 } // namespace kith

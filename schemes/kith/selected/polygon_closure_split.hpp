@@ -84,27 +84,7 @@ struct polygon_closure_split {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
         const auto& closed = *marks;
-        for_each(coarse.faces(), [&](auto f) {
-            const pieces in(closed, assoc);
-            if (not closed.is_red(f))
-                in.make_green(f);
-            else
-                for (const auto& c : f.corners())
-                    if (not closed.lies_on_side(c))
-                        in.make_quad(c);
-        });
-        for_each(coarse.vertices(), [&](auto v) {
-            const auto c = v.first_corner();
-            const auto [corner, side] = pieces(closed, assoc).leaving(c);
-            assoc(v, V).starts_at(corner, side);
-        });
-        for_each(coarse.edges(), [&](auto e) {
-            if (not closed.is_cut(e))
-                return;
-            const auto c = e.lcorner();
-            const auto [corner, side] = pieces(closed, assoc).leaving_middle(c);
-            assoc(e, V).starts_at(corner, side);
-        });
+        connect_split_faces(r, closed, [&](const auto& f) { return face_split(closed, assoc, f); });
         for_each(coarse.faces(), [&](auto f) {
             if (not closed.is_red(f))
                 return;
@@ -112,7 +92,7 @@ struct polygon_closure_split {
             if (closed.lies_on_side(c))
                 c = c.next();
             assoc(f, V).starts_at(assoc(c, F).corner(2 + std::size_t(is_cut_half(closed, c))),
-                                  pieces(closed, assoc).spoke(c.prev()).right);
+                                  face_split(closed, assoc, f).spoke(c.prev()).right);
         });
     }
 
@@ -155,9 +135,9 @@ private:
         return marks.side(c) != side_kind::whole and marks.is_cut(c.next_edge());
     }
 
-    /// What a face gives birth to.
-    template <class Assoc>
-    class pieces : new_sides<Assoc> {
+    /// How one face is split.
+    template <class Assoc, face_element Face>
+    class face_split : new_sides<Assoc> {
         using line = face_line<typename Assoc::index_type>;
         static constexpr targets::to_vertex V{};
         static constexpr targets::to_edge E{};
@@ -181,40 +161,19 @@ private:
         };
 
     public:
-        pieces(const marks_type& marks, const Assoc& assoc) : new_sides<Assoc>(assoc), marks_(marks) {}
-
-        template <face_element Face>
-        void make_green(const Face& f) const
+        face_split(const marks_type& marks, const Assoc& assoc, const Face& f)
+            : new_sides<Assoc>(assoc), marks_(marks), f_(f)
         {
-            if (not has_cut_side(f)) {
-                assoc_(f, F) = polygon(f.corners(), [this](const auto& c) { return assoc_(c.v(), V) >> kept(c); });
-                return;
-            }
-            std::vector<line> lines;
-            for (const auto& c : f.corners())
-                append(lines, c);
-            assoc_(f, F) = lines;
         }
-        /// Its quad, green where halves are cut: from the corner along its side to the middle, to the centre, to the
-        /// middle of the side before and back.
-        template <corner_element Corner>
-        void make_quad(const Corner& c) const
+
+        void make_all() const
         {
-            quad_lines lines;
-            if (marks_.side(c) == side_kind::whole) {
-                lines.push_back(assoc_(c.v(), V) >> start(c));
-                lines.push_back(assoc_(c.next_edge(), V) >> spoke(c).left);
-            } else {
-                append(lines, c);
-                lines.push_back(assoc_(c.next().v(), V) >> spoke(c).left);
-            }
-            const auto before = c.prev();
-            lines.push_back(assoc_(c.f(), V) >> spoke(before).right);
-            if (marks_.side(before) == side_kind::whole)
-                lines.push_back(assoc_(before.next_edge(), V) >> end(before));
+            if (not marks_.is_red(f_))
+                make_green();
             else
-                append(lines, before);
-            assoc_(c, F) = lines;
+                for (const auto& c : f_.corners())
+                    if (not marks_.lies_on_side(c))
+                        make_quad(c);
         }
 
         /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its
@@ -254,10 +213,43 @@ private:
         }
 
     private:
-        [[nodiscard]] bool cut(const auto& c) const { return marks_.is_cut(c.next_edge()); }
-        [[nodiscard]] bool has_cut_side(const auto& f) const
+        void make_green() const
         {
-            for (const auto& c : f.corners())
+            if (not has_cut_side()) {
+                assoc_(f_, F) = polygon(f_.corners(), [this](const auto& c) { return assoc_(c.v(), V) >> kept(c); });
+                return;
+            }
+            std::vector<line> lines;
+            for (const auto& c : f_.corners())
+                append(lines, c);
+            assoc_(f_, F) = lines;
+        }
+        /// Its quad, green where halves are cut: from the corner along its side to the middle, to the centre, to the
+        /// middle of the side before and back.
+        template <corner_element Corner>
+        void make_quad(const Corner& c) const
+        {
+            quad_lines lines;
+            if (marks_.side(c) == side_kind::whole) {
+                lines.push_back(assoc_(c.v(), V) >> start(c));
+                lines.push_back(assoc_(c.next_edge(), V) >> spoke(c).left);
+            } else {
+                append(lines, c);
+                lines.push_back(assoc_(c.next().v(), V) >> spoke(c).left);
+            }
+            const auto before = c.prev();
+            lines.push_back(assoc_(c.f(), V) >> spoke(before).right);
+            if (marks_.side(before) == side_kind::whole)
+                lines.push_back(assoc_(before.next_edge(), V) >> end(before));
+            else
+                append(lines, before);
+            assoc_(c, F) = lines;
+        }
+
+        [[nodiscard]] bool cut(const auto& c) const { return marks_.is_cut(c.next_edge()); }
+        [[nodiscard]] bool has_cut_side() const
+        {
+            for (const auto& c : f_.corners())
                 if (cut(c))
                     return true;
             return false;
@@ -278,9 +270,10 @@ private:
         }
 
         const marks_type& marks_;
+        Face f_;
     };
-    template <class Assoc>
-    pieces(const marks_type&, const Assoc&) -> pieces<Assoc>;
+    template <class Assoc, face_element Face>
+    face_split(const marks_type&, const Assoc&, const Face&) -> face_split<Assoc, Face>;
 };
 
 } // namespace kith

@@ -44,31 +44,9 @@ struct red_green_split {
     template <running_step R>
     void connect(const R& r) const
     {
-        using namespace targets;
-        const auto& [coarse, assoc, generation] = r;
+        const auto& assoc = r.assoc;
         const auto& closed = *marks;
-        for_each(coarse.faces(), [&](auto f) {
-            const pieces in(closed, assoc, f);
-            if (in.is_pair() and closed.is_red(f))
-                in.make_red_half();
-            else if (closed.is_red(f))
-                in.make_red();
-            else if (in.is_halved())
-                in.make_green();
-            else
-                assoc(f, F) = polygon(f.corners(), [&](auto c) { return in.along(c); });
-        });
-        for_each(coarse.vertices(), [&](auto v) {
-            const auto c = v.first_corner();
-            const auto [corner, side] = pieces(closed, assoc, c.f()).leaving(c);
-            assoc(v, V).starts_at(corner, side);
-        });
-        for_each(coarse.edges(), [&](auto e) {
-            if (not closed.is_cut(e))
-                return;
-            const auto c = e.lcorner();
-            assoc(e, V).starts_at(assoc(c, F).corner(1), pieces(closed, assoc, c.f()).middle_side(c));
-        });
+        connect_split_faces(r, closed, [&](const auto& f) { return face_split(closed, assoc, f); });
     }
 
     /// Calls put(new face, k, kind) for the sides of the next level that are no whole ones.
@@ -132,9 +110,9 @@ private:
         return true;
     }
 
-    /// What one face gives birth to.
+    /// How one face is split.
     template <class Assoc, face_element Face>
-    class pieces : new_sides<Assoc> {
+    class face_split : new_sides<Assoc> {
         using corner_type = decltype(std::declval<const Face&>().first_corner());
         static constexpr targets::to_vertex V{};
         static constexpr targets::to_edge E{};
@@ -142,27 +120,57 @@ private:
         using new_sides<Assoc>::assoc_, new_sides<Assoc>::kept, new_sides<Assoc>::start, new_sides<Assoc>::end;
 
     public:
-        pieces(const marks_type& marks, const Assoc& assoc, const Face& f)
+        face_split(const marks_type& marks, const Assoc& assoc, const Face& f)
             : new_sides<Assoc>(assoc), marks_(marks), f_(f)
         {
         }
 
-        /// It is one of a pair.
-        [[nodiscard]] bool is_pair() const
+        void make_all() const
         {
-            return has([this](const auto& c) { return kind(c) == side_kind::inner; });
-        }
-        [[nodiscard]] bool is_halved() const
-        {
-            return has([this](const auto& c) { return cut(c); });
+            if (is_one_of_pair() and marks_.is_red(f_))
+                make_red_half();
+            else if (marks_.is_red(f_))
+                make_red();
+            else if (has_cut_side())
+                make_green();
+            else
+                assoc_(f_, F) = polygon(f_.corners(), [this](const auto& c) { return along(c); });
         }
 
-        /// The line from a corner along its side, which is kept, and where the side is cut along its first and second
-        /// half.
-        [[nodiscard]] auto along(const corner_type& c) const { return assoc_(c.v(), V) >> kept(c); }
-        [[nodiscard]] auto first(const corner_type& c) const { return assoc_(c.v(), V) >> start(c); }
-        [[nodiscard]] auto second(const corner_type& c) const { return assoc_(c.next_edge(), V) >> end(c); }
+        /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its
+        /// side. Where the side between a pair has gone it is the next one counter-clockwise.
+        [[nodiscard]] auto leaving(const corner_type& c) const
+        {
+            if (not marks_.is_red(f_)) {
+                if (cut(c))
+                    return std::pair(assoc_(c, F).corner(0), start(c));
+                if (cut(c.prev()))
+                    return std::pair(assoc_(c, F).corner(1), kept(c));
+                if (cut(c.next()))
+                    return std::pair(assoc_(c.next(), F).corner(2), kept(c));
+                return std::pair(assoc_(f_, F).corner(c.index() - f_.first_corner().index()), kept(c));
+            }
+            switch (kind(c)) {
+            case side_kind::whole: break;
+            case side_kind::first_half: return std::pair(assoc_(c, F).corner(0), cut(c) ? start(c) : kept(c));
+            case side_kind::second_half:
+                return cut(c) ? std::pair(assoc_(c, F).corner(0), start(c))
+                              : std::pair(assoc_(c.next(), F).corner(2), kept(c));
+            case side_kind::inner:
+                if (is_left(c))
+                    return std::pair(assoc_(f_, F).corner(0), assoc_(c.across().prev(), E).right());
+                return leaving_apex(c.across().next());
+            }
+            return std::pair(assoc_(c, F).corner(0), start(c));
+        }
+        /// The same for the vertex in the middle of the side: the first half-edge that leaves it, counter-clockwise from
+        /// the end of the side.
+        [[nodiscard]] auto leaving_middle(const corner_type& c) const
+        {
+            return std::pair(assoc_(c, F).corner(1), middle_side(c));
+        }
 
+    private:
         void make_red() const
         {
             for (const auto& c : f_.corners())
@@ -208,34 +216,6 @@ private:
             }
         }
 
-        /// Where the new half-edge that leaves the vertex of a corner along its side starts: in which corner, and its
-        /// side. Where the side between a pair has gone it is the next one counter-clockwise.
-        [[nodiscard]] auto leaving(const corner_type& c) const
-        {
-            if (not marks_.is_red(f_)) {
-                if (cut(c))
-                    return std::pair(assoc_(c, F).corner(0), start(c));
-                if (cut(c.prev()))
-                    return std::pair(assoc_(c, F).corner(1), kept(c));
-                if (cut(c.next()))
-                    return std::pair(assoc_(c.next(), F).corner(2), kept(c));
-                return std::pair(assoc_(f_, F).corner(c.index() - f_.first_corner().index()), kept(c));
-            }
-            switch (kind(c)) {
-            case side_kind::whole: break;
-            case side_kind::first_half: return std::pair(assoc_(c, F).corner(0), cut(c) ? start(c) : kept(c));
-            case side_kind::second_half:
-                return cut(c) ? std::pair(assoc_(c, F).corner(0), start(c))
-                              : std::pair(assoc_(c.next(), F).corner(2), kept(c));
-            case side_kind::inner:
-                if (is_left(c))
-                    return std::pair(assoc_(f_, F).corner(0), assoc_(c.across().prev(), E).right());
-                return leaving_apex(c.across().next());
-            }
-            return std::pair(assoc_(c, F).corner(0), start(c));
-        }
-        /// The side that leaves the vertex in the middle of a corner's side first, counter-clockwise from the end of
-        /// the side.
         [[nodiscard]] auto middle_side(const corner_type& c) const
         {
             if (not marks_.is_red(f_))
@@ -245,7 +225,21 @@ private:
             return assoc_(kind(c) == side_kind::first_half ? c.next() : c, E).left();
         }
 
-    private:
+        [[nodiscard]] bool is_one_of_pair() const
+        {
+            return has([this](const auto& c) { return kind(c) == side_kind::inner; });
+        }
+        [[nodiscard]] bool has_cut_side() const
+        {
+            return has([this](const auto& c) { return cut(c); });
+        }
+
+        /// The line from a corner along its side, which is kept, and where the side is cut along its first and second
+        /// half.
+        [[nodiscard]] auto along(const corner_type& c) const { return assoc_(c.v(), V) >> kept(c); }
+        [[nodiscard]] auto first(const corner_type& c) const { return assoc_(c.v(), V) >> start(c); }
+        [[nodiscard]] auto second(const corner_type& c) const { return assoc_(c.next_edge(), V) >> end(c); }
+
         [[nodiscard]] side_kind kind(const corner_type& c) const { return marks_.side(c); }
         [[nodiscard]] bool cut(const corner_type& c) const { return marks_.is_cut(c.next_edge()); }
         [[nodiscard]] bool is_left(const corner_type& inner) const
@@ -278,7 +272,7 @@ private:
         Face f_;
     };
     template <class Assoc, face_element Face>
-    pieces(const marks_type&, const Assoc&, const Face&) -> pieces<Assoc, Face>;
+    face_split(const marks_type&, const Assoc&, const Face&) -> face_split<Assoc, Face>;
 };
 
 } // namespace kith
