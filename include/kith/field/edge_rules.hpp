@@ -49,21 +49,11 @@ struct along_edges {
             throw mesh_error("a field has values on edges, and the next level is made without its edges; ask for "
                              "connect::everything");
         storage<T> result(step.ids.edges.total());
-        detail::for_new_elements(step.coarse,
-                                 step.ids.edges,
-                                 detail::columns_of_step(step).edges.list,
-                                 [&]<tuple_kind K>(std::size_t id, std::size_t tuple) {
-                                     const auto element = tuple_element<K>(step.coarse, tuple);
-                                     if constexpr (parent_kind(K) == element_kind::edge) {
-                                         const auto edge = fine.edges()[id];
-                                         if (detail::is_born_on(step, edge.org().index(), element) and
-                                             detail::is_born_on(step, edge.dst().index(), element)) {
-                                             result[id] = T(std::invoke(inherit, values[element.index()]));
-                                             return;
-                                         }
-                                     }
-                                     result[id] = detail::born_value<T>(born, element, values);
-                                 });
+        detail::inherit_values<element_kind::edge>(result, values, *this, step, [&](std::size_t id, std::size_t old) {
+            const auto e = step.coarse.edges()[old];
+            return detail::is_born_on(step, fine.edges()[id].org().index(), e) and
+                   detail::is_born_on(step, fine.edges()[id].dst().index(), e);
+        });
         return result;
     }
 };

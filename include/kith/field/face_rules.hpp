@@ -24,16 +24,7 @@ struct from_parent {
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {
         storage<T> result(step.ids.faces.total());
-        detail::for_new_elements(step.coarse,
-                                 step.ids.faces,
-                                 detail::columns_of_step(step).faces.list,
-                                 [&]<tuple_kind K>(std::size_t id, std::size_t tuple) {
-                                     if constexpr (parent_kind(K) == element_kind::face)
-                                         result[id] = T(std::invoke(inherit, values[parent(step.coarse, K, tuple)]));
-                                     else
-                                         result[id] = detail::born_value<T>(
-                                             born, tuple_element<K>(step.coarse, tuple), values);
-                                 });
+        detail::inherit_values<element_kind::face>(result, values, *this, step);
         return result;
     }
 };

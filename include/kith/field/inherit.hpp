@@ -5,7 +5,9 @@
 #include <kith/association/numbering.hpp>
 #include <kith/base/affine.hpp>
 #include <kith/base/for_parts.hpp>
+#include <kith/base/storage.hpp>
 #include <kith/property/unset_values.hpp>
+#include <kith/step/children.hpp>
 #include <kith/step/level_state.hpp>
 
 #include <concepts>
@@ -97,6 +99,36 @@ template <finished_step Step>
 auto columns_of_step(const Step& step)
 {
     return columns_of(step.scheme, step.generation);
+}
+
+/// Writes the values of the new elements of a kind. One whose parent is of that kind, too, inherits from it by
+/// `rule.inherit`, and with a condition if inherits(id, parent); all others have `rule.born`.
+template <element_kind Kind, class T, class Rule, finished_step Step, class... Inherits>
+void inherit_values(storage<T>& result, std::span<const T> values, const Rule& rule, const Step& step,
+                    const Inherits&... inherits)
+{
+    const auto fill = [&](const auto& ids, const auto& columns) {
+        for_new_elements(step.coarse, ids, columns.list, [&]<tuple_kind K>(std::size_t id, std::size_t tuple) {
+            constexpr bool may_inherit = parent_kind(K) == Kind;
+            if constexpr (may_inherit) {
+                const std::size_t old = parent(step.coarse, K, tuple);
+                if ((inherits(id, old) and ...)) {
+                    result[id] = T(std::invoke(rule.inherit, values[old]));
+                    return;
+                }
+            }
+            // Where all inherit, `born` need not be a function of such elements.
+            if constexpr (not may_inherit or sizeof...(Inherits) != 0)
+                result[id] = born_value<T>(rule.born, tuple_element<K>(step.coarse, tuple), values);
+        });
+    };
+    const auto columns = columns_of_step(step);
+    if constexpr (Kind == element_kind::vertex)
+        fill(step.ids.vertices, columns.vertices);
+    else if constexpr (Kind == element_kind::edge)
+        fill(step.ids.edges, columns.edges);
+    else
+        fill(step.ids.faces, columns.faces);
 }
 
 /// What keeps the level of a step conforming where its scheme refines some faces only.

@@ -108,16 +108,7 @@ struct from_vertex {
         auto result = detail::values_at_new_vertices<T>(step);
         if constexpr (std::convertible_to<const Born&, T>)
             std::fill(result.begin() + step.ids.vertices.total(), result.end(), T(born));
-        detail::for_new_elements(step.coarse,
-                                 step.ids.vertices,
-                                 detail::columns_of_step(step).vertices.list,
-                                 [&]<tuple_kind K>(std::size_t id, std::size_t tuple) {
-                                     if constexpr (K == tuple_kind::v)
-                                         result[id] = T(std::invoke(inherit, values[tuple]));
-                                     else
-                                         result[id] = detail::born_value<T>(
-                                             born, tuple_element<K>(step.coarse, tuple), values);
-                                 });
+        detail::inherit_values<element_kind::vertex>(result, values, *this, step);
         return result;
     }
 };
