@@ -197,18 +197,17 @@ public:
     /// The element of a level with this handle. Errors: mesh_error for handles of none.
     [[nodiscard]] auto at(int level, typename traits::vertex v) const
     {
-        return vertex<level_type>(require_element(elements(level), at(level).here->mesh, v, level), v);
+        return element_at<vertex<level_type>>(level, v);
     }
-    [[nodiscard]] auto at(int level, typename traits::edge e) const
-    {
-        return edge<level_type>(require_element(elements(level), at(level).here->mesh, e, level), e);
-    }
-    [[nodiscard]] auto at(int level, typename traits::face f) const
-    {
-        return face<level_type>(require_element(elements(level), at(level).here->mesh, f, level), f);
-    }
+    [[nodiscard]] auto at(int level, typename traits::edge e) const { return element_at<edge<level_type>>(level, e); }
+    [[nodiscard]] auto at(int level, typename traits::face f) const { return element_at<face<level_type>>(level, f); }
 
 private:
+    template <element Element, element_handle Handle>
+    Element element_at(int level, Handle x) const
+    {
+        return Element(require_element(elements(level), at(level).here->mesh, x, level), x);
+    }
     /// What was chosen for a level that is given up does not count for the next one.
     static void choose_all([[maybe_unused]] Scheme& scheme, [[maybe_unused]] const level_type& elements)
     {
