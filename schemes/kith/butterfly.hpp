@@ -35,12 +35,12 @@ struct butterfly {
             return {5. / 12, -1. / 12, -1. / 12};
         if (n == 4)
             return {3. / 8, 0, -1. / 8, 0};
-        std::vector<double> row;
+        std::vector<double> weights;
         for (std::size_t j = 0; j < n; ++j) {
             const auto cosine = [&](std::size_t turns) { return cos_turn(std::int64_t(turns * j), std::int64_t(n)); };
-            row.push_back((1. / 4 + cosine(1) + 1. / 2 * cosine(2)) / double(n));
+            weights.push_back((1. / 4 + cosine(1) + 1. / 2 * cosine(2)) / double(n));
         }
-        return row;
+        return weights;
     }
 
     /// The same weights for n >= 5 by the angle from the other end of the edge.
@@ -53,7 +53,6 @@ struct butterfly {
         const auto& assoc = r.assoc;
         const irregular_rings rings(r, 6, ring_weights, ring_kernel);
 
-        const auto vertices = at_vertices([](auto v) { return v; });
         const auto edges = at_edges([&](auto e) {
             const auto x = e.org();
             const auto y = e.dst();
@@ -74,7 +73,7 @@ struct butterfly {
             else
                 assoc(e, V) = (around(l) + around(r)) / 2;
         });
-        subdivide(triangle_split(), r, vertices, edges);
+        subdivide(triangle_split(), r, kept_vertices(), edges);
     }
 
 private:

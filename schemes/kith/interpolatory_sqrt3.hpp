@@ -39,13 +39,13 @@ struct interpolatory_sqrt3 {
         if (n == 4)
             return {2. / 9, -1. / 9, -1. / 9, 2. / 9};
         const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
-        std::vector<double> row;
+        std::vector<double> weights;
         for (std::size_t j = 0; j < n; ++j) {
             const auto turns = std::int64_t(2 * j + 1);
             const double first = cos_turn(turns, 2 * std::int64_t(n)), second = cos_turn(turns, std::int64_t(n));
-            row.push_back((a * a + 2 * a * first + 2 * a * a * second) / double(n));
+            weights.push_back((a * a + 2 * a * first + 2 * a * a * second) / double(n));
         }
-        return row;
+        return weights;
     }
     /// The same weights for n >= 5 by the angle from the middle of the face.
     static constexpr wave_kernel ring_kernel(std::size_t n)
@@ -67,7 +67,6 @@ struct interpolatory_sqrt3 {
         const auto& assoc = r.assoc;
         const irregular_rings rings(r, 6, ring_weights, ring_kernel);
 
-        const auto vertices = at_vertices([](auto v) { return v; });
         const auto centers = at_faces([&](auto f) {
             const auto corners = f.corners();
             const auto irregular = corners.only([&](auto c) { return not rings.is_regular(c.v()); });
@@ -84,7 +83,7 @@ struct interpolatory_sqrt3 {
                     [&](auto c) { return center_weight(rings.valence(c)) * c.v() + rings.sum_from_face(c); }));
             }
         });
-        subdivide(sqrt3_split(), r, vertices, centers);
+        subdivide(sqrt3_split(), r, kept_vertices(), centers);
     }
 };
 

@@ -44,7 +44,6 @@ struct kobbelt {
             });
         });
 
-        const auto vertices = at_vertices([](auto v) { return v; });
         const auto centers = at_faces([&](auto f) {
             const auto far = [&](auto c) { // the next edge point across the next edge of c
                 const auto opposite = c.next().next().next_edge();
@@ -60,7 +59,7 @@ struct kobbelt {
             const auto c = f.first_corner();
             return (across(c) + across(c.next())) / 2;
         });
-        subdivide(quad_split(), r, vertices, centers);
+        subdivide(quad_split(), r, kept_vertices(), centers);
     }
 };
 

@@ -66,6 +66,12 @@ template <class Body>
     return rule([](const auto& level) { return level.corners(); }, body);
 }
 
+/// The rule of vertices whose points stay, as in interpolating schemes.
+[[nodiscard]] inline auto kept_vertices()
+{
+    return at_vertices([](auto v) { return v; });
+}
+
 /// Makes the points of the next level by these rules and connects them by the split, in the order and in the parts that
 /// suit the machine: no rule may read what the others make. What they all read is made before, in a loop of its own.
 /// Errors: as for_each. Cost: that of the rules.
