@@ -134,13 +134,13 @@ inline double polygon_weight(ternary_point point, std::size_t k, std::size_t m)
 
 /// The ring weights of (v,e) and (v,f) by valence, up to longest_row.
 template <class Scalar>
-class ternary_rows {
+class ternary_weights {
 public:
-    struct row {
+    struct of_valence {
         const Scalar *b, *c, *q, *g;
     };
 
-    row operator()(std::size_t n) const { return {b_(n), c_(n), q_(n), g_(n)}; }
+    of_valence operator()(std::size_t n) const { return {b_(n), c_(n), q_(n), g_(n)}; }
 
 private:
     template <ternary_point Point, bool Opposite>
@@ -157,12 +157,12 @@ private:
 };
 
 /// The weights around a vertex beside faces that are not quads. Doubles: they are combined before they become scalars.
-class polygon_rows {
+class polygon_weights {
 public:
-    static const polygon_rows& shared()
+    static const polygon_weights& shared()
     {
-        static const auto& rows = *new polygon_rows; // never destroyed: static objects may refine until the end
-        return rows;
+        static const auto& weights = *new polygon_weights; // never destroyed: static objects may refine until the end
+        return weights;
     }
 
     /// `neighbor_weight` and `opposite_weight`. Precondition: n <= longest_row, but for the point of the vertex.

@@ -42,12 +42,12 @@ public:
     using corner_type = decltype(std::declval<const Vertex&>().first_corner());
     using real = typename Assoc::scalar;
 
-    beside_polygons(const Vertex& v, const Assoc& assoc, const polygon_rows& rows, const LargeFaces& large)
-        : v_(v), assoc_(assoc), rows_(rows), large_(large)
+    beside_polygons(const Vertex& v, const Assoc& assoc, const polygon_weights& weights, const LargeFaces& large)
+        : v_(v), assoc_(assoc), weights_(weights), large_(large)
     {
         for (const auto c : v.corners())
             ring_.push_back(c);
-        block_.resize(ring_.size());
+        totals_.resize(ring_.size());
     }
 
     void make_all()
@@ -90,23 +90,23 @@ private:
         for (std::size_t j = 0; j < n; ++j)
             specials += is_special(j);
         row_.clear();
-        std::fill(block_.begin(), block_.end(), 0.);
+        std::fill(totals_.begin(), totals_.end(), 0.);
         const double own = center_weight(point);
         for (std::size_t j = 0; j < n; ++j) {
             if (is_special(j))
-                block_[j] += own / double(specials);
+                totals_[j] += own / double(specials);
             const std::size_t before = (j + n - 1) % n; // e_j lies between faces j-1 and j
-            const double e = rows_.neighbor(point, (j + n - i) % n, n);
-            const double d = rows_.opposite(point, (j + n - i) % n, n);
+            const double e = weights_.neighbor(point, (j + n - i) % n, n);
+            const double d = weights_.opposite(point, (j + n - i) % n, n);
             const int sharing = int(is_special(j)) + int(is_special(before));
             if (sharing == 0)
                 row_.emplace_back(ring_[j].next().v(), real(e));
             if (is_special(j))
-                block_[j] += e / sharing;
+                totals_[j] += e / sharing;
             if (is_special(before))
-                block_[before] += e / sharing;
+                totals_[before] += e / sharing;
             if (is_special(j))
-                block_[j] += d;
+                totals_[j] += d;
             else
                 spend_on_opposite(ring_[j], d);
         }
@@ -114,7 +114,7 @@ private:
             row_.emplace_back(v_, real(own));
         for (std::size_t j = 0; j < n; ++j)
             if (is_special(j))
-                spend_on_special(point, j, block_[j], point == ternary_point::edge and j != i);
+                spend_on_special(point, j, totals_[j], point == ternary_point::edge and j != i);
         target = weighted(row_) / 729;
     }
 
@@ -159,15 +159,15 @@ private:
             if (not is_special(j))
                 continue;
             const double d = opposite_weight(point, (j + n - i) % n, n);
-            double block = own / specials + d;
+            double total = own / specials + d;
             spend_on_opposite(ring_[j], -d);
             for (const std::size_t at : {j, (j + 1) % n}) { // the neighbours in this face
                 const double e = neighbor_weight(point, (at + n - i) % n, n);
                 const int sharing = int(is_special(at)) + int(is_special((at + n - 1) % n));
                 row_.emplace_back(ring_[at].next().v(), real(-e / sharing));
-                block += e / sharing;
+                total += e / sharing;
             }
-            spend_on_special(point, j, block, point == ternary_point::edge and j != i);
+            spend_on_special(point, j, total, point == ternary_point::edge and j != i);
         }
     }
 
@@ -179,7 +179,7 @@ private:
         else if (m > longest_row)
             spend(large_.of(c.f()), diagonal_kernel, 2 * step_in_face(c), total);
         else
-            spend(c, total, [w = rows_.diagonal(m)](std::size_t k) { return w[k]; });
+            spend(c, total, [w = weights_.diagonal(m)](std::size_t k) { return w[k]; });
     }
     void spend_on_special(ternary_point point, std::size_t j, double total, bool mirrored)
     {
@@ -191,7 +191,8 @@ private:
                 k1 = std::conj(k1), k2 = std::conj(k2);
             spend(large_.of(c.f()), {1, k1 / k0, k2 / k0}, 2 * step_in_face(c), total);
         } else {
-            spend(c, total, [=, w = rows_.special(point, m)](std::size_t k) { return w[mirrored ? (m - k) % m : k]; });
+            spend(
+                c, total, [=, w = weights_.special(point, m)](std::size_t k) { return w[mirrored ? (m - k) % m : k]; });
         }
     }
     /// Adds the corners of c's face to the row, counted from c.
@@ -215,11 +216,11 @@ private:
 
     Vertex v_;
     const Assoc& assoc_;
-    const polygon_rows& rows_;
+    const polygon_weights& weights_;
     const LargeFaces& large_;
     std::vector<corner_type> ring_;
     std::vector<std::pair<operand, real>> row_;
-    std::vector<double> block_; // of each special face
+    std::vector<double> totals_; // of each special face
 };
 
 } // namespace kith::detail
