@@ -75,7 +75,7 @@ public:
     void commit();
 
 private:
-    /// Writes large pieces; flushing is left to `finish`, since some writers flush after every line.
+    /// Writes large chunks; flushing is left to `finish`, since some writers flush after every line.
     class buffer : public std::streambuf {
     public:
         explicit buffer(int descriptor);

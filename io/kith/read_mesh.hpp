@@ -14,7 +14,7 @@ namespace kith::io {
 /// checked, memory grows with what is there and not with what is announced, and what is wrong is refused with its line.
 /// Lines end with LF, CR or CRLF; a byte order mark of UTF-8 may come first. Triangles of STL that have a point in
 /// common share the vertex. The same result and the same error on any number of threads.
-/// Errors: file_error. Cost: one pass; memory a few times that of the bytes.
+/// Errors: file_error. Cost: one sweep over the bytes; memory a few times that of the bytes.
 polygon_soup read_mesh(mesh_format format, std::string_view bytes);
 
 /// The same of a file, by its extension, or of OFF on standard input ("-"). Errors: file_error, which begins with the

@@ -23,13 +23,14 @@ struct written_mesh {
 };
 
 /// Refuses, before anything is written, faces that a format has no room for, places and normals that are not finite,
-/// and in binary STL places that are too large for its floats. Errors: file_error. Cost: one pass.
+/// and in binary STL places that are too large for its floats. Errors: file_error. Cost: one sweep over the mesh.
 /// Preconditions: attributes have a value per element, of their type.
 void require_writable(mesh_format format, const written_mesh& what);
 
 /// Writes a mesh; text in the shortest digits that read back as the same doubles. The same bytes on any number of
 /// threads.
-/// Preconditions: require_writable. Errors: those of the stream, in its state. Cost: one pass, a few MB of memory.
+/// Preconditions: require_writable. Errors: those of the stream, in its state. Cost: one sweep over the mesh, a few MB
+/// of memory.
 void write_mesh(std::ostream& out, mesh_format format, const written_mesh& what);
 
 } // namespace kith::io

@@ -58,7 +58,7 @@ struct four_eight {
     }
 
     template <vertex_element Vertex>
-    static auto sides(const Vertex& v) // of the blocks at v, each side with the block to its left
+    static auto sides(const Vertex& v) // of the pairs of triangles at v, each side with the pair to its left
     {
         return v.corners().only([](const auto& c) { return not bisection_split::is_first(c); });
     }

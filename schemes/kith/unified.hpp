@@ -77,8 +77,8 @@ struct unified {
             const auto primal = assoc.pass(new_vertices(per_vertex, per_edge, per_face));
             const auto dual = assoc.pass(new_vertices(per_corner));
             first(primal);
-            for (int pass = 2; pass < degree; ++pass)
-                pass % 2 == 0 ? to_dual(primal, dual.again()) : to_primal(dual, primal.again());
+            for (int times = 2; times < degree; ++times)
+                times % 2 == 0 ? to_dual(primal, dual.again()) : to_primal(dual, primal.again());
             is_primal() ? to_primal(dual, assoc) : to_dual(primal, assoc);
         }
         is_primal() ? quad_split::connect(r) : dual_split().connect(r);

@@ -31,7 +31,7 @@ struct traffic {
 /// Move only. Local calls say so; all others are collective or need their partner.
 class communicator {
 public:
-    /// Collective. Messages longer than `largest` bytes are sent in pieces: MPI 3.1 counts in int.
+    /// Collective. Messages longer than `largest` bytes are sent in chunks: MPI 3.1 counts in int.
     /// Precondition: 0 < largest < 2^31. Errors: mpi::error.
     explicit communicator(MPI_Comm parent, std::size_t largest = std::size_t(1) << 30) : largest_(largest)
     {
@@ -76,9 +76,9 @@ public:
         const std::uint64_t size = bytes.size();
         detail::check(MPI_Send(&size, 1, MPI_UINT64_T, to, size_tag, comm_), "MPI_Send");
         count_sent(sizeof size);
-        for_each_piece(bytes, [&](std::span<const std::byte> piece) {
-            detail::check(MPI_Send(piece.data(), int(piece.size()), MPI_BYTE, to, bytes_tag, comm_), "MPI_Send");
-            count_sent(piece.size());
+        for_each_chunk(bytes, [&](std::span<const std::byte> chunk) {
+            detail::check(MPI_Send(chunk.data(), int(chunk.size()), MPI_BYTE, to, bytes_tag, comm_), "MPI_Send");
+            count_sent(chunk.size());
         });
     }
     /// Local: starts what send does; `size` is that of the bytes, and both stay where they are until `requests`, to
@@ -106,11 +106,11 @@ public:
         detail::check(MPI_Recv(&size, 1, MPI_UINT64_T, from, size_tag, comm_, &status), "MPI_Recv");
         count_received(sizeof size);
         auto bytes = room_for(size);
-        for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
+        for_each_chunk(std::span(bytes), [&](std::span<std::byte> chunk) {
             detail::check(
-                MPI_Recv(piece.data(), int(piece.size()), MPI_BYTE, from, bytes_tag, comm_, MPI_STATUS_IGNORE),
+                MPI_Recv(chunk.data(), int(chunk.size()), MPI_BYTE, from, bytes_tag, comm_, MPI_STATUS_IGNORE),
                 "MPI_Recv");
-            count_received(piece.size());
+            count_received(chunk.size());
         });
         return bytes;
     }
@@ -146,8 +146,8 @@ public:
         if (not is_root())
             bytes = room_for(size);
         const phase_timer timer(seconds_[phase::send]);
-        for_each_piece(std::span(bytes), [&](std::span<std::byte> piece) {
-            detail::check(MPI_Bcast(piece.data(), int(piece.size()), MPI_BYTE, 0, comm_), "MPI_Bcast");
+        for_each_chunk(std::span(bytes), [&](std::span<std::byte> chunk) {
+            detail::check(MPI_Bcast(chunk.data(), int(chunk.size()), MPI_BYTE, 0, comm_), "MPI_Bcast");
         });
         return bytes;
     }
@@ -164,8 +164,8 @@ public:
     /// Collective: the same for as many values as all ranks have.
     [[nodiscard]] std::vector<std::uint64_t> sum(std::vector<std::uint64_t> values)
     {
-        for_each_piece(std::span(values), [&](std::span<std::uint64_t> piece) {
-            detail::check(MPI_Allreduce(MPI_IN_PLACE, piece.data(), int(piece.size()), MPI_UINT64_T, MPI_SUM, comm_),
+        for_each_chunk(std::span(values), [&](std::span<std::uint64_t> chunk) {
+            detail::check(MPI_Allreduce(MPI_IN_PLACE, chunk.data(), int(chunk.size()), MPI_UINT64_T, MPI_SUM, comm_),
                           "MPI_Allreduce");
         });
         return values;
@@ -193,28 +193,28 @@ private:
     static constexpr int size_tag = 1, bytes_tag = 2, known_tag = 3;
 
     template <class T, class Use>
-    void for_each_piece(std::span<T> values, const Use& use) const
+    void for_each_chunk(std::span<T> values, const Use& use) const
     {
         const std::size_t most = std::max(std::size_t(1), largest_ / sizeof(T));
         while (not values.empty()) {
-            const auto piece = values.first(std::min(values.size(), most));
-            use(piece);
-            values = values.subspan(piece.size());
+            const auto chunk = values.first(std::min(values.size(), most));
+            use(chunk);
+            values = values.subspan(chunk.size());
         }
     }
     void start_send(std::span<const std::byte> bytes, int to, int tag, std::vector<MPI_Request>& requests)
     {
         start(MPI_Isend, "MPI_Isend", bytes, to, tag, requests, &communicator::count_sent);
     }
-    /// Starts a call of MPI for each piece and counts it.
+    /// Starts a call of MPI for each chunk and counts it.
     template <class Call, class Byte>
     void start(const Call& call, const char* name, std::span<Byte> bytes, int peer, int tag,
                std::vector<MPI_Request>& requests, void (communicator::*count)(std::size_t))
     {
-        for_each_piece(bytes, [&](std::span<Byte> piece) {
+        for_each_chunk(bytes, [&](std::span<Byte> chunk) {
             MPI_Request& request = requests.emplace_back(MPI_REQUEST_NULL);
-            detail::check(call(piece.data(), int(piece.size()), MPI_BYTE, peer, tag, comm_, &request), name);
-            (this->*count)(piece.size());
+            detail::check(call(chunk.data(), int(chunk.size()), MPI_BYTE, peer, tag, comm_, &request), name);
+            (this->*count)(chunk.size());
         });
     }
     /// The other side is sending already and cannot be told that there is no memory, so this is an error of MPI's kind.

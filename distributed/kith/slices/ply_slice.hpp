@@ -38,7 +38,7 @@ struct mesh_slice {
 /// Errors of all members: mesh_error, which names the file. Local.
 class sliced_ply {
 public:
-    /// Reads the header. Cost: that, and a pass over the bytes behind the faces if there are lists among them.
+    /// Reads the header. Cost: that, and a sweep over the bytes behind the faces if there are lists among them.
     explicit sliced_ply(std::string path) : path_(std::move(path)), in_(path_, std::ios::binary)
     {
         static_assert(std::endian::native == std::endian::little, "the file is read as it lies");

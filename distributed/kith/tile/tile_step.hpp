@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    /// A piece of an edge is directed as the edge is.
+    /// A part of an edge is directed as the edge is.
     [[nodiscard]] bool was_turned(index edge) const
     {
         const auto [kind, tuple] = ids_.edges.origin(edge);

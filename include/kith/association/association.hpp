@@ -59,7 +59,7 @@ public:
     [[nodiscard]] index id() const { return space_->template edge_id<Kind>(tuple_); }
     [[nodiscard]] new_side<index> left() const { return {index(2 * id())}; }
     [[nodiscard]] new_side<index> right() const { return {index(2 * id() + 1)}; }
-    /// The side on which a new face lies that runs along a piece of `e` on the side from which `e` is seen.
+    /// The side on which a new face lies that runs along a part of `e` on the side from which `e` is seen.
     template <level Level>
     [[nodiscard]] new_side<index> along(const edge<Level>& e) const
     {

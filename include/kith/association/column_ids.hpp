@@ -16,7 +16,7 @@ namespace kith {
 
 namespace detail {
 
-/// The tuples of a column that a pass over the elements of a level has found: a run, or the rank of each element.
+/// The tuples of a column that a sweep over the elements of a level has found: a run, or the rank of each element.
 template <std::unsigned_integral Index>
 class found_tuples {
 public:
@@ -48,7 +48,7 @@ private:
     storage<Index> before_;
 };
 
-/// Cost: one pass over the elements, a second one where those that are picked do not follow one another.
+/// Cost: one sweep over the elements, a second one where those that are picked do not follow one another.
 template <std::unsigned_integral Index, tuple_kind Kind, level Level, class Keep>
 found_tuples<Index> find_tuples(const Level& level, const Keep& keep)
 {
@@ -103,7 +103,7 @@ public:
     static constexpr Index none = std::numeric_limits<Index>::max();
 
     column_ids() = default;
-    /// Cost: O(1), and one pass over the tuples of each column with a condition.
+    /// Cost: O(1), and one sweep over the tuples of each column with a condition.
     template <level Level>
     column_ids(const Level& level, const std::tuple<Columns...>& list)
         : numbers_(count_elements(level), list,

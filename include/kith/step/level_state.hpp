@@ -67,7 +67,7 @@ struct made_step {
     const Fine& fine_mesh;
 
     /// The elements of the next level, of a native one that has no more its faces and corners; for a mesh of another
-    /// library a pass over it.
+    /// library a sweep over it.
     [[nodiscard]] level_of<Fine> fine() const { return level_of<Fine>(fine_mesh); }
     /// How many vertices it has, with those of the dictionary.
     [[nodiscard]] std::size_t fine_vertices() const

@@ -102,7 +102,7 @@ storage<Index> surface_order(const connectivity<Index>& mesh)
     while (taken < mesh.faces) {
         while (oldest < front.size() and is_taken[front[oldest]])
             ++oldest;
-        while (is_taken[lowest]) // of a piece of the surface that nothing has touched yet
+        while (is_taken[lowest]) // of a component of the surface that nothing has touched yet
             ++lowest;
         const std::size_t full = taken + faces_of_clump;
         std::size_t next = taken;

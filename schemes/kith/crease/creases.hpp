@@ -87,7 +87,7 @@ public:
         return result;
     }
 
-    /// The sharpness of the piece of e that ends at v on the next level; `large` is that of large_fans.
+    /// The sharpness of the half of e that ends at v on the next level; `large` is that of large_fans.
     template <vertex_element Vertex, edge_element Edge>
     [[nodiscard]] double child_sharpness(const Vertex& v, const Edge& e, std::span<const large_fan> large = {}) const
     {

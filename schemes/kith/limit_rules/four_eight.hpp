@@ -13,7 +13,7 @@ namespace kith {
 
 template <>
 struct limit_rules<four_eight> : limit_defaults {
-    /// With the blocks of two triangles seen as quads, which both kinds of steps do alike, a mask over two rings of
+    /// With the pairs of triangles seen as quads, which both kinds of steps do alike, a mask over two rings of
     /// them, where v's first ring is regular and inside; docs/schemes.md. On the boundary that of the cubic B-spline
     /// curve.
     template <level Level, class Use>
@@ -36,7 +36,7 @@ struct limit_rules<four_eight> : limit_defaults {
     template <level Level, class Use>
     static void tangents(const four_eight&, const vertex<Level>& v, const Use& use)
     {
-        const auto n = std::int64_t(block_count(v));
+        const auto n = std::int64_t(pair_count(v));
         if (v.is_boundary() or n < 3)
             return;
         with_two_rings(v, [&](const auto& e, const auto& d, const auto& h, const auto& p, const auto& q) {
@@ -59,7 +59,7 @@ struct limit_rules<four_eight> : limit_defaults {
         });
     }
 
-    /// The triangles that these look at: two rings of blocks.
+    /// The triangles that these look at: two rings of pairs.
     static constexpr int rings(const four_eight&) { return 3; }
 
     /// The modulus of the subdominant eigenvalues of one step at a vertex with n quads: a quarter of the largest root
@@ -78,7 +78,7 @@ struct limit_rules<four_eight> : limit_defaults {
 
 private:
     template <vertex_element Vertex>
-    static std::size_t block_count(const Vertex& v)
+    static std::size_t pair_count(const Vertex& v)
     {
         std::size_t result = 0;
         for ([[maybe_unused]] const auto& c : four_eight::sides(v))
@@ -86,7 +86,7 @@ private:
         return result;
     }
     template <vertex_element Vertex>
-    static bool is_inside(const Vertex& v) // with all triangles in blocks
+    static bool is_inside(const Vertex& v) // with all triangles in pairs
     {
         for (const auto c : v.corners())
             if (c.is_boundary() or (c.next().is_boundary() and bisection_split::is_marked(c.next().next_edge())))
@@ -94,20 +94,20 @@ private:
         return true;
     }
 
-    /// Calls use(e, d, h, p, q) with the vertices around v: block j lies between the neighbours e_j and e_j+1, d_j is
+    /// Calls use(e, d, h, p, q) with the vertices around v: pair j lies between the neighbours e_j and e_j+1, d_j is
     /// opposite v in it, h_j lies behind e_j, and p_j and q_j beside d_j in the second ring, p_j nearer to e_j. Not
-    /// unless all e and d lie inside and have four blocks.
+    /// unless all e and d lie inside and have four pairs.
     template <vertex_element Vertex, class Use>
     static void with_two_rings(const Vertex& v, const Use& use)
     {
-        const auto next = [](const auto& c) { return bisection_split::block_next(c); };
+        const auto next = [](const auto& c) { return bisection_split::next_in_pair(c); };
         const auto end = [](const auto& c) { return c.next().v(); };
         const auto is_regular = [](const Vertex& u) {
             std::size_t corners = 0;
             for ([[maybe_unused]] const auto& c : u.corners())
-                if (++corners > 8) // more than four blocks have; a large fan is not walked for each of its neighbours
+                if (++corners > 8) // more than four pairs have; a large fan is not walked for each of its neighbours
                     return false;
-            return is_inside(u) and block_count(u) == 4;
+            return is_inside(u) and pair_count(u) == 4;
         };
         if (not is_inside(v))
             return;

@@ -24,11 +24,10 @@ struct bisection_split {
         return is_first(e.lcorner());
     }
 
-    /// Two triangles at a marked edge are a block, a quad; of a corner whose half-edge is a side of one, that of the
-    /// next side.
-    /// Precondition: the marked edge of c's triangle does not lie at the boundary.
+    /// The two triangles at a marked edge are a pair, a quad; of a corner whose half-edge is a side of one, that of the
+    /// next side. Precondition: the marked edge of c's triangle does not lie at the boundary.
     template <corner_element Corner>
-    static Corner block_next(const Corner& c)
+    static Corner next_in_pair(const Corner& c)
     {
         return c.next() == c.f().first_corner() ? c.next().across().next() : c.next();
     }

@@ -18,7 +18,7 @@ namespace kith::detail {
 /// Chooses diagonals for quads so that no two edges join the same two vertices. Each pair of opposite corners is a
 /// place that at most one quad may take, none if an edge has it; a quad needs one of its two places. As a graph whose
 /// nodes are places and whose edges are quads: each edge is directed to one of its ends, each node is reached at most
-/// once, so that a connected piece has to have as many nodes as edges or one more. Quads are asked in the order of
+/// once, so that a component has to have as many nodes as edges or one more. Quads are asked in the order of
 /// their vertices and take the place with the smallest one if they may, so that nothing depends on the order of the
 /// faces.
 class diagonal_choice {
@@ -92,7 +92,8 @@ private:
             take(q, free);
         }
     }
-    /// In a piece with as many quads as places every place is needed, so one that a single quad wants is taken by it.
+    /// In a component with as many quads as places every place is needed, so one that a single quad wants is taken by
+    /// it.
     void take_leaves()
     {
         std::vector<std::size_t> parent(is_taken_.size());
