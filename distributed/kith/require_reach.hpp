@@ -19,8 +19,8 @@ namespace kith {
 namespace detail {
 
 /// What of a tile is not as in the whole mesh; nothing where all is.
-template <tile_like Tile, class Mesh>
-std::string difference_in_tile(const Tile& part, const Mesh& whole)
+template <tile_like Tile, class Point, std::unsigned_integral Index>
+std::string difference_in_tile(const Tile& part, const basic_mesh<Point, Index>& whole)
 {
     for (std::size_t v = 0; v < part.vertex_ids.size(); ++v)
         if (not(part.mesh.point(v) == whole.point(part.vertex_ids[v])))

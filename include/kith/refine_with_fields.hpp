@@ -6,7 +6,6 @@
 #include <kith/field/with_fields.hpp>
 
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <tuple>
 #include <utility>
@@ -16,7 +15,7 @@ namespace kith {
 namespace detail {
 
 /// Makes fields those of the next level, and the scheme, too.
-template <class Fields, scheme Scheme, level Level, level_numbering Numbering, class Fine>
+template <class Fields, scheme Scheme, level Level, level_numbering Numbering, mesh Fine>
 void advance_with_fields(Fields& fields, Scheme& scheme, const Level& coarse, int generation, const Numbering& ids,
                          const Fine& fine)
 {

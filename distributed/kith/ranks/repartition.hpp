@@ -7,12 +7,13 @@
 #include <kith/tile/numbered_tile.hpp>
 #include <kith/tile/pack.hpp>
 
-#include <concepts>
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <ranges>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,7 +24,7 @@ namespace kith::mpi {
 namespace detail {
 
 /// `tiles` have a number and a part, `is_meant(tile)` says which of them are of the level.
-template <class Tiles, std::predicate<const typename Tiles::value_type&> IsMeant>
+template <std::ranges::input_range Tiles, std::predicate<const std::ranges::range_value_t<Tiles>&> IsMeant>
 std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, std::uint64_t all_tiles,
                                        const IsMeant& is_meant)
 {

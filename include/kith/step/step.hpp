@@ -115,8 +115,8 @@ using level_source = std::function<void(level_writer<Point, std::uint32_t>&)>;
 
 /// What is returned is made in place, in a function of its own: g++ before 14 would copy a mesh of OpenMesh out of an
 /// inner block.
-template <class Point, fillable_mesh M>
-M make_here(const M& source, const auto& write)
+template <class Point, fillable_mesh M, class Write>
+M make_here(const M& source, const Write& write)
 {
     M result;
     foreign_level<M, Point> fine(result, &source);
