@@ -18,6 +18,7 @@
 
 namespace kith {
 
+/// A mesh that `convert` has made, and what it left out or narrowed.
 template <mesh M>
 struct conversion {
     M mesh;

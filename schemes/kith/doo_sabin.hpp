@@ -11,12 +11,14 @@
 
 namespace kith {
 
+/// What becomes of the corners of faces at the boundary.
 enum class doo_sabin_boundary : unsigned char {
     thesis,  ///< 3/4, 1/4 along the boundary (thesis 2.1.2); corners stay
     clamped, ///< tensor product of the clamped quadratic B-spline; the thesis's in faces that are no quads
     drop     ///< no rule: the surface recedes, as in CGAL
 };
 
+/// The weights of the corners of a face in the point of one of them.
 enum class doo_sabin_weights : unsigned char {
     cosine,   ///< Doo & Sabin 1978
     averaging ///< Catmull & Clark 1978, their biquadratic variant; differs on faces that are not quads

@@ -15,9 +15,8 @@
 namespace kith {
 
 /// Interpolatory sqrt(3): closed meshes of triangles, three times as many per step, and no point moves. Labsik &
-/// Greiner
-/// 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners), those of large fans times
-/// their logarithm.
+/// Greiner 2000. C1; cubics are reproduced where all vertices have six neighbours. Cost: O(corners), those of large
+/// fans times their logarithm.
 struct interpolatory_sqrt3 {
     static constexpr auto traits()
     {

@@ -11,7 +11,11 @@
 
 namespace kith {
 
-enum class loop_weights : unsigned char { loop, warren }; ///< Loop 1987; or Warren 1995: 3/16 at valence 3, else 3/(8n)
+/// The weight of each neighbour in the point of an inner vertex.
+enum class loop_weights : unsigned char {
+    loop,  ///< Loop 1987
+    warren ///< Warren 1995: 3/16 at valence 3, else 3/(8n)
+};
 
 /// Loop: quartic box splines for triangle meshes. Loop 1987; boundary Hoppe et al. 1994 with the cubic B-spline curve.
 /// C2, at vertices of valence other than 6 C1. Cost: O(corners).

@@ -23,6 +23,7 @@ struct ply_number {
     bool is_signed = false;
 };
 
+/// A property of the elements of one kind: a number or a list of numbers.
 struct ply_property {
     std::string name;
     ply_number value;
@@ -33,6 +34,7 @@ struct ply_property {
     [[nodiscard]] std::size_t least_bytes() const { return is_list() ? count.bytes : value.bytes; }
 };
 
+/// A kind of elements, as the header declares it: how many there are, and what each has.
 struct ply_element {
     std::string name;
     std::uint64_t count = 0;
@@ -78,8 +80,10 @@ private:
     }
 };
 
+/// How the numbers behind the header are written.
 enum class ply_encoding : unsigned char { text, little_endian, big_endian };
 
+/// What the header of a PLY file says of a mesh.
 struct ply_header {
     ply_encoding encoding = ply_encoding::text;
     std::vector<ply_element> elements; ///< among them one of vertices with a place and one of faces with their corners

@@ -25,6 +25,7 @@ void require_order(const level_store<M, Scheme>& levels, int from, int to)
         throw mesh_error("values were to be carried from level " + std::to_string(from) + " to level " +
                          std::to_string(to) + "; they are carried to the same level or a finer one");
 }
+/// The same, given the other way round.
 template <mesh M, scheme Scheme>
 void require_finer(const level_store<M, Scheme>& levels, int finer, int coarser)
 {
@@ -33,6 +34,8 @@ void require_finer(const level_store<M, Scheme>& levels, int finer, int coarser)
     detail::require_finer(finer, coarser);
 }
 
+/// hierarchy::assoc: what the scheme made of a tuple of elements of a level. Errors: association_error if it made none,
+/// and on the last level; mesh_error where a level is not in memory. Cost: that of `retrieve`.
 template <mesh M, scheme Scheme, target Target, element... X>
 auto child_of(const level_store<M, Scheme>& levels, int level, Target to, const X&... x)
 {
@@ -45,6 +48,8 @@ auto child_of(const level_store<M, Scheme>& levels, int level, Target to, const 
     return *found;
 }
 
+/// hierarchy::origin: what gave birth to an element of a level. Errors: mesh_error for level 0, and where a level is
+/// not in memory. Cost: that of `birth_of`.
 template <mesh M, scheme Scheme, element Element>
 birth<M> birth_in(const level_store<M, Scheme>& levels, int level, const Element& x)
 {
@@ -52,6 +57,8 @@ birth<M> birth_in(const level_store<M, Scheme>& levels, int level, const Element
     return birth_of<M>(levels.elements(level - 1), levels.at(level - 1).ids, levels.elements(level), x);
 }
 
+/// hierarchy::ancestor: the element of a coarser level from which one of a level descends. Errors: those of
+/// require_finer, and mesh_error where a level between is not in memory. Cost: that of `parent_of` per level.
 template <mesh M, scheme Scheme>
 ancestor_element<M> ancestor_in(const level_store<M, Scheme>& levels, int level, numbered_element x, int coarser)
 {
@@ -61,6 +68,8 @@ ancestor_element<M> ancestor_in(const level_store<M, Scheme>& levels, int level,
     return {levels.elements(coarser), x};
 }
 
+/// hierarchy::descendants: the elements of a finer level that descend from one of a level. Errors: as ancestor_in.
+/// Cost: that of `children` per level.
 template <mesh M, scheme Scheme>
 auto descendants_in(const level_store<M, Scheme>& levels, int level, const numbered_element& x, int finer)
 {

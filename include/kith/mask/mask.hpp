@@ -54,12 +54,14 @@ concept mask_evaluator = requires(const S& space, const refused::any_mask& mask)
     { space.evaluate(mask) } -> std::convertible_to<typename S::sum>;              // of any mask
 };
 
+/// Masks are added, subtracted, and scaled by numbers; nothing is computed before they are evaluated. Cost: O(1).
 template <mask A, mask B>
 [[nodiscard]] auto operator+(const A& a, const B& b)
 {
     return mask_sum<A, B>(a, b);
 }
 
+/// The weight, a number or what becomes one in the scalar type of the values, stands on the left.
 template <class Weight, mask A>
     requires(not mask<Weight>)
 [[nodiscard]] auto operator*(const Weight& weight, const A& a)
@@ -67,6 +69,7 @@ template <class Weight, mask A>
     return mask_scaled<A, Weight>(a, weight);
 }
 
+/// Refused: no product of masks is affine, and a weight on the right is to stand on the left.
 template <mask A, class B>
 [[nodiscard]] auto operator*(const A& a, const B&)
 {
@@ -74,12 +77,14 @@ template <mask A, class B>
     return a;
 }
 
+/// a times 1/n, which is formed in the scalar type of the values.
 template <mask A>
 [[nodiscard]] auto operator/(const A& a, double n)
 {
     return mask_scaled<A, one_over>(a, one_over{n});
 }
 
+/// a + (-1) b.
 template <mask A, mask B>
 [[nodiscard]] auto operator-(const A& a, const B& b)
 {

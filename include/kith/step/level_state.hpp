@@ -99,21 +99,19 @@ concept finished_step = requires(const S& step) {
 /// and, to be refined in tiles and on ranks,
 ///
 ///   T of_part(part_numbers) const        that of a part of the level
-///   void add_part(const T&, part_numbers) the inverse: takes over what the state of a part says. For
-///   exchanging_refinement
+///   void add_part(const T&, part_numbers)  the inverse: takes over what the state of a part says, for
+///                                        exchanging_refinement
 ///   void pack(out) const                 out.add(value), out.add_array(values): plain values, as a message
-///   void unpack(in) in.get<T>(), in.get_array<std::vector<T>>(): the same values in the same order
+///   void unpack(in)                      in.get<T>(), in.get_array<std::vector<T>>(): the same in the same order
 ///
 /// It may have
 ///
 ///   void require_one_each(level) const   throws mesh_error for a state of another level, before that is cut
 ///
-///   void for_each_place(f) const f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of which it
-///   says
-///                                        something, in values that can be copied as bytes: all that the state of a
-///                                        part says
-///                                        beside what that of a part without elements does. Who has none may say
-///                                        anything anywhere
+///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of
+///                                        which it says something, in values that can be copied as bytes: all that
+///                                        the state of a part says beside what that of a part without elements does.
+///                                        Who has none may say anything anywhere
 ///
 /// It follows from the numbers of the elements and from the step, not from where vertices are: state of levels that are
 /// there stays when points move. Conditions of columns may look at it; `when` and counts of later levels as far as that

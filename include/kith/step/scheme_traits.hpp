@@ -202,14 +202,17 @@ consteval auto checked_traits()
 template <class S>
 inline constexpr auto traits_of = detail::checked_traits<S>();
 
+/// The type of what a scheme says of itself.
 template <class S>
 using traits_type = std::remove_const_t<decltype(traits_of<S>)>;
 
+/// The name of a scheme, which programs, messages and journals call it by.
 template <class S>
 constexpr std::string_view scheme_name()
 {
     return traits_of<S>.name;
 }
+/// The meshes that a scheme takes, and whether what it makes goes without checks (`trusted`).
 template <class S>
 inline constexpr bool needs_triangles = traits_of<S>.faces == face_shape::triangles;
 template <class S>

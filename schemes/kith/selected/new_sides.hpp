@@ -40,9 +40,9 @@ protected:
 };
 
 /// Makes the faces of the next level, and says where the fans of the old vertices and of those on cut edges start.
-/// `split_of(face)` knows how a face is split: make_all() makes what it gives birth to, and the half-edges leaving(corner)
-/// and leaving_middle(corner), each as the corner that it starts in and its side, leave the vertex of a corner and the
-/// middle of the side from it. Cost: O(corners).
+/// `split_of(face)` knows how a face is split: make_all() makes what it gives birth to, and the half-edges
+/// leaving(corner) and leaving_middle(corner), each as the corner that it starts in and its side, leave the vertex of a
+/// corner and the middle of the side from it. Cost: O(corners).
 template <running_step R, class Closure, class SplitOf>
 void connect_split_faces(const R& r, const Closure& marks, const SplitOf& split_of)
 {
