@@ -5,7 +5,6 @@
 #include <kith/split/quad_split.hpp>
 #include <kith/split/require_faces.hpp>
 
-#include <cstddef>
 #include <string>
 
 namespace kith {

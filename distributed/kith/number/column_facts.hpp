@@ -7,7 +7,6 @@
 #include <kith/part/tile.hpp>
 
 #include <concepts>
-#include <utility>
 
 namespace kith {
 

@@ -5,7 +5,6 @@
 
 #include <kith/part/checksum.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>

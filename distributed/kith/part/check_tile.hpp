@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <ranges>
-#include <type_traits>
 
 namespace kith::detail {
 

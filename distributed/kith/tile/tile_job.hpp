@@ -5,11 +5,9 @@
 #include <kith/step/level_state.hpp>
 #include <kith/step/step.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace kith {

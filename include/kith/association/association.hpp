@@ -8,7 +8,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 namespace kith {
@@ -23,6 +22,7 @@ inline constexpr to_edge E{};
 inline constexpr to_face F{};
 } // namespace targets
 
+/// What a tuple is to give birth to: V, E or F.
 template <class T>
 concept target = std::same_as<T, targets::to_vertex> or std::same_as<T, targets::to_edge> or
                  std::same_as<T, targets::to_face>;

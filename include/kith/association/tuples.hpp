@@ -4,7 +4,6 @@
 #include "columns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>

@@ -12,7 +12,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace kith {
 
@@ -79,6 +78,7 @@ inline void require_origins(int level)
 
 } // namespace detail
 
+/// An element by its kind and number. Precondition: it is a vertex, an edge or a face.
 template <element X>
 numbered_element numbered(const X& x)
 {

@@ -4,7 +4,6 @@
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/step/level_state.hpp>
 
-#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <tuple>

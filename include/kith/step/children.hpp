@@ -7,12 +7,9 @@
 #include <kith/association/column_ids.hpp>
 
 #include <algorithm>
-#include <array>
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace kith {
@@ -22,6 +19,7 @@ namespace kith {
 /// element are those of its tuples.
 enum class element_kind : unsigned char { vertex, edge, face };
 
+/// The kind of the parent of all tuples of a kind.
 constexpr element_kind parent_kind(tuple_kind kind)
 {
     switch (kind) {

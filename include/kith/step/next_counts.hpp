@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <functional>
 #include <tuple>
-#include <type_traits>
 
 namespace kith {
 

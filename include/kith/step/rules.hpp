@@ -5,7 +5,6 @@
 
 #include <kith/mask/by_valence.hpp> // a word of rules, too
 
-#include <concepts>
 #include <type_traits>
 #include <utility>
 

@@ -9,9 +9,7 @@
 #include <kith/base/error.hpp>
 
 #include <concepts>
-#include <cstddef>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>

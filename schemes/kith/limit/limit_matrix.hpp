@@ -6,12 +6,10 @@
 #include <kith/hierarchy.hpp>
 #include <kith/mask/stencil.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <span>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace kith {
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,12 +22,11 @@ enum class side_kind : unsigned char {
 };
 
 /// Which faces of a level are split, and what keeps the next level conforming: red-green refinement, Bank, Sherman &
-/// Weiser
-/// 1983. Chosen faces are red, that is, split by the rule of the scheme. A face becomes red, too, if no more than one
-/// of its sides stays whole, and a green face if one of its parts is chosen or a half of its side is cut: then it is
-/// split as if it had never been green, so that no face is ever made of a part of a green one. What else has a cut side
-/// is green. This is the least set with these properties, whatever the order. State of a level. `Split` says what
-/// becomes of the faces.
+/// Weiser 1983. Chosen faces are red, that is, split by the rule of the scheme. A face becomes red, too, if no more
+/// than one of its sides stays whole, and a green face if one of its parts is chosen or a half of its side is cut: then
+/// it is split as if it had never been green, so that no face is ever made of a part of a green one. What else has a
+/// cut side is green. This is the least set with these properties, whatever the order. State of a level. `Split` says
+/// what becomes of the faces.
 template <class Split>
 class closure {
 public:

@@ -6,7 +6,6 @@
 
 #include <kith/split/triangle_split.hpp>
 
-#include <cstddef>
 #include <utility>
 
 namespace kith {
@@ -163,8 +162,8 @@ private:
             }
             return std::pair(assoc_(c, F).corner(0), start(c));
         }
-        /// The same for the vertex in the middle of the side: the first half-edge that leaves it, counter-clockwise from
-        /// the end of the side.
+        /// The same for the vertex in the middle of the side: the first half-edge that leaves it, counter-clockwise
+        /// from the end of the side.
         [[nodiscard]] auto leaving_middle(const corner_type& c) const
         {
             return std::pair(assoc_(c, F).corner(1), middle_side(c));

@@ -9,8 +9,6 @@
 #include <array>
 #include <concepts>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 
 namespace kith {
 

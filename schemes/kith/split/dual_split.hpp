@@ -5,8 +5,6 @@
 
 #include <kith/step/refinement.hpp>
 
-#include <cstddef>
-
 namespace kith {
 
 /// The dual split: every corner gives birth to a vertex; every face, inner edge and inner vertex to a face. A boundary
