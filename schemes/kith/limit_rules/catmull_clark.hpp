@@ -38,7 +38,8 @@ struct limit_rules<catmull_clark> : crease_limits {
         const double c = cos_turn(1, turns), half = cos_turn(1, 2 * turns);
         const double lambda = 5. / 16 + (c + half * std::sqrt(2 * (9 + c))) / 16;
         const double mu = 1 / (4 * lambda - 1);
-        const auto cosine = cosine_wave(turns), sine = sine_wave(turns);
+        const auto cosine = cosine_wave(turns);
+        const auto sine = sine_wave(turns);
         const auto along_edges = [](auto f) { return [f](std::size_t j) { return 4 * f(j); }; };
         const auto along_faces = [mu](auto f) { return [f, mu](std::size_t j) { return mu * (f(j) + f(j + 1)); }; };
         if (inside) {
