@@ -13,12 +13,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <limits>
-#include <ranges>
 #include <type_traits>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace kith::cgal {
@@ -40,14 +36,14 @@ public:
     [[nodiscard]] std::size_t operator[](const Descriptor& x) const
     {
         const auto found = numbers_.find(x);
-        return found == numbers_.end() ? numbers_.size() : found->second; // a bound: no element's number
+        return found == numbers_.end() ? bound() : found->second; // which no element has
     }
-    [[nodiscard]] std::size_t bound() const { return numbers_.size() + 1; }
+    [[nodiscard]] std::size_t bound() const { return numbers_.size(); }
 
 private:
     std::unordered_map<Descriptor, std::uint32_t> numbers_;
 };
-/// Those of descriptors that hold them.
+/// Those of descriptors that hold them; those of removed elements may reach beyond the bound.
 template <class Descriptor>
 class held_numbers {
 public:
@@ -164,7 +160,7 @@ struct mesh_traits<cgal::face_graph<Graph, VertexPointMap>> {
     static std::size_t index(const mesh_type& m, face f) { return m.face_numbers()[f]; }
     static std::size_t index(const mesh_type& m, halfedge h) { return m.halfedge_numbers()[h]; }
     static std::size_t vertex_bound(const mesh_type& m) { return m.vertex_numbers().bound(); }
-    static std::size_t edge_bound(const mesh_type& m) { return halfedge_bound(m) / 2 + 1; }
+    static std::size_t edge_bound(const mesh_type& m) { return halfedge_bound(m) / 2; }
     static std::size_t face_bound(const mesh_type& m) { return m.face_numbers().bound(); }
     static std::size_t halfedge_bound(const mesh_type& m) { return m.halfedge_numbers().bound(); }
 

@@ -24,9 +24,9 @@ template <class Graph, class VertexPointMap, scheme Scheme, class Place>
 void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation, const Place& place)
 {
     using view_type = face_graph<Graph, VertexPointMap>;
-    typename in_place::properties_of<Graph>::type carried(g);
     const view_type view(std::as_const(g), points);
-    auto control = lift_valid(view);
+    auto control = lift_valid(view); // before all else, as it looks whether this is a mesh
+    typename in_place::properties_of<Graph>::type carried(g);
     control = {storage<typename view_type::point>(control.points()), control.topology(), generation};
     in_place::refined<typename view_type::point> surface{std::move(control), true};
     kith::detail::require_refinable(surface.mesh, scheme, 1, {});
@@ -85,14 +85,10 @@ template <class View, class Mask, class Ids, class Points>
 void place_corners(const View& view, Mask& mask, const Ids& ids, const Points& points)
 {
     std::size_t corner = 0;
-    for (const auto f : view.faces()) {
-        const auto first = graph_calls::halfedge_at(view.graph(), f);
-        auto h = first; // which leaves the corner
-        do {
+    for (const auto f : view.faces())
+        kith::detail::for_each_side(view, f, [&](const auto& h) { // which leaves the corner
             mask.corner_node(graph_calls::prev_of(view.graph(), h), points[ids.template id<tuple_kind::vf>(corner++)]);
-            h = graph_calls::next_of(view.graph(), h);
-        } while (h != first);
-    }
+        });
 }
 
 template <class Graph, class Np, class Step>

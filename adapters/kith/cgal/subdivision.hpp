@@ -170,13 +170,14 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
     if (steps == 0)
         return;
     const auto points = points_of(g, np);
-    typename in_place::properties_of<Graph>::type carried(g);
     auto control = [&] {
         const face_graph view(std::as_const(g), points);
+        auto lifted = lift_valid(view); // before all else, as it looks whether this is a mesh
         if constexpr (sharp_scheme<Scheme> and has_sharp_elements<Np>)
             read_creases(view, np, scheme.sharpness);
-        return lift_valid(view);
+        return lifted;
     }();
+    typename in_place::properties_of<Graph>::type carried(g);
     auto visitor = CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor);
     const auto go_on = [&](double done) {
         if constexpr (is_given<Np, CGAL::internal_np::visitor_t>)

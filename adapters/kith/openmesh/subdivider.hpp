@@ -100,11 +100,12 @@ private:
             return true;
         if (n > std::size_t(std::numeric_limits<int>::max()))
             throw mesh_error("OpenMesh's meshes cannot hold so many levels; refine fewer times");
+        auto control = read(mesh, generation); // before its properties, as it looks whether this is a mesh
         in_place::carried_properties<Mesh> carried(mesh);
         Used next = used;
         const auto go_on = [&](double done) { return not progress_ or progress_(done); };
         const auto fine = in_place::refine(
-            read(mesh, generation), next, int(n), carried.values(), not update_points, go_on);
+            std::move(control), next, int(n), carried.values(), not update_points, go_on);
         if (not fine)
             return false;
         write_connectivity(mesh, fine->mesh.topology(), fine->keeps_vertices);

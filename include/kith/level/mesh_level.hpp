@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -51,30 +50,32 @@ public:
         face_corner_.reserve(faces_.size() + 1);
         face_corner_.push_back(0);
         for (std::size_t i = 0; i < faces_.size(); ++i) {
-            const auto f = faces_[i];
-            const auto first_halfedge = traits::halfedge_of(mesh, f);
-            auto h = first_halfedge;
-            do {
-                if (corners_.size() >= traits::halfedge_bound(mesh) or corner_number_[traits::index(mesh, h)] != none)
-                    detail::refuse_shared_halfedge(std::size_t(traits::index(mesh, f)));
-                if (vertices_.number(mesh, traits::source(mesh, h)) == none)
-                    detail::refuse_removed_vertex(std::size_t(traits::index(mesh, f)));
-                corner_number_[traits::index(mesh, h)] = index_type(corners_.size());
+            const auto number = std::size_t(traits::index(mesh, faces_[i]));
+            const bool is_closed = detail::for_each_side(mesh, faces_[i], [&](const auto& h) {
+                index_type& corner = corner_number_[traits::index(mesh, h)];
+                if (corner != none)
+                    detail::refuse_shared_halfedge(number);
+                if (not edges_.has(mesh, traits::edge_of(mesh, h)))
+                    detail::refuse_removed_edge(number);
+                if (not vertices_.has(mesh, traits::source(mesh, h)))
+                    detail::refuse_removed_vertex(number);
+                corner = index_type(corners_.size());
                 corners_.push_back(h);
-                h = traits::next(mesh, h);
-            } while (h != first_halfedge);
+            });
+            if (not is_closed)
+                detail::refuse_shared_halfedge(number);
             face_corner_.push_back(index_type(corners_.size()));
         }
         fan_start_.reserve(vertices_.size());
         mesh_report report;
+        std::size_t turns = corners_.size() + vertices_.size();
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const auto v = vertices_[i];
-            if (traits::is_isolated(mesh, v)) {
+            fan_start_.emplace_back();
+            if (traits::is_isolated(mesh, v))
                 report.add_isolated(std::size_t(traits::index(mesh, v)));
-                fan_start_.push_back(typename traits::halfedge{});
-            } else {
-                fan_start_.push_back(start_of_fan(traits::halfedge_of(mesh, v)));
-            }
+            else if (not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
+                report.add_lost_fan(std::size_t(traits::index(mesh, v)));
         }
         report.require_ok();
     }
@@ -149,23 +150,25 @@ public:
 private:
     static constexpr index_type none = std::numeric_limits<index_type>::max();
 
-    /// At the boundary a fan starts at the half-edge whose opposite has no face; inside, where the mesh says.
-    typename traits::halfedge start_of_fan(typename traits::halfedge out) const
+    /// At the boundary a fan starts at the half-edge whose opposite has no face; inside, where the mesh says. Returns
+    /// whether the half-edges lead there, in no more turns than are left for all vertices.
+    bool find_start_of_fan(typename traits::halfedge out, typename traits::halfedge& start, std::size_t& left) const
     {
-        auto h = out;
-        if (traits::is_boundary(*mesh_, h)) { // it ends the fan: its counter-clockwise neighbour starts it
-            do
-                h = traits::opposite(*mesh_, h), h = traits::next(*mesh_, h);
-            while (not traits::is_boundary(*mesh_, traits::opposite(*mesh_, h)));
-            return h;
-        }
+        const auto is_here = [this](const auto& h) {
+            return std::size_t(traits::index(*mesh_, h)) < corner_number_.size();
+        };
+        start = out;
+        if (not is_here(out))
+            return false;
         do {
-            const auto o = traits::opposite(*mesh_, h);
+            const auto o = traits::opposite(*mesh_, start);
+            if (left-- == 0 or not is_here(o))
+                return false;
             if (traits::is_boundary(*mesh_, o))
-                return h;
-            h = traits::next(*mesh_, o);
-        } while (h != out);
-        return out;
+                break;
+            start = traits::next(*mesh_, o);
+        } while (start != out);
+        return not traits::is_boundary(*mesh_, start);
     }
 
     const M* mesh_;

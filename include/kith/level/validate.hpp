@@ -25,18 +25,20 @@ template <mesh M>
     const auto number = [&](const auto& handle) { return std::size_t(traits::index(mesh, handle)); };
     std::vector<std::size_t> faces_at(traits::vertex_bound(mesh), 0);
     std::vector<std::size_t> corners; // of a face, by number
-    bool empty = true;
+    bool empty = true, all_are_closed = true;
     for (const auto f : traits::faces(mesh)) {
         empty = false;
         corners.clear();
-        const auto first = traits::halfedge_of(mesh, f);
-        auto h = first;
-        do {
+        const bool is_closed = detail::for_each_side(mesh, f, [&](const auto& h) {
             corners.push_back(number(traits::source(mesh, h)));
-            ++faces_at[corners.back()];
-            h = traits::next(mesh, h);
-        } while (h != first and corners.size() <= traits::halfedge_bound(mesh));
-        report.add_face_faults(number(f), corners);
+            if (corners.back() < faces_at.size()) // else it has been removed
+                ++faces_at[corners.back()];
+        });
+        all_are_closed = all_are_closed and is_closed;
+        if (is_closed or corners.empty())
+            report.add_face_faults(number(f), corners);
+        else
+            report.add_open_face(number(f));
     }
     if (empty)
         report.add_no_faces();
@@ -52,10 +54,14 @@ template <mesh M>
             report.add_isolated(number(v));
             continue;
         }
+        if (not all_are_closed) // half-edges lead anywhere, so that nobody knows which fans there are
+            continue;
         // Clockwise through the faces; from the boundary, beyond which nothing is promised, back and the other way.
         const std::size_t all = faces_at[number(v)];
         const auto start = traits::halfedge_of(mesh, v);
-        const auto is_inside = [&](const auto& h) { return not traits::is_boundary(mesh, h); };
+        const auto is_inside = [&](const auto& h) {
+            return number(h) < traits::halfedge_bound(mesh) and not traits::is_boundary(mesh, h);
+        };
         std::size_t fan = is_inside(start) ? 1 : 0;
         auto in = traits::opposite(mesh, start);
         auto out = start;
@@ -77,27 +83,26 @@ template <mesh M>
 namespace detail {
 
 /// Of a mesh in which `validate` finds nothing, and which still cannot be lifted: its half-edges are shared by faces,
-/// or lead from elements that have been removed.
+/// or are of elements that have been removed.
 template <mesh M>
 [[noreturn, gnu::cold]] void refuse_halfedges(const M& mesh)
 {
     using traits = mesh_traits<M>;
-    std::vector<bool> is_there(traits::vertex_bound(mesh)), is_met(traits::halfedge_bound(mesh));
-    for (const auto v : traits::vertices(mesh))
-        is_there[std::size_t(traits::index(mesh, v))] = true;
+    const dense_numbers<M, typename traits::vertex> vertices(mesh, traits::vertices(mesh), traits::vertex_bound(mesh));
+    const dense_numbers<M, typename traits::edge> edges(mesh, traits::edges(mesh), traits::edge_bound(mesh));
+    std::vector<bool> is_met(traits::halfedge_bound(mesh));
     for (const auto f : traits::faces(mesh)) {
         const auto face = std::size_t(traits::index(mesh, f));
-        const auto first = traits::halfedge_of(mesh, f);
-        auto h = first;
-        do {
+        for_each_side(mesh, f, [&](const auto& h) {
             const auto number = std::size_t(traits::index(mesh, h));
             if (is_met[number])
                 refuse_shared_halfedge(face);
-            if (not is_there[std::size_t(traits::index(mesh, traits::source(mesh, h)))])
+            if (not edges.has(mesh, traits::edge_of(mesh, h)))
+                refuse_removed_edge(face);
+            if (not vertices.has(mesh, traits::source(mesh, h)))
                 refuse_removed_vertex(face);
             is_met[number] = true;
-            h = traits::next(mesh, h);
-        } while (h != first);
+        });
     }
     throw mesh_error("the half-edges of the mesh do not join faces at edges; repair the mesh");
 }

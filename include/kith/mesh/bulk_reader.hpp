@@ -170,17 +170,12 @@ private:
         t_.corner_face = storage<index>(corners);
         return read_corners(corners);
     }
-    /// At most one more than there are half-edges.
+    /// One more than there are half-edges for faces whose sides do not come back to the first.
     [[nodiscard]] std::size_t degree_of(std::size_t f) const
     {
-        const auto first = traits::halfedge_of(mesh_, faces_[f]);
         std::size_t result = 0;
-        auto h = first;
-        do {
-            ++result;
-            h = traits::next(mesh_, h);
-        } while (h != first and result <= 2 * edges_.size());
-        return result;
+        const bool is_closed = for_each_side(mesh_, faces_[f], [&](halfedge) { ++result; });
+        return is_closed ? result : 2 * edges_.size() + 1;
     }
     bool read_corners(std::size_t corners)
     {
@@ -193,10 +188,14 @@ private:
             for (std::size_t c = first; c < end; ++c) {
                 if (c != first and h == start)
                     return false;
-                const std::size_t number = number_of(h);
+                const auto along = traits::edge_of(mesh_, h);
+                const std::size_t e = edges_.number(mesh_, along);
+                if (e >= edges_.size()) // it has been removed, or leads nowhere
+                    return false;
+                const std::size_t number = 2 * e + side_of(h, along);
                 const auto from = traits::source(mesh_, h);
                 const std::size_t v = vertices_.number(mesh_, from);
-                if (number >= t_.halfedge_corner.size() or v >= t_.vertices) // it has been removed
+                if (v >= t_.vertices)
                     return false;
                 t_.corner_vertex[c] = index(v);
                 t_.corner_halfedge[c] = index(number);
@@ -210,13 +209,12 @@ private:
             return h == start and end - first >= 3 and comes_to_no_vertex_twice(first, end);
         });
     }
-    /// 2 * edge + side; side 0 is the one that directs the edge and has a face.
-    [[nodiscard]] std::size_t number_of(halfedge h) const
+    /// 0 is the one that directs the edge and has a face.
+    [[nodiscard]] std::size_t side_of(halfedge h, typename traits::edge e) const
     {
-        const auto e = traits::edge_of(mesh_, h);
         const auto directs = traits::halfedge_of(mesh_, e);
         const bool is_first = (directs == h) != traits::is_boundary(mesh_, directs);
-        return 2 * edges_.number(mesh_, e) + (is_first ? 0 : 1);
+        return is_first ? 0 : 1;
     }
     bool read_points()
     {

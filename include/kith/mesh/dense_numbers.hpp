@@ -51,11 +51,13 @@ public:
         const auto index = std::size_t(traits::index(mesh, x));
         return numbers_.empty() ? index < size_ : index < numbers_.size() and numbers_[index] != none;
     }
-    /// `none` for elements that have been removed.
+    /// At least `size()` for handles that are not those of an element here, as those of removed ones.
     [[nodiscard]] std::size_t number(const M& mesh, Handle x) const
     {
         const auto index = std::size_t(traits::index(mesh, x));
-        return numbers_.empty() ? index : numbers_[index];
+        if (numbers_.empty())
+            return index;
+        return index < numbers_.size() ? numbers_[index] : none;
     }
 
 private:

@@ -18,6 +18,7 @@ namespace detail {
 
 // A mesh whose half-edges were joined by hand, and not well.
 [[noreturn]] void refuse_shared_halfedge(std::size_t face);
+[[noreturn]] void refuse_removed_edge(std::size_t face);
 [[noreturn]] void refuse_removed_vertex(std::size_t face);
 
 } // namespace detail
@@ -61,7 +62,11 @@ public:
     void add_edge_without_face(std::size_t edge);
     /// Of a face with these vertices, which are sorted.
     void add_face_faults(std::size_t face, std::vector<std::size_t>& vertices);
+    /// Of a face whose half-edges do not come back to the first.
+    void add_open_face(std::size_t face);
     void add_several_fans(std::size_t vertex, std::size_t faces);
+    /// Of a vertex whose half-edges lead to none of its faces.
+    void add_lost_fan(std::size_t vertex);
     void add_few_corners(std::size_t face, std::size_t corners);
     void add_repeated_corner(std::size_t face, std::size_t vertex);
 
@@ -106,6 +111,10 @@ KITH_IN_LIBRARY void refuse_shared_halfedge(std::size_t face)
 {
     refuse_face(face, "its half-edges do not form a cycle of their own");
 }
+KITH_IN_LIBRARY void refuse_removed_edge(std::size_t face)
+{
+    refuse_face(face, "one of its edges has been removed");
+}
 KITH_IN_LIBRARY void refuse_removed_vertex(std::size_t face)
 {
     refuse_face(face, "one of its vertices has been removed");
@@ -142,6 +151,19 @@ KITH_IN_LIBRARY void mesh_report::add_face_faults(std::size_t face, std::vector<
         add_repeated_corner(face, *twice);
     if (vertices.size() < 3)
         add_few_corners(face, vertices.size());
+}
+KITH_IN_LIBRARY void mesh_report::add_open_face(std::size_t face)
+{
+    add(problem::degenerate_face, [&] {
+        return named("face", face) + "its half-edges do not lead back to the first; join them anew or remove the face";
+    });
+}
+KITH_IN_LIBRARY void mesh_report::add_lost_fan(std::size_t vertex)
+{
+    add(problem::nonmanifold_vertex, [&] {
+        return named("vertex", vertex) +
+               "its half-edge leads to none of its faces; give it one that leaves it in a face";
+    });
 }
 KITH_IN_LIBRARY void mesh_report::add_several_fans(std::size_t vertex, std::size_t faces)
 {

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <iterator>
 #include <ranges>
-#include <type_traits>
 #include <utility>
 
 namespace kith {
@@ -164,6 +163,29 @@ template <class M, class T = mesh_traits<M>>
 concept refinable_mesh = mesh<M, T> and requires(basic_mesh<typename T::point, std::uint32_t>&& fine) {
     { T::build(std::move(fine)) } -> std::convertible_to<M>;
 };
+
+namespace detail {
+
+/// Calls f(half-edge) for each side of a face in its order, from where it starts, and returns whether they came back
+/// there: in a mesh that was joined by hand they may lead anywhere, of which only half-edges of the mesh are met, and
+/// no more than there are. Cost: O(sides).
+template <mesh M, class F>
+bool for_each_side(const M& mesh, typename mesh_traits<M>::face face, const F& f)
+{
+    using traits = mesh_traits<M>;
+    const std::size_t bound = traits::halfedge_bound(mesh);
+    const typename traits::halfedge first = traits::halfedge_of(mesh, face);
+    typename traits::halfedge h = first;
+    for (std::size_t left = bound; left != 0 and std::size_t(traits::index(mesh, h)) < bound; --left) {
+        f(h);
+        h = traits::next(mesh, h);
+        if (h == first)
+            return true;
+    }
+    return false;
+}
+
+} // namespace detail
 
 /// Whether the program links what reads and makes meshes of this type, such as kith::compiled_cgal; adapters say so.
 template <class M>

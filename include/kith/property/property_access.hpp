@@ -4,6 +4,7 @@
 #include <kith/mesh/mesh_traits.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <vector>
 
 namespace kith {
@@ -59,13 +60,14 @@ void for_each_handle(const M& mesh, const F& f)
         for (const Handle x : traits::faces(mesh))
             f(x);
     } else {
+        std::vector<Handle> sides;
         for (const auto x : traits::faces(mesh)) {
-            const Handle first = traits::halfedge_of(mesh, x);
-            Handle h = first;
-            do {
-                f(traits::prev(mesh, h));
-                h = traits::next(mesh, h);
-            } while (h != first);
+            sides.clear();
+            for_each_side(mesh, x, [&](Handle h) { sides.push_back(h); });
+            if (not sides.empty())
+                f(sides.back());
+            for (std::size_t i = 1; i < sides.size(); ++i)
+                f(sides[i - 1]);
         }
     }
 }

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes of CGAL and OpenMesh that were joined by hand, and not well: refused by whatever reads them, which nobody leaves with
+// more than an error.
+#include <CGAL/Simple_cartesian.h>
+
+#include "cgal_mesh.hpp"
+#include "error_text.hpp"
+#include "openmesh_mesh.hpp"
+#include "shapes.hpp"
+
+#include <kith/cgal_subdivision.hpp>
+#include <kith/crease/make_creases.hpp>
+#include <kith/hierarchy.hpp>
+#include <kith/openmesh_subdivision.hpp>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace {
+
+using kernel = CGAL::Simple_cartesian<double>;
+using cgal_mesh = surface_mesh<kernel>;
+using polyhedron = CGAL::Polyhedron_3<kernel>;
+using vertex = cgal_mesh::Vertex_index;
+using halfedge = cgal_mesh::Halfedge_index;
+using edge = cgal_mesh::Edge_index;
+using face = cgal_mesh::Face_index;
+
+cgal_mesh cgal(const shapes::shape& s)
+{
+    return user_mesh<cgal_mesh>::make(s.points, s.faces);
+}
+template <class M = tri_mesh>
+M openmesh(const shapes::shape& s)
+{
+    return user_mesh<M>::make(s.points, s.faces);
+}
+
+/// What is said of a mesh, by all that reads one.
+struct refusals {
+    std::string refine, report, hierarchy, dialect;
+};
+template <class F>
+std::string refusal(const F& f)
+{
+    return error_text<kith::mesh_error>(f);
+}
+template <class M, class Dialect>
+refusals refusals_of(const M& mesh, const Dialect& dialect)
+{
+    return {refusal([&] { kith::refine(mesh, kith::loop(), 1); }),
+            refusal([&] { kith::validate(mesh).require_ok(); }),
+            refusal([&] { kith::hierarchy<M, kith::loop>(mesh, kith::loop()).refine(1); }),
+            refusal([&] {
+                M copy = mesh;
+                dialect(copy);
+            })};
+}
+refusals refusals_of(const cgal_mesh& mesh)
+{
+    EXPECT_NE(refusal([&] { kith::creases_by_angle(mesh, 30); }), "no error");
+    return refusals_of(mesh, [](auto& copy) { kith::cgal::Loop_subdivision(copy, 1); });
+}
+refusals refusals_of(const tri_mesh& mesh)
+{
+    EXPECT_NE(refusal([&] { kith::creases_by_angle(mesh, 30); }), "no error");
+    return refusals_of(mesh, [](auto& copy) { kith::openmesh::LoopT<tri_mesh>()(copy, 1); });
+}
+void expect_all(const refusals& told, const std::string& text)
+{
+    EXPECT_EQ(told.refine, text);
+    EXPECT_EQ(told.report, text);
+    EXPECT_EQ(told.hierarchy, text);
+    EXPECT_EQ(told.dialect, text);
+}
+
+/// A mask that is not asked for anything.
+struct no_mask {
+    template <class Face>
+    void face_node(Face, kernel::Point_3&)
+    {
+        ADD_FAILURE();
+    }
+    template <class Edge>
+    void edge_node(Edge, kernel::Point_3&)
+    {
+        ADD_FAILURE();
+    }
+    template <class Vertex>
+    void vertex_node(Vertex, kernel::Point_3&)
+    {
+        ADD_FAILURE();
+    }
+    template <class Halfedge>
+    void border_node(Halfedge, kernel::Point_3&, kernel::Point_3&)
+    {
+        ADD_FAILURE();
+    }
+};
+
+const std::string open_face = ": its half-edges do not lead back to the first; join them anew or remove the face";
+
+} // namespace
+
+TEST(broken_mesh, a_face_whose_half_edges_run_back_to_another_than_its_first)
+{
+    auto ours = openmesh(shapes::tetrahedron());
+    const auto first = ours.halfedge_handle(OpenMesh::FaceHandle(2)), second = ours.next_halfedge_handle(first);
+    ours.set_next_halfedge_handle(ours.next_halfedge_handle(second), second);
+    expect_all(refusals_of(ours), "face 2" + open_face);
+
+    auto theirs = cgal(shapes::tetrahedron());
+    theirs.add_property_map<halfedge, int>("h:label", 1);
+    const auto h = theirs.next(theirs.halfedge(face(1)));
+    theirs.set_next(theirs.next(h), h);
+    expect_all(refusals_of(theirs), "face 1" + open_face);
+    EXPECT_EQ(refusal([&] { kith::cgal::PTQ(theirs, no_mask(), 1); }), "face 1" + open_face);
+
+    // What walks along half-edges in the order of corners comes to an end, too.
+    std::size_t met = 0;
+    kith::detail::for_each_handle<halfedge>(theirs, [&](halfedge) { ++met; });
+    EXPECT_LE(met, 4 * theirs.number_of_halfedges());
+}
+
+TEST(broken_mesh, a_face_of_a_removed_vertex)
+{
+    for (const std::size_t removed : {3U, 1U}) {
+        auto mesh = cgal(shapes::tetrahedron());
+        mesh.remove_vertex(vertex(cgal_mesh::size_type(removed)));
+        const auto told = refusals_of(mesh);
+        const std::string text = std::string(removed == 3 ? "face 1" : "face 0") +
+                                 ": one of its vertices has been removed; repair the mesh";
+        EXPECT_EQ(told.refine, text);
+        EXPECT_EQ(told.hierarchy, text);
+        EXPECT_EQ(told.dialect, text);
+        EXPECT_EQ(refusal([&] { kith::cgal::PTQ(mesh, no_mask(), 1); }), text);
+    }
+}
+
+TEST(broken_mesh, a_face_without_half_edges)
+{
+    auto theirs = cgal(shapes::tetrahedron());
+    theirs.add_face();
+    expect_all(refusals_of(theirs), "face 4: has 0 corners; remove it");
+
+    auto ours = openmesh(shapes::tetrahedron());
+    ours.new_face();
+    expect_all(refusals_of(ours), "face 4: has 0 corners; remove it");
+
+    polyhedron graph;
+    CGAL::copy_face_graph(cgal(shapes::tetrahedron()), graph);
+    add_face(graph);
+    EXPECT_EQ(refusal([&] { kith::cgal::Loop_subdivision(graph, 1); }), "face 4: has 0 corners; remove it");
+}
+
+TEST(broken_mesh, a_face_of_a_removed_edge)
+{
+    for (cgal_mesh::size_type removed = 0; removed < 6; ++removed) {
+        auto mesh = cgal(shapes::tetrahedron());
+        mesh.remove_edge(edge(removed));
+        const std::string of_face = "face " + std::to_string(std::size_t(mesh.face(halfedge(2 * removed))));
+        const auto told = refusals_of(mesh);
+        EXPECT_EQ(told.refine, of_face + open_face);
+        EXPECT_EQ(told.report, of_face + open_face);
+        EXPECT_EQ(told.hierarchy, of_face + open_face);
+        EXPECT_NE(told.dialect.find(of_face + open_face), std::string::npos) << told.dialect;
+    }
+    // Where the half-edges lead around all faces still.
+    auto mesh = cgal(shapes::tetrahedron());
+    const auto next = mesh.next(halfedge(6));
+    mesh.remove_edge(edge(3));
+    mesh.set_next(halfedge(6), next);
+    const auto told = refusals_of(mesh);
+    const auto faces = {std::size_t(mesh.face(halfedge(6))), std::size_t(mesh.face(halfedge(7)))};
+    const std::string text = "face " + std::to_string(std::min(faces)) +
+                             ": one of its edges has been removed; repair the mesh";
+    EXPECT_EQ(told.refine, text);
+    EXPECT_EQ(told.hierarchy, text);
+    EXPECT_EQ(told.dialect, text);
+}
+
+TEST(broken_mesh, a_vertex_that_starts_at_no_half_edge_of_the_mesh)
+{
+    auto mesh = openmesh(shapes::tetrahedron());
+    mesh.set_halfedge_handle(OpenMesh::VertexHandle(2), OpenMesh::HalfedgeHandle(40));
+    const auto told = refusals_of(mesh);
+    EXPECT_NE(told.refine.find("vertex 2: "), std::string::npos) << told.refine;
+    EXPECT_NE(told.hierarchy.find("vertex 2: "), std::string::npos) << told.hierarchy;
+    EXPECT_NE(told.dialect.find("vertex 2: "), std::string::npos) << told.dialect;
+    EXPECT_EQ(refusal([&] { kith::creases_by_angle(mesh, 30); }),
+              "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
+}
