@@ -197,3 +197,29 @@ TEST(broken_mesh, a_vertex_that_starts_at_no_half_edge_of_the_mesh)
     EXPECT_EQ(refusal([&] { kith::creases_by_angle(mesh, 30); }),
               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
 }
+
+TEST(broken_mesh, half_edges_of_a_removed_face_lie_at_the_boundary)
+{
+    // Removing a face at a low level leaves its half-edges as they are.
+    for (cgal_mesh::size_type removed = 0; removed < 4; ++removed) {
+        auto s = shapes::tetrahedron();
+        auto mesh = cgal(s);
+        mesh.remove_face(face(removed));
+        s.faces.erase(s.faces.begin() + std::ptrdiff_t(removed));
+        const auto open = cgal(s);
+        EXPECT_TRUE(kith::validate(mesh).ok()) << kith::validate(mesh).text();
+        const auto expected = kith::refine(open, kith::loop(), 1), fine = kith::refine(mesh, kith::loop(), 1);
+        ASSERT_EQ(fine.number_of_faces(), 12U);
+        EXPECT_TRUE(user_mesh<cgal_mesh>::complaints(fine).empty());
+        kith::hierarchy<cgal_mesh, kith::loop> levels(mesh, kith::loop());
+        levels.refine(1);
+        for (const auto v : mesh.vertices()) {
+            EXPECT_EQ(fine.point(v), levels[1].point(v));
+            for (int i = 0; i < 3; ++i) // the sum begins elsewhere
+                EXPECT_NEAR(fine.point(v)[i], expected.point(v)[i], 1e-15);
+        }
+        kith::cgal::Loop_subdivision(mesh, 1);
+        EXPECT_EQ(mesh.number_of_faces(), 12U);
+        EXPECT_TRUE(user_mesh<cgal_mesh>::complaints(mesh).empty());
+    }
+}

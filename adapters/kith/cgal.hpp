@@ -9,7 +9,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 namespace kith {
 
@@ -58,7 +57,11 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     static halfedge next(const mesh_type& m, halfedge h) { return m.next(h); }
     static halfedge prev(const mesh_type& m, halfedge h) { return m.prev(h); }
     static halfedge opposite(const mesh_type& m, halfedge h) { return m.opposite(h); }
-    static bool is_boundary(const mesh_type& m, halfedge h) { return m.is_border(h); }
+    /// Removing a face leaves its half-edges as they are.
+    static bool is_boundary(const mesh_type& m, halfedge h)
+    {
+        return m.is_border(h) or (m.number_of_removed_faces() != 0 and m.is_removed(m.face(h)));
+    }
     static vertex source(const mesh_type& m, halfedge h) { return m.source(h); }
     static edge edge_of(const mesh_type& m, halfedge h) { return m.edge(h); }
     static face face_of(const mesh_type& m, halfedge h) { return m.face(h); }

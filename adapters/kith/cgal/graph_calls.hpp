@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/cgal.hpp>
+
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -71,6 +73,12 @@ template <class Graph>
 bool has_no_face(const Graph& g, typename boost::graph_traits<Graph>::halfedge_descriptor h)
 {
     return face(h, g) == boost::graph_traits<Graph>::null_face();
+}
+/// Here nor do half-edges whose face was removed, which name it still.
+template <class Point>
+bool has_no_face(const CGAL::Surface_mesh<Point>& m, typename CGAL::Surface_mesh<Point>::Halfedge_index h)
+{
+    return mesh_traits<CGAL::Surface_mesh<Point>>::is_boundary(m, h);
 }
 
 } // namespace kith::cgal::graph_calls
