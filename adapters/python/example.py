@@ -26,6 +26,7 @@ assert np.all((limit * normals).sum(axis=1) > 0) and np.allclose(np.linalg.norm(
 # Values at vertices, and what each face came from.
 assert np.array_equal(levels.carry(0, 3, cube), levels.points(3))
 assert np.array_equal(levels.carry(0, 3, cube[:, 0]), levels.points(3)[:, 0])
+assert levels.carry(0, 3, np.zeros((8, 0))).shape == (386, 0) and levels.carry(0, 3, np.zeros((8, 2, 0))).shape == (386, 2, 0)
 kind, number = levels.ancestors("face", 3, 0)
 assert np.all(kind == kith.FACE) and np.array_equal(np.bincount(number), [64] * 6)
 labels = np.array(list("abcdef"))[number]
@@ -43,6 +44,9 @@ house, faces = kith.refine([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 3, 0
 assert sorted({len(f) for f in faces}) == [3, 4]
 triangles = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])
 assert kith.loop(cube[[0, 3, 5, 6]], triangles, 2)[1].shape == (64, 3)
+# A corner of an open triangle is smoothed as igl.loop does it, to 3/4 of itself and 1/8 of each neighbour.
+corner = kith.loop([[0, 0, 0], [8, 0, 0], [0, 8, 0]], [[0, 1, 2]])[0][0]
+assert np.allclose(corner, [1, 1, 0], atol=1e-15)
 assert kith.upsample(cube[[0, 3, 5, 6]], triangles, 2)[1].shape == (64, 3)
 for name in kith.schemes:
     closed = triangles if name in ("loop", "sqrt3", "butterfly", "interpolatory-sqrt3", "linear-triangles") else quads
@@ -62,6 +66,7 @@ for wrong, why in [
     (lambda: kith.refine(cube, quads, "loop"), "triangulate"),
     (lambda: kith.refine(cube, [[0, 1, 9]], "loop"), "9"),
     (lambda: levels.matrix(3, 0), "level 3"),
+    (lambda: levels.carry(0, 3, np.zeros((7, 0))), "7"),
     (lambda: kith.refine(cube, quads, "kobbelt", tension=-8), "between 0 and"),
     (lambda: kith.refine(cube, quads, "kobbelt", sharp_edges=[(0, 1, 1)]), "creases"),
 ]:

@@ -239,7 +239,9 @@ public:
             for (std::size_t i = 0; i < carried.size(); ++i)
                 result[i * width + k] = carried[i];
         }
-        if (not shape.empty())
+        if (width == 0) // as many rows all the same
+            shape[0] = py::ssize_t(levels_.carry(from, to, std::span<const double>(column)).size());
+        else if (not shape.empty())
             shape[0] = py::ssize_t(result.size() / width);
         return given_away(std::move(result), std::move(shape));
     }

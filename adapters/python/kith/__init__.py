@@ -99,8 +99,8 @@ def refine(points, faces, scheme, n=1, **options):
 
 
 def loop(points, faces, n=1):
-    """As igl.loop: points and triangles after n steps of Loop's scheme."""
-    return refine(points, faces, "loop", n)
+    """As igl.loop: points and triangles after n steps of Loop's scheme, with libigl's weights and boundary corners."""
+    return refine(points, faces, "loop", n, like="libigl")
 
 
 def upsample(points, faces, n=1):
