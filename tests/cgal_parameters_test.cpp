@@ -298,6 +298,28 @@ TEST(cgal_parameters, what_items_of_a_polyhedron_hold_is_on_no_other_element)
     }
 }
 
+TEST(cgal_parameters, the_largest_integer_is_sharp_for_ever)
+{
+    mesh m = make_graph<mesh>(shapes::cube()), expected = m;
+    auto small = m.add_property_map<edge, unsigned char>("e:small", 0).first;
+    auto at_vertices = m.add_property_map<vertex, signed char>("v:small", 0).first;
+    auto number = expected.add_property_map<edge, double>("e:number", 0).first;
+    for (const auto e : m.edges())
+        if (e.idx() % 3 == 0)
+            small[e] = 255, number[e] = kith::infinitely_sharp;
+    at_vertices[vertex(5)] = 127;
+    auto corner = expected.add_property_map<vertex, bool>("v:corner", false).first;
+    corner[vertex(5)] = true;
+    for (int call = 0; call < 2; ++call) {
+        ours::CatmullClark_subdivision(m, params::edge_sharpness_map(small).vertex_is_constrained_map(at_vertices));
+        ours::CatmullClark_subdivision(expected, params::edge_sharpness_map(number).vertex_is_constrained_map(corner));
+        EXPECT_TRUE(same_bits(m, expected));
+        for (const auto e : m.edges())
+            EXPECT_EQ(small[e], number[e] == kith::infinitely_sharp ? 255 : 0);
+        EXPECT_EQ(at_vertices[vertex(5)], 127);
+    }
+}
+
 TEST(cgal_parameters, points_may_lie_in_another_map)
 {
     mesh m = house();

@@ -11,6 +11,7 @@
 #include <kith/in_place/carried_properties.hpp>
 #include <kith/in_place/refine_in_place.hpp>
 #include <kith/linear.hpp>
+#include <kith/property/map_value.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -66,17 +67,27 @@ void for_each_map(const Np& np, const F& f)
     if constexpr (is_given<Np, Sharpness>)
         f(CGAL::parameters::get_parameter(np, Sharpness()));
 }
+/// What a map says, the largest of integers being for ever, as it is where `as_sharpness` has written it.
+template <class Map, class Element>
+double sharpness_of(const Map& map, const Element& x, std::size_t number, const char* kind)
+{
+    using value = std::remove_cvref_t<decltype(kith::detail::map_value(map, x))>;
+    if constexpr (std::integral<value> and not std::same_as<value, bool>)
+        if (kith::detail::map_value(map, x) == std::numeric_limits<value>::max())
+            return infinitely_sharp;
+    return kith::detail::sharpness_from(map, x, number, kind);
+}
 template <class Constrained, class Sharpness, class Np, class Element>
 double sharpness_in(const Np& np, const Element& x, std::size_t number, const char* kind)
 {
     double result = 0;
     for_each_map<Constrained, Sharpness>(
-        np, [&](const auto& map) { result = std::max(result, kith::detail::sharpness_from(map, x, number, kind)); });
+        np, [&](const auto& map) { result = std::max(result, sharpness_of(map, x, number, kind)); });
     return result;
 }
 
 /// Adds what the maps say to the creases of a scheme.
-template <class View, class Np>
+template <mesh View, class Np>
 void read_creases(const View& view, const Np& np, creases& sharp)
 {
     namespace tags = CGAL::internal_np;
@@ -149,9 +160,10 @@ void clear_own_points(CGAL::Surface_mesh<Point>& m, const VertexPointMap& points
             m.point(vertex(typename mesh::size_type(v))) = Point(CGAL::ORIGIN);
 }
 
-/// Overwrites the graph with a refined mesh.
-template <class Graph, class VertexPointMap, class Point, class Carried>
-void write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, const Carried& carried)
+/// Overwrites the graph with a refined mesh; point_of(i) is the point of vertex i.
+template <class Graph, class VertexPointMap, class Point, class Carried, class PointOf>
+void write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, const Carried& carried,
+           const PointOf& point_of)
 {
     const std::size_t first_new = fine.keeps_vertices ? num_vertices(g) : 0;
     write_connectivity(g, fine.mesh.topology(), fine.keeps_vertices);
@@ -159,10 +171,10 @@ void write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine
     carried.write(g);
     std::size_t i = 0;
     for (const auto v : graph_calls::all_vertices(g))
-        put(points, v, face_graph<Graph, VertexPointMap>::to_graph(fine.mesh.point(i++)));
+        put(points, v, point_of(i++));
 }
 
-template <class Graph, class Scheme, class Np>
+template <class Graph, scheme Scheme, class Np>
 void refine(Graph& g, Scheme& scheme, const Np& np)
 {
     const int steps = steps_of(np);
@@ -188,7 +200,9 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
     const auto fine = in_place::refine(std::move(control), scheme, steps, carried.values(), false, go_on);
     if (not fine)
         return;
-    write(g, points, *fine, carried);
+    write(g, points, *fine, carried, [&](std::size_t v) {
+        return face_graph<Graph, std::remove_const_t<decltype(points)>>::to_graph(fine->mesh.point(v));
+    });
     if constexpr (sharp_scheme<Scheme> and has_sharp_elements<Np>)
         write_creases(g, np, scheme.sharpness);
 }
@@ -202,11 +216,13 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
 ///
 ///   number_of_iterations(n)         1
 ///   vertex_point_map(map)           get(CGAL::vertex_point, pmesh)
-///   edge_is_constrained_map(map), vertex_is_constrained_map(map) creases and corners, infinitely sharp where true; a
-///   map of
-///                                   numbers says how sharp
-///   edge_sharpness_map(map), vertex_sharpness_map(map)     the same with numbers, in parameters of this namespace
-///   visitor(v) v.progress(share of the work done) after each level; if that returns false the mesh stays
+///   edge_is_constrained_map(map), vertex_is_constrained_map(map)
+///                                   creases and corners, infinitely sharp where true; a map of numbers says how sharp,
+///                                   the largest of integers for ever
+///   edge_sharpness_map(map), vertex_sharpness_map(map)
+///                                   the same with numbers, in parameters of this namespace
+///   visitor(v)                      v.progress(share of the work done) after each level; if that returns false the
+///                                   mesh stays
 ///
 /// Maps of creases that can be written then say how sharp the refined mesh is, so that it can be refined again.
 /// Errors: those of kith::refine; the mesh is as it was then. Cost: that of kith::refine.
