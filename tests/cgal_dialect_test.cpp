@@ -178,6 +178,42 @@ TEST(cgal_dialect, takes_openmesh_through_cgals_wrapper)
     EXPECT_EQ(difference(surface_of(g), surface_of(expected), 1e-6), "");
 }
 
+TEST(cgal_dialect, leaves_no_values_of_openmesh_on_other_elements)
+{
+    const auto run = [](const auto& subdivide, bool keeps_vertices) {
+        auto g = make_graph<openmesh>(shapes::cube());
+        g.request_face_colors(), g.request_edge_colors(), g.request_vertex_colors();
+        OpenMesh::VPropHandleT<int> at_vertices;
+        OpenMesh::FPropHandleT<int> on_faces;
+        OpenMesh::EPropHandleT<int> on_edges;
+        g.add_property(at_vertices, "at vertices"), g.add_property(on_faces, "on faces");
+        g.add_property(on_edges, "on edges");
+        for (const auto v : g.vertices())
+            g.property(at_vertices, v) = 1, g.set_color(v, {9, 9, 9});
+        for (const auto f : g.faces())
+            g.property(on_faces, f) = 2, g.set_color(f, {9, 9, 9});
+        for (const auto e : g.edges())
+            g.property(on_edges, e) = 3, g.set_color(e, {9, 9, 9});
+        subdivide(g);
+        EXPECT_TRUE(CGAL::is_valid_polygon_mesh(g));
+        for (const auto v : g.vertices()) {
+            const bool is_old = keeps_vertices and v.idx() < 8;
+            EXPECT_EQ(g.property(at_vertices, v), is_old ? 1 : 0);
+            EXPECT_EQ(g.color(v), is_old ? openmesh::Color(9, 9, 9) : openmesh::Color(0, 0, 0));
+        }
+        for (const auto f : g.faces()) {
+            EXPECT_EQ(g.property(on_faces, f), 0);
+            EXPECT_EQ(g.color(f), openmesh::Color(0, 0, 0));
+        }
+        for (const auto e : g.edges()) {
+            EXPECT_EQ(g.property(on_edges, e), 0);
+            EXPECT_EQ(g.color(e), openmesh::Color(0, 0, 0));
+        }
+    };
+    run([](auto& g) { ours::CatmullClark_subdivision(g, 1); }, true);
+    run([](auto& g) { ours::DooSabin_subdivision(g, 1); }, false);
+}
+
 TEST(cgal_dialect, runs_masks_of_cgals_kind)
 {
     const auto vpm = [](auto& m) { return get(CGAL::vertex_point, m); };
@@ -207,6 +243,23 @@ TEST(cgal_dialect, runs_masks_of_cgals_kind)
     };
     run(static_cast<mesh*>(nullptr));
     run(static_cast<polyhedron*>(nullptr));
+}
+
+TEST(cgal_dialect, masks_write_points_to_another_map_and_leave_those_of_new_vertices_at_zero)
+{
+    using vertex = mesh::Vertex_index;
+    const auto before = make_graph<mesh>(shapes::umbrella(5));
+    auto m = before, expected = before;
+    auto place = m.add_property_map<vertex, kernel::Point_3>("v:place").first;
+    for (const auto v : m.vertices())
+        place[v] = m.point(v);
+    ours::PTQ(expected, lifting_mask<mesh>{&expected});
+    ours::PTQ(m, lifting_mask<mesh>{&m}, params::number_of_iterations(1).vertex_point_map(place));
+    ASSERT_EQ(m.number_of_vertices(), expected.number_of_vertices());
+    for (const auto v : m.vertices()) {
+        EXPECT_EQ(place[v], expected.point(v));
+        EXPECT_EQ(m.point(v), v.idx() < before.number_of_vertices() ? before.point(v) : kernel::Point_3(0, 0, 0));
+    }
 }
 
 TEST(cgal_dialect, refuses_fewer_steps_than_none)

@@ -8,7 +8,6 @@
 #include <kith/sqrt3.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,15 +34,11 @@ void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation
         made.resize(new_points.size());
         place(view, surface.mesh, ids, std::span(made));
     });
-    write_connectivity(g, surface.mesh.topology(), surface.keeps_vertices);
-    carried.write(g);
-    std::size_t i = 0;
-    for (const auto v : graph_calls::all_vertices(g))
-        put(points, v, made[i++]);
+    write(g, points, surface, carried, [&](std::size_t v) { return made[v]; });
 }
 
 /// The half-edge of each edge that has a face and, if it lies at the boundary, that; CGAL's for the others.
-template <class View>
+template <mesh View>
 typename View::halfedge inner_side(const View& view, typename View::edge e)
 {
     const auto h = view.directing(e);
@@ -52,7 +47,7 @@ typename View::halfedge inner_side(const View& view, typename View::edge e)
 
 /// Edge points and vertex points by a mask of CGAL's kind. Where an edge lies at the boundary, border_node makes the
 /// point of its end, too.
-template <class View, class Mask, class Ids, class Points>
+template <mesh View, class Mask, element_ids Ids, class Points>
 void place_edges_and_vertices(const View& view, Mask& mask, const Ids& ids, const Points& points)
 {
     const auto& g = view.graph();
@@ -73,7 +68,7 @@ void place_edges_and_vertices(const View& view, Mask& mask, const Ids& ids, cons
         if (not is_placed[v.index()])
             mask.vertex_node(v.handle(), points[ids.template id<tuple_kind::v>(v.index())]);
 }
-template <class View, class Mask, class Ids, class Points>
+template <mesh View, class Mask, element_ids Ids, class Points>
 void place_faces(const View& view, Mask& mask, const Ids& ids, const Points& points)
 {
     std::size_t i = 0;
@@ -81,7 +76,7 @@ void place_faces(const View& view, Mask& mask, const Ids& ids, const Points& poi
         mask.face_node(f, points[ids.template id<tuple_kind::f>(i++)]);
 }
 
-template <class View, class Mask, class Ids, class Points>
+template <mesh View, class Mask, element_ids Ids, class Points>
 void place_corners(const View& view, Mask& mask, const Ids& ids, const Points& points)
 {
     std::size_t corner = 0;
@@ -117,8 +112,8 @@ void repeat_by_mask(Graph& g, const Np& np, const Scheme& scheme, const Place& p
 /// number_of_iterations and vertex_point_map; or a number of steps. Property maps of a Surface_mesh go linearly, for
 /// all others see `subdivision`.
 /// Errors: as kith::refine, after the steps that went well. Cost: O(corners) and that of the mask per step.
-template <class Graph, class Mask, class Np>
-void PQQ(Graph& pmesh, Mask mask, const Np& np)
+template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
+void PQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
     if constexpr (steps<Np>)
         return PQQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
@@ -129,15 +124,10 @@ void PQQ(Graph& pmesh, Mask mask, const Np& np)
                 detail::place_edges_and_vertices(view, mask, ids.vertices, points);
             });
 }
-template <class Graph, class Mask>
-void PQQ(Graph& pmesh, Mask mask)
-{
-    PQQ(pmesh, mask, CGAL::parameters::default_values());
-}
 
 /// The same for the split of triangles: CGAL's PTQMask_3, with edge_node, vertex_node and border_node.
-template <class Graph, class Mask, class Np>
-void PTQ(Graph& pmesh, Mask mask, const Np& np)
+template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
+void PTQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
     if constexpr (steps<Np>)
         return PTQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
@@ -147,15 +137,10 @@ void PTQ(Graph& pmesh, Mask mask, const Np& np)
                 detail::place_edges_and_vertices(view, mask, ids.vertices, points);
             });
 }
-template <class Graph, class Mask>
-void PTQ(Graph& pmesh, Mask mask)
-{
-    PTQ(pmesh, mask, CGAL::parameters::default_values());
-}
 
 /// The same for the dual split: CGAL's DQQMask_3, whose corner_node takes the half-edge to the corner in its face.
-template <class Graph, class Mask, class Np>
-void DQQ(Graph& pmesh, Mask mask, const Np& np)
+template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
+void DQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
     if constexpr (steps<Np>)
         return DQQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
@@ -167,16 +152,11 @@ void DQQ(Graph& pmesh, Mask mask, const Np& np)
                                    detail::place_corners(view, mask, ids.vertices, points);
                                });
 }
-template <class Graph, class Mask>
-void DQQ(Graph& pmesh, Mask mask)
-{
-    DQQ(pmesh, mask, CGAL::parameters::default_values());
-}
 
 /// The same for the sqrt(3) split: CGAL's Sqrt3Mask_3, with face_node, vertex_node and, in every second step of a call,
 /// border_node(half-edge, point near its target, point near its source, point of its target).
-template <class Graph, class Mask, class Np>
-void Sqrt3(Graph& pmesh, Mask mask, const Np& np)
+template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
+void Sqrt3(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
     if constexpr (steps<Np>)
         return Sqrt3(pmesh, mask, CGAL::parameters::number_of_iterations(np));
@@ -209,11 +189,6 @@ void Sqrt3(Graph& pmesh, Mask mask, const Np& np)
             };
             detail::step_by_mask(pmesh, vpm, sqrt3(), step % 2, place);
         });
-}
-template <class Graph, class Mask>
-void Sqrt3(Graph& pmesh, Mask mask)
-{
-    Sqrt3(pmesh, mask, CGAL::parameters::default_values());
 }
 
 // NOLINTEND(readability-identifier-naming)

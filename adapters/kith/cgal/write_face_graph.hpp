@@ -8,10 +8,11 @@
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace kith::cgal {
@@ -22,6 +23,38 @@ namespace detail {
 /// what another should have.
 template <class Graph>
 concept has_items = requires { typename Graph::HalfedgeDS; };
+
+/// A graph whose elements have their values in arrays, such as a mesh of OpenMesh: what these grow by is new.
+template <class Graph>
+concept has_arrays = requires(Graph& g, std::size_t n) {
+    g.resize(n, n, n);
+    { g.n_vertices() } -> std::convertible_to<std::size_t>;
+    g.face_colors_pph();
+};
+
+/// Makes zero what OpenMesh leaves open in new elements: its vectors, on all but the first vertices.
+template <has_arrays Graph>
+void clear_vectors(Graph& g, std::size_t vertices_to_keep)
+{
+    const auto clear = [&](bool is_there, auto property, std::size_t first) {
+        if (not is_there)
+            return;
+        auto& values = g.property(property).data_vector();
+        for (std::size_t i = first; i < values.size(); ++i)
+            values[i].vectorize(0);
+    };
+    clear(g.has_vertex_normals(), g.vertex_normals_pph(), vertices_to_keep);
+    clear(g.has_vertex_colors(), g.vertex_colors_pph(), vertices_to_keep);
+    clear(g.has_vertex_texcoords2D(), g.vertex_texcoords2D_pph(), vertices_to_keep);
+    clear(g.has_vertex_texcoords3D(), g.vertex_texcoords3D_pph(), vertices_to_keep);
+    clear(g.has_halfedge_normals(), g.halfedge_normals_pph(), 0);
+    clear(g.has_halfedge_colors(), g.halfedge_colors_pph(), 0);
+    clear(g.has_halfedge_texcoords2D(), g.halfedge_texcoords2D_pph(), 0);
+    clear(g.has_halfedge_texcoords3D(), g.halfedge_texcoords3D_pph(), 0);
+    clear(g.has_edge_colors(), g.edge_colors_pph(), 0);
+    clear(g.has_face_normals(), g.face_normals_pph(), 0);
+    clear(g.has_face_colors(), g.face_colors_pph(), 0);
+}
 
 /// As many descriptors as are asked for: of those that the graph has at most `kept`, while the others are removed, and
 /// new ones.
@@ -57,7 +90,8 @@ void take_back_removed(CGAL::Surface_mesh<Point>& m)
 
 /// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their
 /// order, those of vertices, edges and faces from 0 on, and new ones come after them; where elements hold values, only
-/// those of vertices that are to keep them. Points are not written. Cost: O(elements).
+/// those of vertices that are to keep them, and in a mesh of OpenMesh all other elements have T() or zero as new ones
+/// do, but that vectors in properties of the user's own may be open. Points are not written. Cost: O(elements).
 template <class Graph>
 void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {
@@ -68,6 +102,12 @@ void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool kee
         return std::vector<typename std::iterator_traits<decltype(range.begin())>::value_type>(range.begin(),
                                                                                                range.end());
     };
+    [[maybe_unused]] std::size_t vertices_to_keep = 0;
+    if constexpr (detail::has_arrays<Graph>) {
+        vertices_to_keep = keeps_vertices ? std::size_t(g.n_vertices()) : 0;
+        g.resize(vertices_to_keep, 0, 0);
+        g.resize(vertices_to_keep, t.edges(), t.faces);
+    }
     auto vertices = list(all_vertices(g));
     auto edges = list(all_edges(g));
     auto faces = list(all_faces(g));
@@ -80,6 +120,9 @@ void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool kee
         [&](auto v) { remove_vertex(v, g); });
     detail::resize(edges, kept, t.edges(), [&] { return add_edge(g); }, [&](auto e) { remove_edge(e, g); });
     detail::resize(faces, kept, t.faces, [&] { return add_face(g); }, [&](auto f) { remove_face(f, g); });
+
+    if constexpr (detail::has_arrays<Graph>)
+        detail::clear_vectors(g, vertices_to_keep);
 
     std::vector<halfedge> halfedges;
     halfedges.reserve(2 * edges.size());
