@@ -162,8 +162,9 @@ private:
             return false;
         do {
             const auto o = traits::opposite(*mesh_, start);
-            if (left-- == 0 or not is_here(o))
+            if (left == 0 or not is_here(o))
                 return false;
+            --left;
             if (traits::is_boundary(*mesh_, o))
                 break;
             start = traits::next(*mesh_, o);
