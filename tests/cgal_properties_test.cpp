@@ -102,6 +102,91 @@ TEST(cgal_properties, are_carried_by_name_and_told)
     EXPECT_EQ(other.left_out, names{"f:label"});
 }
 
+TEST(cgal_properties, only_names_of_the_mesh_itself_are_kept_from_the_user)
+{
+    using access = kith::property_access<mesh>;
+    auto control = make(shapes::cube());
+    const std::vector<std::string> own = control.properties<vertex>();
+    for (const std::string& name : own)
+        EXPECT_TRUE(access::is_reserved(name)) << name;
+    control.add_property_map<face, int>("f:was:removed", 0).first[face(3)] = 7;
+    control.add_property_map<vertex, double>("v:kith:height", 2.);
+    control.add_property_map<halfedge, int>("h:other:connectivity", 1);
+    const auto fine = kith::refine_with_properties(control, kith::catmull_clark(), 1);
+    EXPECT_EQ(fine.second.carried, (names{"v:kith:height", "h:other:connectivity", "f:was:removed"}));
+    const auto was = map_of<face, int>(fine.first, "f:was:removed");
+    int sum = 0;
+    for (const auto f : fine.first.faces())
+        sum += was[f];
+    EXPECT_EQ(sum, 28);
+    EXPECT_EQ((map_of<vertex, double>(fine.first, "v:kith:height")[vertex(20)]), 2);
+}
+
+TEST(cgal_properties, without_a_name_are_left_out_of_another_mesh)
+{
+    auto control = make(shapes::cube());
+    control.add_property_map<vertex, int>("", 5);
+    control.add_property_map<face, label>("", label{});
+    control.add_property_map<vertex, int>("v:id", 6);
+    auto [fine, report] = kith::refine_with_properties<label>(control, kith::catmull_clark(), 1);
+    EXPECT_EQ(report.carried, names{"v:id"});
+    EXPECT_EQ(report.left_out, (names{"anonymous-property-0", "anonymous-property-1"}));
+    const auto [made, is_new] = fine.add_property_map<vertex, int>("", 9);
+    EXPECT_TRUE(is_new);
+    EXPECT_EQ(made[vertex(3)], 9);
+}
+
+TEST(cgal_properties, by_rule_are_told_by_the_elements_they_lie_on)
+{
+    auto control = make(shapes::cube());
+    control.add_property_map<vertex, label>("label", label{});
+    control.add_property_map<face, label>("label", label{});
+    const auto [fine, report] = kith::refine_with_properties(
+        control, kith::catmull_clark(), 1, kith::by_rule<face, label>("label", kith::from_parent()));
+    EXPECT_EQ(report.carried, names{"label"});
+    EXPECT_EQ(report.left_out, names{"label"}); // that of vertices
+    const auto other = kith::refine_with_properties(
+        control, kith::catmull_clark(), 1, kith::by_rule<edge, label>("label", kith::along_edges()));
+    EXPECT_EQ(other.second.left_out, (names{"label", "label", "label"})); // the last as there is none
+}
+
+namespace {
+
+/// Counts how often values are copied.
+struct counted {
+    static inline std::size_t copies = 0;
+
+    counted() = default;
+    counted(const counted&) { ++copies; }
+    counted& operator=(const counted&)
+    {
+        ++copies;
+        return *this;
+    }
+};
+
+} // namespace
+
+TEST(cgal_properties, are_read_with_one_copy_of_the_mesh)
+{
+    auto control = make(shapes::torus(8, 8));
+    control.add_property_map<vertex, counted>("v:counted");
+    control.add_property_map<vertex, int>("v:id", 1);
+    control.add_property_map<halfedge, int>("h:id", 2);
+    control.add_property_map<edge, int>("e:id", 3);
+    control.add_property_map<face, int>("f:id", 4);
+    kith::hierarchy<mesh, kith::doo_sabin> levels(control, kith::doo_sabin());
+    levels.refine(1);
+    mesh fine = levels[1];
+    counted::copies = 0;
+    const auto report = kith::carry_properties(
+        levels, 0, 1, fine, kith::by_rule<face, int>("f:id", kith::from_parent()));
+    EXPECT_EQ(report.left_out, names{"v:counted"});
+    EXPECT_LT(counted::copies, 2 * control.number_of_vertices());
+    const auto id = map_of<face, int>(fine, "f:id");
+    EXPECT_EQ(id[face(0)], 4);
+}
+
 TEST(cgal_properties, at_vertices_go_as_the_points_do)
 {
     for (const mesh& control : {with_maps(make(shapes::open_house())), with_maps(after_removed_tetrahedron())}) {

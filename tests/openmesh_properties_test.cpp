@@ -161,24 +161,61 @@ TEST(openmesh_properties, of_property_managers_are_carried_to_others)
     EXPECT_EQ(hard_ones, 4);
 }
 
-TEST(openmesh_properties, without_a_name_of_their_own_are_not_taken_for_one_another)
+TEST(openmesh_properties, of_one_name_and_several_types_are_not_taken_for_one_another)
 {
     const auto shape = shapes::cube();
     auto control = user_mesh<poly_mesh>::make(shape.points, shape.faces);
-    OpenMesh::VPropHandleT<double> first, second; // OpenMesh calls both "<vprop>"
+    OpenMesh::VPropHandleT<double> first, second;
     OpenMesh::VPropHandleT<float> third;
-    control.add_property(first), control.add_property(second), control.add_property(third);
+    control.add_property(first, "x"), control.add_property(second, "x"), control.add_property(third, "x");
     for (const auto v : control.vertices())
         control.property(first, v) = 1, control.property(second, v) = 2, control.property(third, v) = 3;
     auto [fine, report] = kith::refine_with_properties(control, kith::catmull_clark(), 1);
-    EXPECT_EQ(std::ranges::count(report.carried, "<vprop>"), 2);
-    EXPECT_EQ(report.left_out, names{"<vprop>"});
-    const auto doubles = OpenMesh::getProperty<VertexHandle, double>(fine, "<vprop>");
-    const auto floats = OpenMesh::getProperty<VertexHandle, float>(fine, "<vprop>");
+    EXPECT_EQ(std::ranges::count(report.carried, "x"), 2);
+    EXPECT_EQ(report.left_out, names{"x"});
+    const auto doubles = OpenMesh::getProperty<VertexHandle, double>(fine, "x");
+    const auto floats = OpenMesh::getProperty<VertexHandle, float>(fine, "x");
     for (const auto v : fine.vertices()) {
         EXPECT_EQ(doubles[v], 1);
         EXPECT_EQ(floats[v], 3);
     }
+}
+
+TEST(openmesh_properties, without_a_name_are_left_out_of_another_mesh)
+{
+    const auto shape = shapes::cube();
+    auto control = user_mesh<poly_mesh>::make(shape.points, shape.faces);
+    OpenMesh::VPropHandleT<double> of_vertices; // OpenMesh calls it "<vprop>"
+    OpenMesh::FPropHandleT<int> of_faces;
+    OpenMesh::MPropHandleT<int> of_mesh;
+    control.add_property(of_vertices), control.add_property(of_faces), control.add_property(of_mesh);
+    const auto [fine, report] = kith::refine_with_properties(control, kith::catmull_clark(), 1);
+    EXPECT_EQ(report.left_out, (names{"<vprop>", "<fprop>", "<mprop>"}));
+    EXPECT_FALSE(fine.get_property_handle(of_vertices, "<vprop>"));
+    EXPECT_FALSE(fine.get_property_handle(of_faces, "<fprop>"));
+    EXPECT_FALSE(fine.get_property_handle(of_mesh, "<mprop>"));
+}
+
+namespace {
+
+struct weighted_traits : OpenMesh::DefaultTraits {
+    VertexTraits { int weight = 3; };
+};
+
+} // namespace
+
+TEST(openmesh_properties, of_the_traits_are_carried_where_their_type_is_named)
+{
+    using weighted_mesh = OpenMesh::PolyMesh_ArrayKernelT<weighted_traits>;
+    const auto shape = shapes::cube();
+    auto control = user_mesh<weighted_mesh>::make(shape.points, shape.faces);
+    for (const auto v : control.vertices())
+        control.data(v).weight = 10 + v.idx();
+    const auto [fine,
+                report] = kith::refine_with_properties<weighted_mesh::VertexData>(control, kith::catmull_clark(), 1);
+    EXPECT_EQ(report.carried, names{"<vprop>"});
+    for (const auto v : fine.vertices())
+        EXPECT_EQ(fine.data(v).weight, v.idx() < 8 ? 10 + v.idx() : 3);
 }
 
 TEST(openmesh_properties, of_the_mesh_as_a_whole_are_copied)

@@ -7,7 +7,7 @@
 
 namespace kith::detail {
 
-template <class M, class Point>
+template <mesh M, class Point>
 basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh)
 {
     static_assert(is_compiled_mesh<M>, "the adapter says which types of mesh are compiled");
@@ -21,9 +21,9 @@ M make_in_library(const M& source, const level_source<Point>& write)
 }
 
 template <class Handle, mesh_with_properties M>
-property_values<Handle, M> property_values<Handle, M>::read_in_library(const M& mesh)
+property_values<Handle, M> property_values<Handle, M>::read_in_library(const M& mesh, unset_values<M>& unset)
 {
-    return read_here(mesh, static_cast<typename property_access<M>::value_types*>(nullptr));
+    return read_here(mesh, unset, static_cast<typename property_access<M>::value_types*>(nullptr));
 }
 
 } // namespace kith::detail
@@ -40,4 +40,5 @@ property_values<Handle, M> property_values<Handle, M>::read_in_library(const M& 
     KITH_PROPERTIES_IN_LIBRARY(face, __VA_ARGS__)
 #define KITH_PROPERTIES_IN_LIBRARY(element, ...)                                                                       \
     template detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>                                   \
-    detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>::read_in_library(const __VA_ARGS__&);
+    detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>::read_in_library(                          \
+        const __VA_ARGS__&, detail::unset_values<__VA_ARGS__>&);

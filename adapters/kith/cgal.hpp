@@ -98,6 +98,7 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     }
     static void set_start(mesh_type& m, face f, halfedge h, std::size_t) { m.set_halfedge(f, h); }
     static void set_start(mesh_type& m, vertex v, halfedge leaving) { m.set_halfedge(v, m.opposite(leaving)); }
+    static constexpr const char* odd_generation = "f:kith:odd_generation"; ///< the name of a map
     static void mark_odd_generation(mesh_type& m) { m.template add_property_map<face, bool>(odd_generation, true); }
     static void forget_generation(mesh_type& m)
     {
@@ -117,8 +118,6 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
 
 private:
     using size = typename mesh_type::size_type;
-
-    static constexpr const char* odd_generation = "f:kith:odd_generation";
 
     template <class Handle>
     static auto alive(const mesh_type& m, std::size_t bound)

@@ -7,10 +7,11 @@
 #include <kith/carry_properties.hpp>
 #include <kith/property/standard_property.hpp>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
-#include <cstddef>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -39,8 +40,20 @@ struct property_access<CGAL::Surface_mesh<Point>> {
     }
     static bool is_reserved(const std::string& name)
     {
-        return name == "v:point" or name.ends_with(":connectivity") or name.ends_with(":removed") or
-               name.find(":kith:") != std::string::npos;
+        static constexpr std::array<std::string_view, 8> own{"v:point",
+                                                             "v:connectivity",
+                                                             "h:connectivity",
+                                                             "f:connectivity",
+                                                             "v:removed",
+                                                             "e:removed",
+                                                             "f:removed",
+                                                             mesh_traits<mesh>::odd_generation};
+        return std::ranges::find(own, name) != own.end();
+    }
+    template <class>
+    static bool is_unnamed(const std::string& name)
+    {
+        return name.starts_with("anonymous-property-");
     }
     /// There may be several properties with one name, each of another type.
     static constexpr bool types_share_names = true;

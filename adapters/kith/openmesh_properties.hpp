@@ -101,6 +101,15 @@ struct property_access<M> {
         return result;
     }
     static bool is_reserved(const std::string& name) { return name == "v:points"; }
+    /// What the traits of the mesh say of elements has no name either, but is the same in each such mesh.
+    template <class T>
+    static bool is_unnamed(const std::string& name)
+    {
+        if (std::same_as<T, typename M::VertexData> or std::same_as<T, typename M::HalfedgeData> or
+            std::same_as<T, typename M::EdgeData> or std::same_as<T, typename M::FaceData>)
+            return false;
+        return name == "<vprop>" or name == "<hprop>" or name == "<eprop>" or name == "<fprop>" or name == "<mprop>";
+    }
     /// There may be several properties with one name, each of another type.
     static constexpr bool types_share_names = true;
     static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
@@ -126,14 +135,18 @@ struct property_access<M> {
         return result;
     }
     /// Copies the properties of the mesh as a whole, such as the pictures to which texture indices lead; returns the
-    /// names of those of other types.
+    /// names of those of other types, or without one of their own.
     static std::vector<std::string> copy_of_whole(const M& from, M& to, std::vector<std::string>& copied)
     {
         std::vector<std::string> others;
         for (auto p = from.mprops_begin(); p != from.mprops_end(); ++p)
             if (*p != nullptr and not is_mark((*p)->name())) {
-                const bool is_known = copy_of_whole(
-                    from, to, **p, static_cast<std::tuple<value_types, std::tuple<pictures>>*>(nullptr));
+                const bool is_known = not is_unnamed<void>((*p)->name()) and
+                                      copy_of_whole(
+                                          from,
+                                          to,
+                                          **p,
+                                          static_cast<std::tuple<value_types, std::tuple<pictures>>*>(nullptr));
                 (is_known ? copied : others).push_back((*p)->name());
             }
         return others;

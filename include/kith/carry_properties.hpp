@@ -12,6 +12,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -22,25 +23,37 @@ namespace kith {
 
 namespace detail {
 
-/// The rule by which values of type T go that lie on elements with such handles, unless another is asked for.
+/// The rules by which values on elements with such handles go, unless another is asked for: those of which there are
+/// means, which vertices and corners have, and those that one element has from another.
+template <mesh M, class Handle>
+auto rule_of_means()
+{
+    if constexpr (std::same_as<Handle, typename mesh_traits<M>::vertex>)
+        return by_mask();
+    else
+        return linear_in_faces();
+}
+template <mesh M, class Handle>
+auto rule_of_heirs()
+{
+    using traits = mesh_traits<M>;
+    if constexpr (std::same_as<Handle, typename traits::vertex>)
+        return from_vertex();
+    else if constexpr (std::same_as<Handle, typename traits::edge>)
+        return along_edges();
+    else if constexpr (std::same_as<Handle, typename traits::face>)
+        return from_parent();
+    else
+        return along_sides();
+}
+/// That of values of type T.
 template <mesh M, class Handle, class T>
 auto usual_rule()
 {
-    using traits = mesh_traits<M>;
-    if constexpr (std::same_as<Handle, typename traits::vertex>) {
-        if constexpr (affine_value<T>)
-            return by_mask();
-        else
-            return from_vertex();
-    } else if constexpr (std::same_as<Handle, typename traits::edge>) {
-        return along_edges();
-    } else if constexpr (std::same_as<Handle, typename traits::face>) {
-        return from_parent();
-    } else if constexpr (affine_value<T>) {
-        return linear_in_faces();
-    } else {
-        return along_sides();
-    }
+    if constexpr (has_means<Handle, M> and affine_value<T>)
+        return rule_of_means<M, Handle>();
+    else
+        return rule_of_heirs<M, Handle>();
 }
 template <mesh M, class Handle>
 inline constexpr field_on kind_of_handle = std::same_as<Handle, typename mesh_traits<M>::vertex> ? field_on::vertices
@@ -85,57 +98,51 @@ property_by_rule<Handle, T, Rule> by_rule(std::string name, Rule rule)
 /// What has become of the properties of a mesh, by their names.
 struct property_report {
     std::vector<std::string> carried;
-    std::vector<std::string> left_out; ///< of a type that is not known, or normals; what by_rule names and is not there
+    /// Of a type that is not known, normals, or without a name of their own; what by_rule names and is not there.
+    std::vector<std::string> left_out;
 };
 
 namespace detail {
 
-template <mesh M, scheme Scheme>
-void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
-                  const property_values<typename mesh_traits<M>::vertex, M>& at_vertices)
+/// What is told of a property, and on what it lies: on elements of several kinds there may be properties of one name.
+struct told_property {
+    std::string name;
+    std::optional<field_on> where; ///< nothing for those of the mesh as a whole
+
+    friend bool operator==(const told_property&, const told_property&) = default;
+};
+inline std::vector<std::string> names_of(const std::vector<told_property>& all)
 {
-    for (const auto& each : at_vertices.means())
-        at_vertices.write_mean(fine, each, levels.carry(from, to, on_vertices(each.values, by_mask())).values());
-    if (at_vertices.has_heirs())
-        at_vertices.write_heirs(fine,
-                                levels.carry(from, to, on_vertices(at_vertices.own_heirs(), from_vertex())).values());
+    std::vector<std::string> result;
+    for (const told_property& each : all)
+        result.push_back(each.name);
+    return result;
 }
-template <mesh M, scheme Scheme>
+
+template <class Handle, mesh M, scheme Scheme>
 void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
-                  const property_values<typename mesh_traits<M>::halfedge, M>& at_corners)
+                  const property_values<Handle, M>& values)
 {
-    for (const auto& each : at_corners.means())
-        at_corners.write_mean(fine, each, levels.carry(from, to, on_corners(each.values)).values());
-    if (at_corners.has_heirs())
-        at_corners.write_heirs(fine,
-                               levels.carry(from, to, on_corners(at_corners.own_heirs(), along_sides())).values());
-}
-template <mesh M, scheme Scheme>
-void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
-                  const property_values<typename mesh_traits<M>::edge, M>& on_all_edges)
-{
-    if (on_all_edges.has_heirs())
-        on_all_edges.write_heirs(fine, levels.carry(from, to, on_edges(on_all_edges.own_heirs())).values());
-}
-template <mesh M, scheme Scheme>
-void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
-                  const property_values<typename mesh_traits<M>::face, M>& on_all_faces)
-{
-    if (on_all_faces.has_heirs())
-        on_all_faces.write_heirs(fine, levels.carry(from, to, on_faces(on_all_faces.own_heirs())).values());
+    const auto carried = [&]<class T, class Rule>(const storage<T>& each, const Rule& rule) {
+        return levels.carry(from, to, field<kind_of_handle<M, Handle>, T, Rule>(each, rule));
+    };
+    if constexpr (has_means<Handle, M>)
+        for (const auto& each : values.means())
+            values.write_mean(fine, each, carried(each.values, rule_of_means<M, Handle>()).values());
+    if (values.has_heirs())
+        values.write_heirs(fine, carried(values.own_heirs(), rule_of_heirs<M, Handle>()).values());
 }
 
 /// Carries a property by a rule; returns whether there is one of this name and type.
 template <class Handle, class T, class Rule, mesh M, scheme Scheme>
-bool carry_property(const hierarchy<M, Scheme>& levels, int from, int to, M& fine, const std::string& name,
-                    const Rule& rule)
+bool carry_property(const hierarchy<M, Scheme>& levels, int from, int to, M& fine, unset_values<M>& unset,
+                    const std::string& name, const Rule& rule)
 {
     using access = property_access<M>;
     const auto source = access::template find<Handle, T>(levels[from], name);
     if (not source)
         return false;
-    const unset_values<Handle, M> unset(levels[from], true);
-    const T nothing = unset.template of<T>(name);
+    const T nothing = unset.template of<Handle, T>(name);
     auto target = add_unset<Handle>(fine, name, nothing);
     carry_map<Handle>(levels, from, to, source, target, rule);
     store_beside_faces<Handle>(fine, target, nothing);
@@ -144,16 +151,15 @@ bool carry_property(const hierarchy<M, Scheme>& levels, int from, int to, M& fin
 
 /// Types of the user that have a mean, but are not coordinates, go apart.
 template <class T, class Handle, class M>
-concept has_mean_of_its_own = affine_value<T> and not can_be_averaged<T> and
-                              (std::same_as<Handle, typename mesh_traits<M>::vertex> or
-                               std::same_as<Handle, typename mesh_traits<M>::halfedge>);
+concept has_mean_of_its_own = affine_value<T> and not can_be_averaged<T> and has_means<Handle, M>;
 
 /// The same by the usual rule, if the type is one that goes apart.
 template <class Handle, class T, mesh M, scheme Scheme>
-bool carry_mean(const hierarchy<M, Scheme>& levels, int from, int to, M& fine, const std::string& name)
+bool carry_mean(const hierarchy<M, Scheme>& levels, int from, int to, M& fine, unset_values<M>& unset,
+                const std::string& name)
 {
     if constexpr (has_mean_of_its_own<T, Handle, M>)
-        return carry_property<Handle, T>(levels, from, to, fine, name, usual_rule<M, Handle, T>());
+        return carry_property<Handle, T>(levels, from, to, fine, unset, name, rule_of_means<M, Handle>());
     else
         return false;
 }
@@ -169,7 +175,8 @@ using types_without_own_means = decltype(std::tuple_cat(
 /// vertices that come from a vertex. Faces inherit from their parent, edges from the edge along which they lie. On
 /// half-edges what can be averaged is that of corners, linear in each face, with its seams; the rest stays with those
 /// that lie along a half-edge. All others have what the map gives to new elements, where the library has such values
-/// that are no coordinates, else T(), zero where that is left open. What by_rule names goes by that rule instead.
+/// that are no coordinates, else T(), zero where that is left open. What by_rule names goes by that rule instead. What
+/// has no name of its own is left out, as in `fine` that name may stand for anything.
 /// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without
 /// connectivity per property that is averaged or has a rule, and one pass over the levels for the others of a kind; a
 /// copy of the values of level `from`.
@@ -184,45 +191,56 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
     if (count(fine) != count(levels[to]))
         throw mesh_error("the mesh that is to have the properties is not level " + std::to_string(to) +
                          " of the hierarchy; give a copy of that level");
-    property_report report;
+    std::vector<detail::told_property> carried, left_out;
+    const auto tell = [](auto& told, const std::vector<std::string>& names, std::optional<field_on> where) {
+        for (const std::string& name : names)
+            told.push_back({name, where});
+    };
+    detail::unset_values<M> unset(levels[from]);
     const auto carry = [&]<class On>(On) {
         using types = decltype(std::tuple_cat(std::declval<typename property_access<M>::value_types>(),
                                               std::declval<detail::types_without_own_means<On, M, More...>>()));
-        const detail::property_values<On, M> values(levels[from], static_cast<types*>(nullptr));
+        detail::property_values<On, M> values(levels[from], unset, static_cast<types*>(nullptr));
+        values.leave_out_unnamed();
+        constexpr field_on where = detail::kind_of_handle<M, On>;
         constexpr bool is_edge = std::same_as<On, typename traits::edge>;
         constexpr bool can_carry = not is_edge or numbering_of<Scheme, std::uint32_t>::has_edges;
         if constexpr (can_carry)
             detail::carry_values(levels, from, to, fine, values);
-        auto& known = can_carry ? report.carried : report.left_out;
-        known.insert(known.end(), values.known().begin(), values.known().end());
-        for (const std::string& name : values.unknown())
-            ((detail::carry_mean<On, More>(levels, from, to, fine, name) or ...) ? report.carried : report.left_out)
-                .push_back(name);
+        tell(can_carry ? carried : left_out, values.known(), where);
+        for (const std::string& name : values.unknown()) {
+            const bool has_mean = ((not detail::is_unnamed<M, More>(name) and
+                                    detail::carry_mean<On, More>(levels, from, to, fine, unset, name)) or
+                                   ...);
+            (has_mean ? carried : left_out).push_back({name, where});
+        }
     };
     carry(typename traits::vertex());
     carry(typename traits::halfedge());
     carry(typename traits::edge());
     carry(typename traits::face());
 
-    if constexpr (requires { property_access<M>::copy_of_whole(fine, fine, report.carried); }) {
-        const auto others = property_access<M>::copy_of_whole(levels[from], fine, report.carried);
-        report.left_out.insert(report.left_out.end(), others.begin(), others.end());
+    if constexpr (requires(std::vector<std::string>& names) { property_access<M>::copy_of_whole(fine, fine, names); }) {
+        std::vector<std::string> copied;
+        tell(left_out, property_access<M>::copy_of_whole(levels[from], fine, copied), std::nullopt);
+        tell(carried, copied, std::nullopt);
     }
 
     [[maybe_unused]] const auto carry_by_rule =
         [&]<class On, class Value, class By>(const property_by_rule<On, Value, By>& each) {
-            const auto left_out = std::ranges::find(report.left_out, each.name);
-            const bool is_new = std::ranges::find(report.carried, each.name) == report.carried.end();
-            if (not detail::carry_property<On, Value>(levels, from, to, fine, each.name, each.rule)) {
-                if (is_new and left_out == report.left_out.end())
-                    report.left_out.push_back(each.name);
-            } else if (left_out != report.left_out.end()) {
-                report.left_out.erase(left_out);
-                report.carried.push_back(each.name);
+            const detail::told_property told{each.name, detail::kind_of_handle<M, On>};
+            const auto found = std::ranges::find(left_out, told);
+            const bool is_new = std::ranges::find(carried, told) == carried.end();
+            if (not detail::carry_property<On, Value>(levels, from, to, fine, unset, each.name, each.rule)) {
+                if (is_new and found == left_out.end())
+                    left_out.push_back(told);
+            } else if (found != left_out.end()) {
+                left_out.erase(found);
+                carried.push_back(told);
             }
         };
     (carry_by_rule(rules), ...);
-    return report;
+    return {detail::names_of(carried), detail::names_of(left_out)};
 }
 
 /// `refine`, to the same points, with all properties that can be carried. Errors: as hierarchy::refine. Cost: that of

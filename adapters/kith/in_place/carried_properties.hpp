@@ -67,7 +67,7 @@ private:
 
 /// The properties of a mesh that is about to be overwritten: read, taken along, written. Those of other types than
 /// property_access knows stay where they are, or go.
-template <class M>
+template <mesh_with_properties M>
 class carried_properties {
     using traits = mesh_traits<M>;
     using types = typename property_access<M>::value_types;
@@ -76,14 +76,7 @@ class carried_properties {
 
 public:
     /// Cost: O(elements) per property.
-    explicit carried_properties(const M& mesh)
-        : at_vertices_(mesh, static_cast<types*>(nullptr))
-        , at_corners_(mesh, static_cast<types*>(nullptr))
-        , on_edges_(mesh, static_cast<types*>(nullptr))
-        , on_faces_(mesh, static_cast<types*>(nullptr))
-        , values_(at_vertices_, at_corners_, on_edges_, on_faces_)
-    {
-    }
+    explicit carried_properties(const M& mesh) : carried_properties(mesh, kith::detail::unset_values<M>(mesh)) {}
 
     /// To be taken to the last level.
     [[nodiscard]] auto& values() { return values_; }
@@ -103,6 +96,15 @@ public:
     }
 
 private:
+    carried_properties(const M& mesh, kith::detail::unset_values<M>&& unset)
+        : at_vertices_(mesh, unset, static_cast<types*>(nullptr))
+        , at_corners_(mesh, unset, static_cast<types*>(nullptr))
+        , on_edges_(mesh, unset, static_cast<types*>(nullptr))
+        , on_faces_(mesh, unset, static_cast<types*>(nullptr))
+        , values_(at_vertices_, at_corners_, on_edges_, on_faces_)
+    {
+    }
+
     values_on<typename traits::vertex> at_vertices_;
     values_on<typename traits::halfedge> at_corners_;
     values_on<typename traits::edge> on_edges_;

@@ -117,7 +117,7 @@ basic_mesh<Point, std::uint32_t> lift_here(const M& mesh)
 }
 
 /// The same, compiled in the library that `is_compiled_mesh` tells of.
-template <class M, class Point>
+template <mesh M, class Point>
 basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh);
 
 } // namespace detail

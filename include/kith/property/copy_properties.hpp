@@ -86,7 +86,10 @@ public:
             std::vector<std::type_index> copied;
             (copy_once<T>(one, properties, copied), ...);
             for (std::size_t left = copied.size(); left < properties; ++left)
-                leave_out(*name, "its type is none of those that are looked for; name it, convert<mesh, type>(...)");
+                leave_out(*name,
+                          is_unnamed<From>(*name)
+                              ? "it has no name of its own, and this one may stand for anything in the new mesh"
+                              : "its type is none of those that are looked for; name it, convert<mesh, type>(...)");
         }
     }
 
@@ -114,7 +117,8 @@ private:
     void copy_once(const one_property& one, std::size_t properties, std::vector<std::type_index>& copied)
     {
         const std::type_index type = typeid(T);
-        if (copied.size() < properties and std::ranges::find(copied, type) == copied.end() and copy<T>(one))
+        if (copied.size() < properties and std::ranges::find(copied, type) == copied.end() and
+            not is_unnamed<From, T>(one.name) and copy<T>(one))
             copied.push_back(type);
     }
     /// Whether it is of this type.

@@ -4,7 +4,7 @@
 #include <kith/mesh/mesh_traits.hpp>
 
 #include <concepts>
-#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace kith {
@@ -13,7 +13,8 @@ namespace kith {
 ///
 ///   number                             the type in which values are averaged
 ///   value_types                        std::tuple of the types of values that are looked for
-///   names<Handle>(mesh) of all properties on elements with such handles, but those of the library itself
+///   names<Handle>(mesh)                of all properties on elements with such handles, but those of the library
+///                                      itself
 ///   is_reserved(name)                  whether the library itself has, or may have, a property of that name
 ///   follows_from_points(name)          whether the library makes it, as normals
 ///   find<Handle, T>(mesh, name)        something with [handle] that converts to true if there are such values
@@ -23,13 +24,18 @@ namespace kith {
 ///
 /// and where properties have a value for elements that nobody has given one, which else is T():
 ///
-///   with_one_element(mesh) a mesh with the same properties and one element of each kind, which have these values
+///   with_one_element(mesh)             a mesh with the same properties and one element of each kind, which have these
+///                                      values
 ///   starts_with_a_value<T>             whether they are never left open
 ///   add<Handle, T>(mesh, name, unset)  as above, where new with this value
 ///
 /// and where several properties may have one name, each with another type:
 ///
 ///   types_share_names                  true
+///
+/// and where properties that were given no name get one of the library, which means nothing in another mesh:
+///
+///   is_unnamed<T>(name)                whether it is such a name, for values of type T; void for those of any
 ///
 /// and where there are properties of a mesh as a whole:
 ///
@@ -43,6 +49,16 @@ template <class M>
 concept mesh_with_properties = mesh<M> and requires { typename property_access<M>::value_types; };
 
 namespace detail {
+
+/// Whether the library gives this name to properties that have none of their own.
+template <mesh_with_properties M, class T = void>
+bool is_unnamed([[maybe_unused]] const std::string& name)
+{
+    if constexpr (requires { property_access<M>::template is_unnamed<T>(name); })
+        return property_access<M>::template is_unnamed<T>(name);
+    else
+        return false;
+}
 
 /// Calls f(handle) in the order of dense numbers. A half-edge stands for the corner at its target, as is usual for
 /// texture coordinates.

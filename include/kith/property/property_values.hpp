@@ -16,7 +16,6 @@
 #include <string>
 #include <tuple>
 #include <typeindex>
-#include <utility>
 #include <vector>
 
 namespace kith::detail {
@@ -80,29 +79,33 @@ void store_averaged(To to, const std::vector<Handle>& handles, std::span<const f
         to[handles[i]] = averaged_value<T>::template store<Number>(values[i]);
 }
 
+/// Whether there are means of values on elements with such handles: at vertices and at corners.
+template <class Handle, mesh M>
+inline constexpr bool has_means = std::same_as<Handle, typename mesh_traits<M>::vertex> or
+                                  std::same_as<Handle, typename mesh_traits<M>::halfedge>;
+
 /// The properties of a mesh on elements with such handles, apart from the mesh and from the types of their values, so
 /// that whatever takes them to finer levels is compiled once for all types, and little for each type of mesh and of
 /// values. At vertices and corners, which half-edges stand for, what can be averaged is coordinates; the rest goes from
 /// an element to its heirs.
 template <class Handle, mesh_with_properties M>
 class property_values {
-    using traits = mesh_traits<M>;
     using access = property_access<M>;
     using number = typename access::number;
-    static constexpr bool has_means = std::same_as<Handle, typename traits::halfedge> or
-                                      std::same_as<Handle, typename traits::vertex>;
 
 public:
     using coordinates = four_numbers<number>;
 
     struct averaged {
         std::string name;
+        bool is_unnamed;
         storage<coordinates> values;
         coordinates nothing; ///< which elements have that inherit nothing
         void (*write)(M&, const averaged&, const std::vector<Handle>&, std::span<const coordinates>);
     };
     struct inherited {
         std::string name;
+        bool is_unnamed;
         std::unique_ptr<const inherited_values> values;
         void (*write)(M&, const std::string& name, const std::vector<Handle>&, const inherited_values&,
                       std::span<const std::uint32_t> heirs);
@@ -110,20 +113,19 @@ public:
 
     /// Cost: O(elements) per property.
     template <class... T>
-    property_values(const M& mesh, std::tuple<T...>* types)
+    property_values(const M& mesh, unset_values<M>& unset, std::tuple<T...>* types)
     {
         if constexpr (is_compiled_mesh<M> and std::same_as<std::tuple<T...>, typename access::value_types>)
-            *this = read_in_library(mesh);
+            *this = read_in_library(mesh, unset);
         else
-            *this = read_here(mesh, types);
+            *this = read_here(mesh, unset, types);
     }
     template <class... T>
-    static property_values read_here(const M& mesh, std::tuple<T...>*)
+    static property_values read_here(const M& mesh, unset_values<M>& unset, std::tuple<T...>*)
     {
         property_values result;
         result.handles_ = handles_of<Handle>(mesh);
         const std::vector<std::string> names = access::template names<Handle>(mesh);
-        const unset_values<Handle, M> unset(mesh, not names.empty());
         for (auto name = names.begin(); name != names.end(); ++name) {
             if (std::find(names.begin(), name, *name) != name)
                 continue;
@@ -143,6 +145,20 @@ public:
     /// The names of the properties that are here, and of those that are not: of other types, or made of the points.
     [[nodiscard]] const std::vector<std::string>& known() const { return known_; }
     [[nodiscard]] const std::vector<std::string>& unknown() const { return unknown_; }
+
+    /// Those without a name of their own become unknown ones: in another mesh that name may stand for anything.
+    void leave_out_unnamed()
+    {
+        const auto leave_out = [this](const auto& each) {
+            if (not each.is_unnamed)
+                return false;
+            known_.erase(std::ranges::find(known_, each.name));
+            unknown_.push_back(each.name);
+            return true;
+        };
+        std::erase_if(means_, leave_out);
+        std::erase_if(heirs_, leave_out);
+    }
 
     /// For the elements of the control mesh: that each inherits from itself.
     [[nodiscard]] storage<std::uint32_t> own_heirs() const
@@ -168,11 +184,11 @@ public:
 private:
     property_values() = default;
     /// With the usual types, compiled in the library that `is_compiled_mesh` tells of.
-    static property_values read_in_library(const M& mesh);
+    static property_values read_in_library(const M& mesh, unset_values<M>& unset);
 
     /// Reads the property of this name and type if there is one, and unless as many have been read as there are.
     template <class T>
-    void read(const M& mesh, const std::string& name, const unset_values<Handle, M>& unset, std::size_t properties,
+    void read(const M& mesh, const std::string& name, unset_values<M>& unset, std::size_t properties,
               std::vector<std::type_index>& read_so_far)
     {
         const std::type_index type = typeid(T);
@@ -182,14 +198,18 @@ private:
         if (not from)
             return;
         read_so_far.push_back(type);
-        const T nothing = unset.template of<T>(name);
-        if constexpr (has_means and can_be_averaged<T>)
+        const T nothing = unset.template of<Handle, T>(name);
+        if constexpr (has_means<Handle, M> and can_be_averaged<T>)
             means_.push_back({name,
+                              detail::is_unnamed<M, T>(name),
                               load_averaged<number, T>(from, handles_),
                               averaged_value<T>::template load<number>(nothing),
                               &write_averaged<T>});
         else
-            heirs_.push_back({name, load_inherited<T>(from, handles_, nothing), &write_inherited<T>});
+            heirs_.push_back({name,
+                              detail::is_unnamed<M, T>(name),
+                              load_inherited<T>(from, handles_, nothing),
+                              &write_inherited<T>});
     }
     template <class T>
     static void write_averaged(M& fine, const averaged& mean, const std::vector<Handle>& handles,

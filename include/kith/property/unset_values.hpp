@@ -37,27 +37,28 @@ concept mesh_with_unset_values = mesh_with_properties<M> and requires(const M& m
     { property_access<M>::with_one_element(mesh) } -> std::same_as<M>;
 };
 
-/// What elements have that inherit nothing: what the property has on new elements, else T().
-template <class Handle, mesh_with_properties M>
+/// What elements have that inherit nothing: what the property has on new elements, else T(). Where the mesh has to be
+/// copied to find that out, once for all properties.
+template <mesh_with_properties M>
 class unset_values {
 public:
-    /// are_asked_for: whether there are any properties, as finding out may take a copy of the mesh.
-    unset_values(const M& mesh, bool are_asked_for)
+    /// The mesh must outlive it.
+    explicit unset_values(const M& mesh) : mesh_(&mesh) {}
+
+    template <class Handle, class T>
+    [[nodiscard]] T of(const std::string& name)
     {
         if constexpr (mesh_with_unset_values<M>)
-            if (are_asked_for)
-                one_of_each_ = property_access<M>::with_one_element(mesh);
-    }
-    template <class T>
-    [[nodiscard]] T of(const std::string& name) const
-    {
-        if constexpr (mesh_with_unset_values<M>)
-            if constexpr (property_access<M>::template starts_with_a_value<T>)
+            if constexpr (property_access<M>::template starts_with_a_value<T>) {
+                if (not one_of_each_)
+                    one_of_each_ = property_access<M>::with_one_element(*mesh_);
                 return property_access<M>::template find<Handle, T>(*one_of_each_, name)[Handle(0)];
+            }
         return value_of_nothing<T>();
     }
 
 private:
+    const M* mesh_;
     std::optional<M> one_of_each_;
 };
 
