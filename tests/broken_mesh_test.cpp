@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes of CGAL and OpenMesh that were joined by hand, and not well: refused by whatever reads them, which nobody leaves with
-// more than an error.
+// Meshes of CGAL and OpenMesh that were joined by hand, and not well: whatever reads them refuses them.
 #include <CGAL/Simple_cartesian.h>
 
 #include "cgal_mesh.hpp"

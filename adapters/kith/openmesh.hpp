@@ -22,7 +22,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace kith {
 
@@ -101,11 +100,16 @@ struct mesh_traits<M> {
         });
     }
 
-    static void make_room(M& m, std::size_t vertices, std::size_t edges, std::size_t faces)
+    /// Errors: mesh_error for more edges than OpenMesh can number.
+    static void require_room(std::size_t edges)
     {
         if (edges > std::size_t(std::numeric_limits<int>::max()) / 2)
             throw mesh_error("OpenMesh numbers half-edges with int, the next level has " + std::to_string(edges) +
                              " edges; refine fewer times");
+    }
+    static void make_room(M& m, std::size_t vertices, std::size_t edges, std::size_t faces)
+    {
+        require_room(edges);
         if (faces != 0) {
             m.reserve(vertices, edges, faces);
             m.resize(1, 1, 1); // so that the arrays can be seen before their pages are touched

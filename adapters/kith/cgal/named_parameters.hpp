@@ -8,7 +8,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <concepts>
-#include <functional>
 #include <type_traits>
 
 namespace kith::cgal {

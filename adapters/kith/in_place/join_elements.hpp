@@ -3,9 +3,9 @@
 
 #include <kith/base/for_parts.hpp>
 #include <kith/mesh/basic_mesh.hpp>
+#include <kith/mesh/foreign_level.hpp>
 #include <kith/mesh/match.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -15,7 +15,7 @@ namespace kith::in_place {
 /// Joins the elements of a mesh that has as many edges and faces as these connectivity arrays and no others, none of
 /// them joined yet, by what its `mesh_traits` write: edge i and face i are those with that index, and handle_of(v) is
 /// the handle of vertex v. Cost: O(elements).
-template <class M, class HandleOf>
+template <fillable_mesh M, class HandleOf>
 void join_elements(M& mesh, const connectivity<std::uint32_t>& t, const HandleOf& handle_of)
 {
     using traits = mesh_traits<M>;

@@ -13,7 +13,6 @@
 #include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace kith::in_place {
 
@@ -28,7 +27,7 @@ struct refined {
 };
 
 /// Whether the new vertex of each vertex has its number.
-template <class Ids>
+template <element_ids Ids>
 bool keeps_vertices(const Ids& ids, std::size_t vertices)
 {
     if constexpr (Ids::template has<tuple_kind::v>)

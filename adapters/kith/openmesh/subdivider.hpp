@@ -93,7 +93,7 @@ private:
             }
         return refine_by(used, mesh, generation, n, update_points);
     }
-    template <class Used>
+    template <kith::scheme Used>
     bool refine_by(Used& used, Mesh& mesh, int generation, std::size_t n, bool update_points) const
     {
         if (n == 0)

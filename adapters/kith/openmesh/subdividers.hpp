@@ -12,19 +12,19 @@ namespace kith::openmesh {
 
 namespace detail {
 
-template <class Scheme>
+template <scheme Scheme>
 Scheme openmesh_scheme()
 {
     return like<Scheme>(library::openmesh);
 }
-template <class Scheme>
+template <scheme Scheme>
 Scheme own_scheme()
 {
     return {};
 }
 
 /// A subdivider that starts with OpenMesh's options, or with those of kith for schemes that OpenMesh does not have.
-template <class Mesh, class Scheme, Scheme (*Options)()>
+template <class Mesh, scheme Scheme, Scheme (*Options)()>
 class subdivider_with : public subdivider<Mesh, Scheme> {
 public:
     subdivider_with() : subdivider<Mesh, Scheme>(Options()) {}
@@ -32,9 +32,9 @@ public:
     explicit subdivider_with(Scheme scheme) : subdivider<Mesh, Scheme>(std::move(scheme)) {}
 };
 
-template <class Mesh, class Scheme>
+template <class Mesh, scheme Scheme>
 using as_openmesh = subdivider_with<Mesh, Scheme, openmesh_scheme<Scheme>>;
-template <class Mesh, class Scheme>
+template <class Mesh, scheme Scheme>
 using as_kith = subdivider_with<Mesh, Scheme, own_scheme<Scheme>>;
 
 } // namespace detail

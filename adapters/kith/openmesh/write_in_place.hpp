@@ -6,8 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace kith::openmesh {
@@ -16,7 +14,7 @@ namespace kith::openmesh {
 /// deleted; edges and faces are numbered from 0 on. What was requested and properties stay, with zeros and T() on all
 /// but the vertices that were there. Points are not written. Errors: mesh_error for more elements than OpenMesh can
 /// number, before anything is changed. Cost: O(elements).
-template <class M>
+template <fillable_mesh M>
 void write_connectivity(M& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {
     std::vector<OpenMesh::VertexHandle> handles, deleted;
@@ -25,9 +23,7 @@ void write_connectivity(M& m, const connectivity<std::uint32_t>& t, bool keeps_v
             const OpenMesh::VertexHandle handle(v);
             (m.has_vertex_status() and m.status(handle).deleted() ? deleted : handles).push_back(handle);
         }
-    if (t.edges() > std::size_t(std::numeric_limits<int>::max()) / 2)
-        throw mesh_error("OpenMesh numbers half-edges with int, the next level has " + std::to_string(t.edges()) +
-                         " edges; refine fewer times");
+    mesh_traits<M>::require_room(t.edges());
     const std::size_t old = handles.size() + deleted.size(), all = t.vertices + deleted.size();
     for (std::size_t v = old; v < all; ++v)
         handles.emplace_back(int(v));

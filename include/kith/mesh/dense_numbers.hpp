@@ -14,7 +14,7 @@
 namespace kith {
 
 /// The elements of one kind of a mesh, numbered in its order without gaps: meshes may hold removed ones.
-template <class M, class Handle>
+template <mesh M, class Handle>
 class dense_numbers {
     using traits = mesh_traits<M>;
 

@@ -23,7 +23,8 @@ class basic_mesh;
 ///
 ///   vertices(m) edges(m) faces(m)  ranges of handles, removed elements left out, always in the same order
 ///   index(m, x)                    a number of x (all four kinds), unique among its kind ...
-///   vertex_bound(m) edge_bound(m) face_bound(m) halfedge_bound(m)   ... and below this bound
+///   vertex_bound(m) edge_bound(m) face_bound(m) halfedge_bound(m)
+///                                  ... and below this bound
 ///   next(m, h) prev(m, h)          around the face of h, counter-clockwise
 ///   opposite(m, h)                 the other half-edge of the edge of h
 ///   is_boundary(m, h)              h has no face; only next, prev and face_of need not work then
@@ -33,11 +34,13 @@ class basic_mesh;
 ///   halfedge_of(m, f)              the half-edge at which f starts
 ///   is_isolated(m, v)              v has no edge
 ///   point_of(m, v)
-///   build(basic_mesh<point, uint32_t>&&) -> M     the mesh with these elements, in this order and direction (optional:
-///                                  without it a mesh can be read, not written)
+///   build(basic_mesh<point, uint32_t>&&) -> M
+///                                  the mesh with these elements, in this order and direction (optional: without it a
+///                                  mesh can be read, not written)
 ///
-///   build(basic_mesh<point, uint32_t>&&, const M& source) -> M the same for a mesh that was refined from `source`, of
-///                                  which it may keep more than elements (optional)
+///   build(basic_mesh<point, uint32_t>&&, const M& source) -> M
+///                                  the same for a mesh that was refined from `source`, of which it may keep more than
+///                                  elements (optional)
 ///
 ///   points(m)                      the array of all points, by index (optional: without it vertices cannot be moved)
 ///
@@ -45,17 +48,21 @@ class basic_mesh;
 ///   them:
 ///
 ///   request_like(m, source)        lets an empty m have the attributes that `source` has (optional; comes first)
-///   make_room(m, vertices, edges, faces) gives an empty m so many elements, not joined yet; throws mesh_error for more
-///                                  than it can number
-///   at<Handle>(i) the vertex, edge, half-edge or face whose index is i; half-edges 2i and 2i+1 are edge i
+///   make_room(m, vertices, edges, faces)
+///                                  gives an empty m so many elements, not joined yet; throws mesh_error for more than
+///                                  it can number
+///   at<Handle>(i)                  the vertex, edge, half-edge or face whose index is i; half-edges 2i and 2i+1 are
+///                                  edge i
 ///   set_side(m, h, f, v, next)     h lies in face f, leads to v and is followed by `next`
-///   set_boundary_side(m, h, v, next)   the same for a half-edge without face
+///   set_boundary_side(m, h, v, next)
+///                                  the same for a half-edge without face
 ///   set_start(m, f, h, degree)     f starts at h; throws mesh_error for faces of a degree that it cannot hold
 ///   set_start(m, v, h)             v starts at h, which leaves it; comes before the boundary sides
 ///   target(m, h)                   where h was told to lead
 ///   mark_odd_generation(m)         for `generation` to remember
 ///
-///   generation(m) how many steps `build` was told the mesh is away from its control mesh (optional; 0)
+///   generation(m)                  how many steps `build` was told the mesh is away from its control mesh (optional;
+///                                  0)
 ///
 /// The order in which a mesh starts its vertices, edges and faces is the order of the operands of a mask, so it is
 /// part of the promise "same mesh, same bits"; `build` keeps it.
