@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using kith::creases;
@@ -89,6 +90,8 @@ TEST(make_creases, numbers_in_brackets_are_sharpness)
 TEST(make_creases, a_whole_number_is_no_mark)
 {
     EXPECT_EQ(make_creases(cube, [](auto) { return 1; }).of_edge(0), 1.);
+    EXPECT_EQ(make_creases(cube, [](auto) { return std::numeric_limits<int>::max() - 1; }).of_edge(0), 2147483646.);
+    EXPECT_EQ(make_creases(cube, [](auto) { return std::numeric_limits<int>::max(); }).of_edge(0), infinitely_sharp);
 }
 
 TEST(make_creases, negative_sharpness_is_refused)

@@ -14,7 +14,7 @@ basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh)
     return lift_here<M, Point>(mesh);
 }
 
-template <class M, class Point>
+template <fillable_mesh M, class Point>
 M make_in_library(const M& source, const level_source<Point>& write)
 {
     return make_here<Point>(source, write);

@@ -178,7 +178,7 @@ using types_without_own_means = decltype(std::tuple_cat(
 /// that are no coordinates, else T(), zero where that is left open. What by_rule names goes by that rule instead. What
 /// has no name of its own is left out, as in `fine` that name may stand for anything.
 /// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without
-/// connectivity per property that is averaged or has a rule, and one pass over the levels for the others of a kind; a
+/// connectivity per property that is averaged or has a rule, and once over the levels for the others of a kind; a
 /// copy of the values of level `from`.
 template <class... More, mesh M, scheme Scheme, class... Handle, class... T, class... Rule>
 property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,

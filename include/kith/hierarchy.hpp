@@ -229,7 +229,7 @@ public:
         return storage<T>(carry(from, to, on_vertices(values, by_mask())).values());
     }
 
-    /// A field of level `from` carried to level `to` by its rule: one pass over the levels between. Errors: as above.
+    /// A field of level `from` carried to level `to` by its rule: once over the levels between. Errors: as above.
     template <field_on Where, class T, class Rule>
     [[nodiscard]] field<Where, T, Rule> carry(int from, int to, field<Where, T, Rule> values) const
     {

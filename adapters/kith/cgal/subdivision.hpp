@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
-#include <limits>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 namespace kith::cgal {
@@ -67,22 +65,12 @@ void for_each_map(const Np& np, const F& f)
     if constexpr (is_given<Np, Sharpness>)
         f(CGAL::parameters::get_parameter(np, Sharpness()));
 }
-/// What a map says, the largest of integers being for ever, as it is where `as_sharpness` has written it.
-template <class Map, class Element>
-double sharpness_of(const Map& map, const Element& x, std::size_t number, const char* kind)
-{
-    using value = std::remove_cvref_t<decltype(kith::detail::map_value(map, x))>;
-    if constexpr (std::integral<value> and not std::same_as<value, bool>)
-        if (kith::detail::map_value(map, x) == std::numeric_limits<value>::max())
-            return infinitely_sharp;
-    return kith::detail::sharpness_from(map, x, number, kind);
-}
 template <class Constrained, class Sharpness, class Np, class Element>
 double sharpness_in(const Np& np, const Element& x, std::size_t number, const char* kind)
 {
     double result = 0;
     for_each_map<Constrained, Sharpness>(
-        np, [&](const auto& map) { result = std::max(result, sharpness_of(map, x, number, kind)); });
+        np, [&](const auto& map) { result = std::max(result, kith::detail::sharpness_from(map, x, number, kind)); });
     return result;
 }
 

@@ -149,7 +149,7 @@ struct connectivity {
     }
 };
 
-/// Counts of a mesh, with the boundary classes. Cost: one pass over the edges and over the boundary fans.
+/// Counts of a mesh, with the boundary classes. Cost: O(edges).
 template <std::unsigned_integral Index>
 counts count(const connectivity<Index>& mesh)
 {

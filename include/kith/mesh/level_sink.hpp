@@ -16,6 +16,7 @@ struct face_line {
     Index halfedge;
 };
 
+/// The lines of a face in their order, as `polygon` gives them.
 template <class T>
 concept face_lines = requires(const T& lines) {
     (*lines.begin()).vertex;

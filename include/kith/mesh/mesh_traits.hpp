@@ -118,6 +118,7 @@ private:
     IsRemoved is_removed_;
 };
 
+/// A range of what converts to T.
 template <class R, class T>
 concept range_of = std::ranges::input_range<R> and std::convertible_to<std::ranges::range_reference_t<R>, T>;
 

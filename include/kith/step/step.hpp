@@ -125,7 +125,7 @@ M make_here(const M& source, const Write& write)
 }
 
 /// The same, compiled in the library that `is_compiled_mesh` tells of.
-template <class M, class Point>
+template <fillable_mesh M, class Point>
 M make_in_library(const M& source, const level_source<Point>& write);
 
 /// A mesh of the type of `source`, written by write(level_writer).

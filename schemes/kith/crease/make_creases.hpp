@@ -11,6 +11,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -26,7 +27,10 @@ double sharpness_from(const Source& source, const Handle& x, std::size_t number,
 {
     using value = std::remove_cvref_t<decltype(map_value(source, x))>;
     if constexpr (std::is_arithmetic_v<value> and not std::same_as<value, bool>) {
-        const double sharpness = double(map_value(source, x));
+        const auto given = map_value(source, x);
+        if (std::is_integral_v<value> and given == std::numeric_limits<value>::max())
+            return infinitely_sharp; // integers have no infinity
+        const double sharpness = double(given);
         if (not(sharpness >= 0))
             throw mesh_error(std::string(kind) + " " + std::to_string(number) + ": its sharpness is " +
                              std::to_string(sharpness) + "; give 0 or more, infinitely_sharp for ever");
@@ -40,9 +44,8 @@ double sharpness_from(const Source& source, const Handle& x, std::size_t number,
 
 /// The creases of a mesh from what its user knows of them: of edges and of vertices each a function of the mesh's
 /// handles, a property map over them, such as CGAL's edge_is_constrained_map, or anything that takes them in brackets.
-/// Numbers are sharpness; `true` stands for infinitely_sharp. Errors: mesh_error for a sharpness below 0 or NaN, and
-/// for a mesh without edges.
-/// Cost: O(elements).
+/// Numbers are sharpness; `true` and the largest number of an integer type stand for infinitely_sharp. Errors:
+/// mesh_error for a sharpness below 0 or NaN, and for a mesh without edges. Cost: O(elements).
 template <mesh M, class EdgeSharpness, class VertexSharpness>
 creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const VertexSharpness& vertex_sharpness,
                      crease_method method = crease_method::uniform)
