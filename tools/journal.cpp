@@ -135,6 +135,11 @@ std::string journal_share::surface_in(const std::string& directory)
     return (fs::path(directory) / "surface").string();
 }
 
+std::string journal_share::records_in(const std::string& directory)
+{
+    return surface_in(directory) + ".records";
+}
+
 bool journal_share::hold()
 {
     std::error_code failed;
@@ -183,6 +188,7 @@ bool journal_share::own()
 
 void journal_share::remove() noexcept
 {
+    std::remove(records_in(directory_).c_str());
     std::remove(recipe_in(directory_).c_str());
     std::remove(directory_.c_str());
 }

@@ -39,6 +39,8 @@ public:
     ~journal_share();
 
     [[nodiscard]] static std::string surface_in(const std::string& directory);
+    /// Where the records of a surface lie while it gets its name.
+    [[nodiscard]] static std::string records_in(const std::string& directory);
 
     /// Whether another job has given the surface its name since the recipe was read, so that there is nothing to share.
     [[nodiscard]] bool is_over() const { return descriptor_ < 0; }

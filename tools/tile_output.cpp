@@ -7,8 +7,14 @@
 #include <kith/output/vtu_pieces.hpp>
 #include <kith/part/checksum.hpp>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <string>
 #include <system_error>
+#include <vector>
+
+#include <unistd.h>
 
 namespace kith::tool {
 
@@ -36,6 +42,20 @@ bool is_special(const std::string& target)
 std::vector<value_bytes> as_bytes(const tile_output::tile_values& values)
 {
     return {values.begin(), values.end()};
+}
+
+/// Looks whether a file or directory can get this name at the end: whether what holds it takes new names, and what is
+/// there may be replaced. Errors: file_error.
+void require_nameable(const std::string& path, const std::string& target)
+{
+    const auto require = [&](const fs::path& place, int mode) {
+        if (::access(place.c_str(), mode) != 0)
+            throw file_error(path + ": cannot be written: " + std::strerror(errno));
+    };
+    std::error_code failed;
+    if (fs::exists(target, failed))
+        require(target, fs::is_directory(target, failed) ? W_OK | X_OK : W_OK);
+    require(fs::absolute(target).parent_path(), W_OK | X_OK);
 }
 
 /// Tiles are written at their places, which a pipe does not have. Errors: file_error.
@@ -96,11 +116,58 @@ std::string tile_output::incomplete_pieces() const
     return request_.journal.empty() ? (fs::path(pieces_).parent_path() / fs::path(name).filename()).string() : name;
 }
 
+/// What `commit` is going to need, before any work. A file without a journal and its pieces are made next to their place.
+void tile_output::require_names() const
+{
+    if (journal_)
+        require_nameable(request_.path, target_);
+    if (not pieces_.empty())
+        require_nameable(pieces_, pieces_);
+}
+
+/// Cuts the records off the surface, which so is complete. Until it has its name they lie in a file of their own, so
+/// that nothing is lost when it gets none or the process is killed; the place that the pieces go to is behind them.
+void tile_output::cut_records()
+{
+    auto surface = offset_file::open(incomplete_);
+    std::vector<char> bytes(journal_->end() - layout_->size());
+    surface.read(layout_->size(), bytes.data(), bytes.size());
+    const std::string place = pieces_.empty() ? "" : fs::absolute(pieces_).string();
+    bytes.insert(bytes.end(), place.begin(), place.end());
+    auto records = offset_file::create(journal_share::records_in(request_.journal), bytes.size());
+    records.write(0, bytes.data(), bytes.size());
+    records.flush();
+    records.close();
+    surface.resize(layout_->size());
+    surface.close();
+}
+
+/// The inverse, where a job has cut the records off and the surface has no name yet.
+void tile_output::restore_records()
+{
+    const std::string path = journal_share::records_in(request_.journal);
+    const std::uint64_t begin = layout_->size(), size = journal_->end() - begin;
+    std::error_code failed;
+    const std::uint64_t now = fs::file_size(incomplete_, failed);
+    if (failed or now < begin or now >= journal_->end() or fs::file_size(path, failed) < size or failed)
+        return;
+    auto records = offset_file::open(path);
+    std::vector<char> bytes(fs::file_size(path));
+    records.read(0, bytes.data(), bytes.size());
+    if (const std::string place(bytes.begin() + std::ptrdiff_t(size), bytes.end());
+        not place.empty() and not fs::exists(incomplete_pieces()))
+        fs::rename(place, incomplete_pieces(), failed); // pieces that are lost are written again
+    auto surface = offset_file::open(incomplete_);
+    surface.write(begin, bytes.data(), size);
+    surface.close();
+}
+
 bool tile_output::begin(const found_recipe& recipe)
 {
     require_places(request_, target_, not pieces_.empty());
     if (not pieces_.empty())
         require_pieces_only(pieces_);
+    require_names();
     if (not journal_) {
         made_.emplace(request_.path);
         if (not pieces_.empty())
@@ -113,6 +180,7 @@ bool tile_output::begin(const found_recipe& recipe)
         share_.emplace(request_.journal, recipe, request_.path);
         if (share_->is_over())
             return false;
+        restore_records();
         std::error_code failed;
         if (not pieces_.empty())
             fs::create_directory(incomplete_pieces(), failed);
@@ -180,10 +248,10 @@ void tile_output::commit()
     if (share_ and not share_->own())
         return;
     const auto lock = io::hold_interruptions();
+    require_names();
     if (share_) {
-        auto file = offset_file::open(incomplete_);
-        file.resize(layout_->size());
-        file.close();
+        restore_records(); // another job may have found no way to name the surface
+        cut_records();
     }
     if (not pieces_.empty()) {
         const std::string made = incomplete_pieces();
@@ -194,8 +262,10 @@ void tile_output::commit()
             fs::permissions(incomplete_, fs::status(target_).permissions(), failed);
             fs::remove(target_, failed);
         }
-        fs::remove_all(pieces_, failed);
-        fs::rename(made, pieces_, failed);
+        if (not failed)
+            fs::remove_all(pieces_, failed);
+        if (not failed)
+            fs::rename(made, pieces_, failed);
         if (failed)
             throw file_error(pieces_ + ": cannot be written: " + failed.message());
     }

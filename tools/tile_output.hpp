@@ -70,13 +70,16 @@ public:
     [[nodiscard]] std::optional<std::string> damage(const tile_type& part, const tile_values& values,
                                                     std::uint64_t tile);
     void close();
-    /// Gives the file its name, unless another job has done so; nothing of the journal is left then.
+    /// Gives the file its name, unless another job has done so; nothing of the journal is left then. When it fails,
+    /// what is finished stays in the journal.
     /// Errors: file_error, write_error.
     void commit();
 
 private:
     [[nodiscard]] std::string incomplete_pieces() const;
-    void begin_file();
+    void require_names() const;
+    void cut_records();
+    void restore_records();
 
     output_request request_;
     std::string target_, incomplete_;
