@@ -77,6 +77,19 @@ void require_one_file_system(const std::string& output, const std::string& direc
                          "; put the journal next to the output");
 }
 
+void require_apart(const std::string& output, const std::string& directory)
+{
+    const auto place = [](const std::string& path) {
+        std::error_code failed;
+        return fs::weakly_canonical(fs::absolute(path), failed);
+    };
+    const std::string surface = journal_share::surface_in(directory);
+    for (const auto& own : {surface, surface + ".pieces", journal_share::records_in(directory), recipe_in(directory)})
+        if (place(own) == place(output))
+            throw file_error(output + ": is a name that the journal uses itself; name another output, or another "
+                                      "directory for the journal");
+}
+
 recipe kept_recipe(const std::string& directory)
 {
     auto kept = find_recipe(directory);
@@ -152,11 +165,25 @@ bool journal_share::hold()
         throw file_error(surface + ": cannot be opened for writing: " + std::strerror(errno));
     if (descriptor_ < 0)
         return false;
+    if (is_of_others()) {
+        ::close(std::exchange(descriptor_, -1));
+        throw file_error(surface + ": is there without a recipe, so it may be somebody's; remove it, or name another "
+                                   "directory for the journal");
+    }
     lock(descriptor_, LOCK_SH);
     if (holds_surface())
         return true;
     ::close(std::exchange(descriptor_, -1));
     return false;
+}
+
+/// A surface is empty until there is a recipe, and held as long as a job is at work after another one took that away.
+bool journal_share::is_of_others() const
+{
+    struct stat mine = {};
+    std::error_code failed;
+    return ::fstat(descriptor_, &mine) == 0 and mine.st_size > 0 and not fs::exists(recipe_in(directory_), failed) and
+           (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 or errno != EWOULDBLOCK) and holds_surface();
 }
 
 bool journal_share::holds_surface() const

@@ -26,13 +26,17 @@ found_recipe recipe_for(const std::string& directory, const tile_request& reques
 /// The surface gets its name by renaming, which no file system does for another. Errors: file_error.
 void require_one_file_system(const std::string& output, const std::string& directory);
 
+/// A journal has files of its own, which an output must not be. Errors: file_error.
+void require_apart(const std::string& output, const std::string& directory);
+
 /// A job's share in a journal. Jobs may be at work in one at the same time: each holds the surface (flock, shared)
 /// while it lives, so that none takes the surface away from another. Move only.
 class journal_share {
 public:
     /// Begins the journal, unless it is there already. The recipe appears when it is complete, so that a process that
     /// is ended meanwhile leaves no half of one.
-    /// Errors: file_error, also when the output is on another file system and when another job has begun otherwise.
+    /// Errors: file_error, also when the output is on another file system, when another job has begun otherwise, and for
+    /// a file in the place of the surface that is none.
     journal_share(std::string directory, const found_recipe& recipe, const std::string& output);
     journal_share(journal_share&& other) noexcept;
     journal_share& operator=(journal_share&&) = delete;
@@ -54,6 +58,7 @@ private:
     explicit journal_share(std::string directory);
     [[nodiscard]] bool hold();
     void leave() noexcept;
+    [[nodiscard]] bool is_of_others() const;
     [[nodiscard]] bool holds_surface() const;
 
     std::string directory_;

@@ -165,6 +165,9 @@ void tile_output::restore_records()
 bool tile_output::begin(const found_recipe& recipe)
 {
     require_places(request_, target_, not pieces_.empty());
+    for (const std::string& path : {target_, pieces_})
+        if (journal_ and not path.empty())
+            require_apart(path, request_.journal);
     if (not pieces_.empty())
         require_pieces_only(pieces_);
     require_names();

@@ -212,6 +212,33 @@ if test "$code" -eq 0; then
 fi
 kith=$privileged
 
+# An output in the directory of the journal keeps away from the files there.
+for call in "" "--only 0"; do
+    # shellcheck disable=SC2086 # several words
+    run refine cube.off -s catmull-clark -n 2 -o kept/surface.pvtu --tiles 3 --journal kept $call
+    exits 1
+    says 'kept/surface.pieces: is a name that the journal uses itself; name another output, or another directory'
+done
+ln -s kept/surface linked.vtu
+run refine cube.off -s catmull-clark -n 2 -o linked.vtu --tiles 3 --journal ./kept
+exits 1
+says 'kept/surface: is a name that the journal uses itself'
+rm linked.vtu
+leaves cube.off whole.ply whole.vtu
+mkdir kept
+run refine cube.off -s catmull-clark -n 3 -o kept/out.pvtu --tiles 3 --journal kept
+exits 0
+check "the pieces are there" test "$(ls kept/out.pieces | wc -l)" -eq 3
+# Nor is a file of that name, which was there before, taken for the surface.
+rm -r kept/*
+echo mine >kept/surface
+run refine cube.off -s catmull-clark -n 3 -o out.vtu --tiles 3 --journal kept
+exits 1
+says "kept/surface: is there without a recipe, so it may be somebody's; remove it, or name another directory"
+check "it is untouched" test "$(cat kept/surface)" = mine
+leaves cube.off kept whole.ply whole.vtu
+rm -r kept
+
 # Creases of the file, of an angle, and words of the scheme come back from the recipe.
 run refine cube.off -s linear -n 1 -o cube.obj
 (cat cube.obj; printf 't crease 2/1/0 0 8 2.5\n') >creased.obj
