@@ -23,6 +23,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -76,14 +77,15 @@ public:
     /// last_rings)[0] rings of shadows: read_tiles makes them of a file that is too large for one rank. State of
     /// the scheme (creases) is that of the whole mesh, by its numbers, as far as the tiles of this rank go.
     /// Errors: phase_error for tiles that are not numbered from 0 on, each once, faces that the scheme does not take,
-    /// counts beyond 64 bits, and schemes whose numbers need more than a tile can tell: of the boundary, if the mesh has
-    /// one, and of marked edges (4-8).
+    /// counts beyond 64 bits, and schemes whose numbers need more than a tile can tell: of the boundary, if the mesh
+    /// has one, and of marked edges (4-8).
     rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                     const Scheme& scheme, int levels, std::optional<int> last_rings = std::nullopt)
         : comm_(comm)
         , scheme_(scheme)
         , last_(last_rings ? connect::everything : connect::faces)
         , held_(std::move(tiles))
+        , is_taken_(held_->size(), 0)
     {
         tiles_ = require_all_tiles(comm, *held_);
         const int generation = generation_of_tiles(comm, *held_);
@@ -101,11 +103,8 @@ public:
                     runs_.append(control_runs_of<Scheme>(part));
             tile_type no_rim;
             no_rim.mesh = {{}, {}, generation};
-            whole_.emplace(counts,
-                           std::move(no_rim),
-                           kith::detail::scheme_of_tile(scheme_, no_rim),
-                           levels,
-                           last_rings.value_or(0));
+            auto there = kith::detail::scheme_of_tile(scheme_, no_rim);
+            whole_.emplace(counts, std::move(no_rim), std::move(there), levels, last_rings.value_or(0));
         });
     }
 
@@ -148,7 +147,7 @@ public:
         return refine(how, all, use, most_at_once);
     }
     /// Collective. The same for some of the tiles, by their numbers, which are the same on all ranks. Errors: as above,
-    /// and phase_error for a number that no tile has.
+    /// and phase_error for a number that no tile has, and one that lay on its rank and has been refined.
     template <class Use>
     work_done refine(sharing how, const std::vector<std::uint64_t>& numbers, const Use& use,
                      std::size_t most_at_once = 1)
@@ -158,10 +157,13 @@ public:
                 if (number >= tiles())
                     throw mesh_error("tile " + std::to_string(number) + " was asked for; there are " +
                                      std::to_string(tiles()) + ", numbered from 0");
+            for (std::size_t i = 0; i < is_taken_.size(); ++i)
+                if (is_taken_[i] != 0 and std::ranges::find(numbers, (*held_)[i].number) != numbers.end())
+                    throw mesh_error("tile " + std::to_string((*held_)[i].number) +
+                                     " lay on its rank and is used up; give its level 0 to another rank_refinement");
         });
         most_at_once_ = most_at_once;
-        work_done done;
-        done.seconds = std::exchange(seconds_, {});
+        work_done done{.seconds = std::exchange(seconds_, {})};
         if (held_)
             refine_held(numbers, use, done);
         else if (how == sharing::spmd or comm_.size() == 1)
@@ -204,17 +206,15 @@ private:
         return result;
     }
 
-    static constexpr const char* no_memory_for_tile =
-        "there is not enough memory for a tile; use more tiles or fewer levels";
+    static constexpr const char* no_memory = "there is not enough memory for a tile; use more tiles or fewer levels";
 
     template <class Use>
     void refine_dealt(const std::vector<std::uint64_t>& numbers, const Use& use, work_done& done)
     {
         auto mine = deal_tiles(comm_, numbers.size(), [&](std::uint64_t t) { return cut(numbers[t]); });
         refine_here(mine.size(), [&](std::size_t i) {
-            const auto packed = std::exchange(mine[i], {});
             refine_one(numbers[std::size_t(comm_.rank()) + i * std::size_t(comm_.size())],
-                       unpack<Point, Index>(packed, scheme_),
+                       unpack<Point, Index>(std::exchange(mine[i], {}), scheme_),
                        use,
                        done);
         });
@@ -226,6 +226,7 @@ private:
             auto& [number, part] = (*held_)[i];
             if (std::ranges::find(numbers, number) == numbers.end())
                 return;
+            is_taken_[i] = 1;
             auto mine = held_schemes_.empty() ? kith::detail::scheme_of_tile(scheme_, part)
                                               : std::move(held_schemes_[i]);
             refine_one(number, {std::move(part), std::move(mine)}, use, done);
@@ -246,7 +247,7 @@ private:
                 at_once_ = tiles_at_once(tiles, most_at_once_);
                 for_each_at_once(tiles, at_once_, refine_tile);
             },
-            no_memory_for_tile);
+            no_memory);
         MPI_Pcontrol(0);
         comm_.agree(problem);
     }
@@ -256,9 +257,7 @@ private:
     {
         const auto by_size = [&] { // the largest first
             auto order = numbers;
-            std::stable_sort(order.begin(), order.end(), [&](std::uint64_t a, std::uint64_t b) {
-                return cutter_->faces(a).size() > cutter_->faces(b).size();
-            });
+            std::ranges::stable_sort(order, std::greater(), [&](auto t) { return cutter_->faces(t).size(); });
             return order;
         };
         const auto refine_some = [&](const std::vector<packed_tile>& tiles) {
@@ -271,7 +270,7 @@ private:
             if (comm_.is_root())
                 hand_out_tiles(comm_, by_size(), [&](std::uint64_t t) { return cut(t); });
             else
-                ask_for_tiles(comm_, tiles_at_once(SIZE_MAX, most_at_once_), no_memory_for_tile, refine_some);
+                ask_for_tiles(comm_, tiles_at_once(SIZE_MAX, most_at_once_), no_memory, refine_some);
         });
     }
 
@@ -288,8 +287,9 @@ private:
     connect last_;
     std::optional<tile_cutter<Point, Index, Scheme>> cutter_; // on rank 0
     std::optional<std::vector<numbered_tile<tile_type>>> held_;
-    std::vector<Scheme> held_schemes_; // of the tiles that lay on their ranks, where they had one each
-    control_runs runs_;                // of tiles that lay on their ranks
+    std::vector<unsigned char> is_taken_; // of each of these
+    std::vector<Scheme> held_schemes_;    // of the tiles that lay on their ranks, where they had one each
+    control_runs runs_;                   // of tiles that lay on their ranks
     std::optional<whole_levels<Scheme>> whole_;
     std::uint64_t tiles_ = 0;
     std::size_t most_at_once_ = 1, at_once_ = 1;

@@ -178,6 +178,26 @@ TEST(rank_refinement, refuses_tiles_whose_numbers_it_cannot_ask_for)
     EXPECT_EQ(text({0, 2, 2}), "tile 2 is held 2 times; give each tile a number of its own");
 }
 
+TEST(rank_refinement, uses_up_tiles_that_lay_on_their_ranks)
+{
+    const auto torus = native(shapes::torus(6, 6));
+    const auto parts = in_blocks(torus, 5);
+    const kith::catmull_clark scheme;
+    kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);
+    tiles3d tiles;
+    for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size()))
+        tiles.push_back({t, cutter.cut(t, kith::ring_schedule(scheme, 1, 0)[0]).part});
+    kith::mpi::rank_refinement refinement(world(), std::move(tiles), cutter.counts(), scheme, 1);
+    const auto text = [&](const std::vector<std::uint64_t>& numbers) {
+        return error_text<kith::mpi::phase_error>(
+            [&] { refinement.refine(kith::mpi::sharing::spmd, numbers, [](std::uint64_t, tile3d&&) {}); });
+    };
+    EXPECT_EQ(text({0, 3}), "no error");
+    EXPECT_EQ(text({1, 3, 4}), "tile 3 lay on its rank and is used up; give its level 0 to another rank_refinement");
+    EXPECT_EQ(text({1, 2, 4}), "no error");
+    EXPECT_NE(text({1}).find("tile 1 lay on its rank"), std::string::npos);
+}
+
 TEST(gather, refuses_what_is_too_large_or_not_all)
 {
     const auto torus = native(shapes::torus(5, 7));
