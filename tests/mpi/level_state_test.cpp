@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../own_state.hpp"
 #include "../all_shapes.hpp"
+#include "../error_text.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/ranks/repartition.hpp>
 #include <kith/refine_by_exchange.hpp>
+#include <kith/refine_in_tiles.hpp>
 
 namespace {
 
@@ -108,4 +110,29 @@ TEST(level_state, schemes_may_have_rules_that_capture)
         tiles += 1;
     }
     EXPECT_EQ(world().sum(std::vector{tiles})[0], 3 * parts.parts);
+}
+
+TEST(level_state, of_another_mesh_is_refused_before_it_is_cut)
+{
+    const auto mesh = native(shapes::shaken(shapes::open_house()));
+    const auto parts = scattered(mesh, 5, 2);
+    const auto expect_refused = [&](const kith::catmull_clark& scheme, const std::string& expected) {
+        EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(mesh, scheme, 1); }), expected);
+        EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::tiled_refinement(mesh, scheme, 1, parts); }), expected);
+        EXPECT_EQ(
+            error_text<kith::mpi::phase_error>([&] { kith::mpi::rank_refinement(world(), mesh, scheme, 1, parts); }),
+            expected);
+        EXPECT_EQ(error_text<kith::mpi::phase_error>(
+                      [&] { kith::mpi::exchanging_refinement(world(), mesh, scheme, parts, 1); }),
+                  expected);
+    };
+    const auto remedy = [](std::size_t count) {
+        return " does not exist, there are " + std::to_string(count) + "; make the creases for this mesh and level";
+    };
+    kith::catmull_clark edges, vertices;
+    edges.sharpness.sharpen_edge(3, 2);
+    edges.sharpness.sharpen_edge(1000000, 2.5);
+    expect_refused(edges, "creases: edge 1000000" + remedy(mesh.edge_count()));
+    vertices.sharpness.sharpen_vertex(mesh.vertex_count(), 3);
+    expect_refused(vertices, "creases: vertex " + std::to_string(mesh.vertex_count()) + remedy(mesh.vertex_count()));
 }

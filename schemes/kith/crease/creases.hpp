@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/error.hpp>
 #include <kith/field/sparse_values.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/mask/ring_waves.hpp>
 #include <kith/step/level_state.hpp>
 #include <kith/step/refinement.hpp>
 
-#include <concepts>
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kith {
@@ -107,6 +109,14 @@ public:
         return std::max((count == 0 ? s : 3. / 4 * s + 1. / 4 * (others / double(count))) - 1, 0.);
     }
 
+    /// Errors: mesh_error for a sharp element that the level does not have.
+    template <level Level>
+    void require_one_each(const Level& level) const
+    {
+        require_below(edges(), level.edge_count(), "edge");
+        require_below(vertices(), level.vertex_count(), "vertex");
+    }
+
     /// The sharp elements of the next level, from the numbering of the step. What a step keeps as it is, as `selected`
     /// does beside the faces that it splits, stays as sharp. Cost: O(sharp elements log of them + edges around sharp
     /// vertices).
@@ -177,6 +187,15 @@ public:
     }
 
 private:
+    template <class List>
+    static void require_below(const List& sharp, std::size_t count, const char* kind)
+    {
+        if (not sharp.empty() and sharp.back().first >= count)
+            throw mesh_error("creases: " + std::string(kind) + " " + std::to_string(sharp.back().first) +
+                             " does not exist, there are " + std::to_string(count) +
+                             "; make the creases for this mesh and level");
+    }
+
     template <level_numbering Numbering>
     static constexpr bool keeps_edges = decltype(Numbering::edges)::template has<tuple_kind::e>;
     template <level_numbering Numbering, edge_element Edge>

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace kith {
@@ -26,8 +25,7 @@ public:
     {
         if (sharp.empty())
             return;
-        require_below(sharp.edges(), coarse.edge_count(), "edge");
-        require_below(sharp.vertices(), coarse.vertex_count(), "vertex");
+        sharp.require_one_each(coarse);
         edge_is_sharp_.resize(coarse.edge_count());
         near_sharp_.resize(coarse.vertex_count());
         for (const auto& [edge, sharpness] : sharp.edges()) {
@@ -96,15 +94,6 @@ public:
     }
 
 private:
-    template <class List>
-    static void require_below(const List& sharp, std::size_t count, const char* kind)
-    {
-        if (not sharp.empty() and sharp.back().first >= count)
-            throw mesh_error("creases: " + std::string(kind) + " " + std::to_string(sharp.back().first) +
-                             " does not exist, there are " + std::to_string(count) +
-                             "; make the creases for this mesh and level");
-    }
-
     /// On native levels a loop that meets nothing rare is a loop of its own: a call would have it read all anew every
     /// time.
     template <class Range, mask_evaluator Space, class Smooth>
