@@ -5,11 +5,15 @@
 #include <kith/output/ply_words.hpp>
 #include <kith/text/counted.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kith::io {
@@ -27,19 +31,36 @@ public:
             return;
         const auto& vertex_of = mesh.topology().corner_vertex;
         std::vector<std::uint32_t> last_of(mesh.vertex_count(), none), before; // the lines of each vertex
+        std::vector<std::uint32_t> lines(mesh.vertex_count(), 0);              // how many there are
+        const auto is_less = [&](std::size_t a, std::size_t b) { return has_less(a, b); };
+        using sorted_lines = std::map<std::size_t, std::uint32_t, decltype(is_less)>;
+        std::map<std::size_t, sorted_lines> sorted; // those of vertices that have too many to walk along
         line_of_.assign(mesh.corner_count(), none);
         for (std::size_t c = 0; c < line_of_.size(); ++c) {
             const std::size_t element = is_of_corners_ ? c : vertex_of[c];
             if (not has_all(list_, element))
                 continue;
-            std::uint32_t line = last_of[vertex_of[c]];
-            while (line != none and not are_same(elements_[line], element))
-                line = before[line];
+            const std::size_t v = vertex_of[c];
+            std::uint32_t line = none;
+            sorted_lines* many = nullptr;
+            if (lines[v] < most_walked) {
+                line = last_of[v];
+                while (line != none and not are_same(elements_[line], element))
+                    line = before[line];
+            } else {
+                many = &sorted.try_emplace(v, is_less).first->second;
+                for (std::uint32_t old = many->empty() ? last_of[v] : none; old != none; old = before[old])
+                    many->emplace(elements_[old], old);
+                if (const auto found = many->find(element); found != many->end())
+                    line = found->second;
+            }
             if (line == none) {
                 line = std::uint32_t(elements_.size());
                 elements_.push_back(element);
-                before.push_back(last_of[vertex_of[c]]);
-                last_of[vertex_of[c]] = line;
+                before.push_back(std::exchange(last_of[v], line));
+                ++lines[v];
+                if (many != nullptr)
+                    many->emplace(element, line);
             }
             line_of_[c] = line;
         }
@@ -59,11 +80,19 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max(), most_walked = 64;
 
     [[nodiscard]] bool are_same(std::size_t a, std::size_t b) const
     {
         return std::ranges::all_of(list_, [&](const attribute* x) { return x->values[a] == x->values[b]; });
+    }
+
+    [[nodiscard]] bool has_less(std::size_t a, std::size_t b) const
+    {
+        for (const attribute* x : list_)
+            if (x->values[a] != x->values[b])
+                return x->values[a] < x->values[b];
+        return false;
     }
 
     attribute_list list_;

@@ -132,6 +132,35 @@ TEST(obj_attributes, are_written_as_they_are_read)
         << text;
 }
 
+/// A fan whose first vertex has half as many different textures as triangles, each in two of them.
+std::string textured_fan(std::size_t triangles)
+{
+    const std::size_t textures = triangles / 2;
+    std::string text = "v 0 0 0\n", faces;
+    for (std::size_t i = 0; i <= triangles; ++i)
+        text += "v " + std::to_string(i) + " 1 0\n";
+    for (std::size_t i = 0; i < textures; ++i)
+        text += "vt " + std::to_string(i * 7919 % textures) + " " + std::to_string(i % 5) + "\n";
+    for (std::size_t i = 0; i < triangles; ++i)
+        faces += "f 1/" + std::to_string(1 + i % textures) + " " + std::to_string(i + 3) + "/1 " +
+                 std::to_string(i + 2) + "/1\n";
+    return text + faces;
+}
+
+TEST(obj_attributes, many_at_one_vertex_share_their_lines)
+{
+    // The last one takes minutes where each line is compared with all others of its vertex.
+    for (const std::size_t triangles : {120U, 128U, 130U, 132U, 1000U, 200000U}) {
+        const auto soup = io::read_mesh(mesh_format::obj, textured_fan(triangles));
+        const std::string text = written(mesh_format::obj, soup);
+        std::size_t lines = 0;
+        for (std::size_t at = text.find("\nvt "); at != text.npos; at = text.find("\nvt ", at + 1))
+            ++lines;
+        EXPECT_EQ(lines, triangles / 2 + triangles + 1); // and one for each vertex on the rim
+        expect_same(soup.attributes, io::read_mesh(mesh_format::obj, text).attributes);
+    }
+}
+
 TEST(obj_attributes, three_numbers_and_a_fourth_channel)
 {
     const auto soup = io::read_mesh(mesh_format::obj,
