@@ -120,6 +120,20 @@ bool append_whole(vtu_values& values, std::string_view word)
     return true;
 }
 
+/// Where a tag ends, behind what is quoted. Quotes have no < in them, so one that seems to has lost its second mark.
+std::size_t end_of_tag(std::string_view text, std::size_t begin)
+{
+    constexpr std::string_view ends = ">\"'";
+    std::size_t at = text.find_first_of(ends, begin);
+    while (at != text.npos and text[at] != '>') {
+        const std::size_t close = text.find_first_of(text[at] == '"' ? "\"<" : "'<", at + 1);
+        if (close == text.npos or text[close] == '<')
+            return text.find('>', at);
+        at = text.find_first_of(ends, close + 1);
+    }
+    return at;
+}
+
 } // namespace
 
 std::string xml_tag::attribute(std::string_view wanted) const
@@ -145,12 +159,12 @@ std::string xml_tag::attribute(std::string_view wanted) const
 bool xml_tags::next(xml_tag& tag)
 {
     for (std::size_t begin = text_.find('<', at_); begin != text_.npos; begin = text_.find('<', at_)) {
-        const std::string_view end_mark = text_.substr(begin).starts_with("<!--") ? "-->" : ">";
-        const std::size_t end = text_.find(end_mark, begin);
+        const bool is_comment = text_.substr(begin).starts_with("<!--");
+        const std::size_t end = is_comment ? text_.find("-->", begin) : end_of_tag(text_, begin);
         if (end == text_.npos)
             throw file_error("the file ends inside of an element, which begins with '" +
                              shown(text_.substr(begin, 20)) + "'");
-        at_ = end + end_mark.size();
+        at_ = end + (is_comment ? 3 : 1);
         if (text_[begin + 1] == '!' or text_[begin + 1] == '?')
             continue;
         const std::string_view inside = text_.substr(begin + 1, end - begin - 1);

@@ -248,6 +248,19 @@ TEST(read_vtu, words_of_faces_as_field_data)
     EXPECT_EQ(other.not_kept, (std::vector<std::string>{"the field data 'time'"}));
 }
 
+TEST(read_vtu, tags_end_behind_what_is_quoted)
+{
+    const std::string text = file(way::text);
+    for (const auto& [quoted, name] : std::vector<std::pair<std::string, std::string>>{
+             {"\"a>b\"", "a>b"}, {"'a>b'", "a>b"}, {"\"a/>'b\"", "a/>'b"}, {"'a>\"b'", "a>\"b"}}) {
+        const auto soup = read(replaced(text, "\"red\"", quoted));
+        ASSERT_EQ(soup.attributes.vertices.size(), 3) << name;
+        EXPECT_EQ(soup.attributes.vertices[0].name, name);
+        EXPECT_EQ(soup.attributes.vertices[0].values, (std::vector<double>{0, 7, 255, 1}));
+    }
+    EXPECT_EQ(refusal(replaced(text, "\"ascii\">", "\"ascii>")), "an attribute of the element 'DataArray' has no end");
+}
+
 TEST(read_vtu, refuses_what_it_does_not_read_and_says_what_to_do)
 {
     const std::string text = file(way::text), raw = file(way::appended_raw);
