@@ -168,6 +168,11 @@ TEST(write_level, says_what_is_wrong_and_leaves_nothing)
     EXPECT_NE(text("a.vtu", 0).find("own 12 faces, the level has 48"), std::string::npos);
     EXPECT_NE(text("nowhere/a.vtu", 1).find("cannot be opened"), std::string::npos);
     for (auto& tile : kept)
+        tile.number = 3 * tile.number + 2;
+    EXPECT_EQ(text("c.vtu", 1), "no error");
+    EXPECT_TRUE(text("c.pvtu", 1).ends_with("is one of 3; number them from 0 to 2")) << text("c.pvtu", 1);
+    EXPECT_FALSE(fs::exists(here.path() / "c.pvtu"));
+    for (auto& tile : kept)
         tile.scheme = some_fields::without_values(tile.scheme);
     EXPECT_NE(text("b.vtu", 1).find("the field \"heat\" has 0 values"), std::string::npos);
     if (world().is_root()) {

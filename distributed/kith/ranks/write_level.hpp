@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "require_tiles.hpp"
+
 #include <kith/base/error.hpp>
 #include <kith/mpi/in_agreement.hpp>
 #include <kith/number/whole_counts.hpp>
 #include <kith/output/vtu_pieces.hpp>
+#include <kith/tile/numbered_tile.hpp>
 #include <kith/tile/tile_job.hpp>
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -30,7 +32,8 @@ namespace kith::mpi {
 /// that they share. Until the file is complete it is called NAME.incomplete; after an error it is removed, pieces that
 /// are written already stay.
 /// Errors: phase_error when tiles are missing, for a field without values, for two of one name, for a vertex that has
-/// no finite place and for what the file system says. Cost: O(corners).
+/// no finite place, for what the file system says and, with a file per tile, for tiles that are not numbered from 0 on,
+/// each once. Cost: O(corners).
 template <std::unsigned_integral Index, scheme Scheme, class... Find>
 void write_level(communicator& comm, const std::string& path,
                  const std::vector<kept_tile<tile<std::array<double, 3>, Index>, Scheme>>& tiles, int level,
@@ -39,26 +42,30 @@ void write_level(communicator& comm, const std::string& path,
     namespace fs = std::filesystem;
     const std::string incomplete = path + ".incomplete", extension = fs::path(path).extension().string();
     const std::string pieces = fs::path(path).replace_extension(".pieces").string();
-    std::uint64_t owned = 0, end = 0;
+    std::uint64_t owned = 0;
+    std::vector<numbered_tile<tile<std::array<double, 3>, Index>>> numbers;
     for (const auto& kept : tiles)
         if (kept.level == level) {
             owned += owned_count(kept.part.face_marks);
-            end = std::max(end, kept.number + 1);
+            numbers.push_back({kept.number, {}});
         }
     owned = comm.sum(std::array{owned})[0];
-    end = std::uint64_t(comm.maximum(std::array{double(end)})[0]);
-    std::unique_ptr<const stitched_file> layout;
     in_agreement(comm, [&] {
         if (owned != counts.faces)
             throw mesh_error(path + ": the tiles of level " + std::to_string(level) + " own " + std::to_string(owned) +
                              " faces, the level has " + std::to_string(counts.faces) +
                              "; keep all tiles of it, each once");
+    });
+    // The index of pieces names them by these numbers.
+    const std::uint64_t count = extension == ".pvtu" ? require_all_tiles(comm, numbers) : 0;
+    std::unique_ptr<const stitched_file> layout;
+    in_agreement(comm, [&] {
         auto arrays = arrays_of<Scheme>(fields...);
         if (extension == ".vtu")
             layout = std::make_unique<vtu_file>(counts, level, false, false, std::move(arrays));
         else if (extension == ".pvtu")
             layout = std::make_unique<vtu_pieces>(
-                pieces, fs::path(pieces).filename().string(), end, level, false, false, std::move(arrays));
+                pieces, fs::path(pieces).filename().string(), count, level, false, false, std::move(arrays));
         else
             throw mesh_error(path + ": tiles with their fields are written to .vtu or to .pvtu; name such a file");
     });
