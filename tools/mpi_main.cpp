@@ -9,6 +9,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,7 +63,13 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
         }
         if (arguments[0] != refine_verb.name)
             throw usage_error("'" + arguments[0] + "' is no verb; there is refine, see `kith-mpi --help`");
-        auto request = rank_request_from(refine_verb, {arguments.begin() + 1, arguments.end()});
+        std::optional<rank_request> request;
+        try {
+            request = rank_request_from(refine_verb, {arguments.begin() + 1, arguments.end()});
+        } catch (const file_error& error) { // on all ranks, as they have the same arguments
+            tell(error.what());
+            return 1;
+        }
         if (request) {
 #if defined(_OPENMP)
             omp_set_num_threads(int(request->threads));

@@ -35,6 +35,10 @@ on 3 refine nothing.off -s loop -n 1 -o out.vtu
 exits 1
 says 'nothing.off'
 one_message
+on 3 refine cube.off -s catmull-clark -n 1 -o ""
+exits 1
+says '^kith-mpi: the output has no name; name a file with -o$'
+one_message
 on 2 refine cube.off -s catmull-clark -n 1 -o out.ply --cell-origin
 exits 2
 says '--cell-origin: out.ply would have no place for it; write .vtu or .pvtu'
