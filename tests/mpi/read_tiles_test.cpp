@@ -190,13 +190,20 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     EXPECT_NE(error_of([](std::ostream& out) { out << "ply\nformat ascii 1.0\n"; }).find("'end_header' should be"),
               std::string::npos);
     std::ranges::reverse(cube.faces[3]);
+    const std::string file = shared_file::path() + ": ";
+    EXPECT_TRUE(error_of(ply).starts_with(file + "edge ")) << error_of(ply);
     EXPECT_NE(error_of(ply).find("in the same direction; turn one of them round"), std::string::npos) << error_of(ply);
     cube = shapes::cube();
     cube.points.push_back({9, 9, 9});
-    EXPECT_NE(error_of(ply).find("vertex 8: belongs to no face"), std::string::npos) << error_of(ply);
+    EXPECT_EQ(error_of(ply), file + "vertex 8: belongs to no face; remove it or give it a face");
+    cube = shapes::cube();
+    cube.faces[4][1] = cube.faces[4][0];
+    EXPECT_EQ(error_of(ply), file + "face 4 comes to a vertex twice; remove the repeated corner or the face");
     cube = shapes::cube();
     cube.faces[5][2] = 77;
-    EXPECT_NE(error_of(ply).find("has face 5 at vertex 77 of 8"), std::string::npos) << error_of(ply);
+    EXPECT_EQ(error_of(ply), file + "has face 5 at vertex 77 of 8");
+    cube.faces[5][2] = std::size_t(-1);
+    EXPECT_EQ(error_of(ply), file + "has face 5 at vertex -1 of 8");
     cube = shapes::cube();
     cube.faces[2].push_back(0);
     EXPECT_NE(error_of(ply).find("face 2 of another degree than face 0"), std::string::npos) << error_of(ply);
@@ -212,6 +219,10 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
         EXPECT_NE(text.find("read_tiles_"), std::string::npos) << text; // the file is named
         EXPECT_NE(text.find(part), std::string::npos) << text;
     };
+    for (const char* before :
+         {"comment ", "comment x end_header ", "comment end_header\ncomment ", "obj_info \tend_header "})
+        EXPECT_EQ(with("comment a test", before + std::string(9000, 'x')), "no error") << before;
+    EXPECT_EQ(with("end_header", "comment " + std::string(4096, 'x') + "\n \tend_header"), "no error");
     for (const char* list : {"list uint8 short", "list uchar int16", "list int int"})
         expect(with("list uchar int", list), "faces with one list 'vertex_indices' of uchar and int");
     for (const char* list : {"list uchar float", "uint"})

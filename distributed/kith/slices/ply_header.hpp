@@ -271,6 +271,18 @@ private:
 
 } // namespace detail
 
+/// Whether the line that ends the header is among the first bytes of a file, and all of it. Looks from byte `from` on.
+inline bool holds_end_of_header(std::string_view bytes, std::size_t from)
+{
+    constexpr std::string_view word = "end_header";
+    for (std::size_t at = bytes.find(word, from); at != bytes.npos; at = bytes.find(word, at + 1)) {
+        const std::size_t before = bytes.substr(0, at).find_last_not_of(" \t\v\f"); // comments may have the word, too
+        if (before != bytes.npos and (bytes[before] == '\n' or bytes[before] == '\r'))
+            return at + word.size() + 6 < bytes.size();
+    }
+    return false;
+}
+
 /// The header of a PLY file, of which these are the first bytes. Lines end with LF, CR or CRLF, comments may stand
 /// anywhere.
 /// Errors: mesh_error, with the line: for what is no header, and for files without vertices that have a place or

@@ -59,6 +59,8 @@ public:
         mesh_slice<std::array<double, 3>> result{vertices(), faces(), degree_, first_face, first_vertex, {}, {}};
         const auto records_of_faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes()),
                                             (end_face - first_face) * face_bytes());
+        const auto& of_faces = header_.elements[1];
+        const bool is_signed = of_faces.properties[of_faces.corner_list()].value.is_signed;
         for (global_id f = first_face; f < end_face; ++f) {
             const char* record = records_of_faces.data() + (f - first_face) * face_bytes() + before_corners_;
             require_degree(f, static_cast<unsigned char>(record[0]));
@@ -66,7 +68,8 @@ public:
                 const auto v = value<std::uint32_t>(record + 1 + 4 * k);
                 if (v >= vertices())
                     require(false,
-                            "has face " + std::to_string(f) + " at vertex " + std::to_string(v) + " of " +
+                            "has face " + std::to_string(f) + " at vertex " +
+                                (is_signed ? std::to_string(std::int32_t(v)) : std::to_string(v)) + " of " +
                                 std::to_string(vertices()));
                 result.corners.push_back(v);
             }
@@ -169,10 +172,9 @@ private:
             result.resize(before + block);
             in_.read(result.data() + before, std::streamsize(block));
             result.resize(before + std::size_t(in_.gcount()));
-            const std::size_t end = result.find("end_header", before < 16 ? 0 : before - 16);
             if (not result.starts_with("ply") and not result.starts_with(byte_order_mark))
                 break;
-            if (end != result.npos and end + 16 < result.size())
+            if (holds_end_of_header(result, before < 16 ? 0 : before - 16))
                 break;
         }
         in_.clear();

@@ -85,8 +85,8 @@ class slice_links {
 public:
     /// Collective. Errors: phase_error for edges of three faces, faces that are turned, and vertices without a face or
     /// with several fans.
-    slice_links(communicator& comm, const mesh_slice<Point>& slice, const slice_ranges& ranges)
-        : comm_(comm), slice_(slice), ranges_(ranges), degree_(std::size_t(slice.degree))
+    slice_links(communicator& comm, const std::string& path, const mesh_slice<Point>& slice, const slice_ranges& ranges)
+        : comm_(comm), path_(path), slice_(slice), ranges_(ranges), degree_(std::size_t(slice.degree))
     {
         number_edges();
         start_fans();
@@ -168,6 +168,8 @@ private:
         return slice_.corners[kith::detail::prev_of_alike(corner, degree_)];
     }
 
+    void agree(const std::string& problem) { comm_.agree(problem.empty() ? problem : path_ + ": " + problem); }
+
     void number_edges()
     {
         std::vector<std::vector<half>> to(ranks());
@@ -204,7 +206,7 @@ private:
                 answers[order[j].first][order[j].second] = {
                     2 * mine + (end - i == 2 and at(order[j]).is_forward == 0 ? 1 : 0), end - i == 2};
         }
-        comm_.agree(problem);
+        agree(problem);
         std::vector<std::uint64_t> edges_of(ranks(), 0);
         edges_of[std::size_t(comm_.rank())] = mine;
         edges_of = comm_.sum(std::move(edges_of));
@@ -253,7 +255,7 @@ private:
             if (fan.empty())
                 problem = "vertex " + std::to_string(id) + ": belongs to no face; remove it or give it a face";
         }
-        comm_.agree(problem);
+        agree(problem);
     }
     /// As in match: at the boundary the corner without a neighbour clockwise, inside the one that looks at the
     /// smallest.
@@ -281,6 +283,7 @@ private:
     }
 
     communicator& comm_;
+    std::string path_; // for messages
     const mesh_slice<Point>& slice_;
     const slice_ranges& ranges_;
     std::size_t degree_;

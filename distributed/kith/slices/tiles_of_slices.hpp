@@ -4,6 +4,7 @@
 #include "ply_slice.hpp"
 #include "slice_links.hpp"
 
+#include <kith/base/error.hpp>
 #include <kith/mpi/all_to_all.hpp>
 #include <kith/mpi/in_agreement.hpp>
 #include <kith/number/whole_counts.hpp>
@@ -102,10 +103,14 @@ sliced_mesh<std::array<double, 3>, Index> read_tiles(communicator& comm, const s
         const auto r = std::size_t(comm.rank());
         slice = file.read(ranges.face[r], ranges.face[r + 1], ranges.vertex[r], ranges.vertex[r + 1]);
         result.bytes_read = file.bytes_read();
-        start_at_smallest(slice);
+        try {
+            start_at_smallest(slice);
+        } catch (const mesh_error& error) {
+            throw mesh_error(path + ": " + error.what());
+        }
     });
     const slice_ranges ranges(slice.vertices, slice.faces, slice.degree, comm.size());
-    detail::slice_links<point> links(comm, slice, ranges);
+    detail::slice_links<point> links(comm, path, slice, ranges);
     result.counts = {slice.vertices, links.edges(), slice.faces, slice.faces * global_id(slice.degree)};
     auto part = detail::tile_of_slice<point, Index>(comm, slice, links);
     detail::mark_owned(part, ranges.face[std::size_t(comm.rank())], ranges.face[std::size_t(comm.rank()) + 1]);
