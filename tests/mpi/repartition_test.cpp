@@ -112,6 +112,29 @@ TEST(repartition, gives_ranks_about_as_many_faces_each)
     EXPECT_LE(std::ranges::max(load), std::max(expected[0], fair + fair / 3));
 }
 
+TEST(repartition, keeps_normals)
+{
+    const auto torus = native(shapes::torus(6, 6));
+    auto tiles = refined_tiles(torus, kith::catmull_clark{}, 1, in_blocks(torus, 4), 0);
+    const auto normal_of = [](kith::global_id v) { return std::array{double(v), 0.5, -double(v)}; };
+    for (auto& [number, part] : tiles) {
+        part.normals = kith::storage<std::array<double, 3>>(part.vertex_ids.size());
+        std::ranges::transform(part.vertex_ids, part.normals.begin(), normal_of);
+    }
+    const std::vector<int> rank_of(4, world().size() - 1);
+    tiles = kith::mpi::repartition(world(), std::move(tiles), rank_of);
+    EXPECT_EQ(tiles.size(), world().rank() == world().size() - 1 ? 4U : 0U);
+    for (const auto& [number, part] : tiles)
+        EXPECT_TRUE(std::ranges::equal(part.normals, part.vertex_ids, {}, {}, normal_of)) << number;
+    for (auto& [number, part] : tiles) {
+        part.normals = kith::storage<std::array<double, 3>>(3);
+        const auto bytes = kith::pack(kith::tile_job<tile3d, kith::catmull_clark>{std::move(part), {}});
+        EXPECT_EQ(error_text<kith::pack_error>(
+                      [&] { kith::unpack<std::array<double, 3>, std::uint32_t>(bytes, kith::catmull_clark{}); }),
+                  "a message holds a tile that has normals of another number of vertices; its sender is at fault");
+    }
+}
+
 TEST(repartition, refuses_ranks_that_do_not_exist)
 {
     const auto torus = native(shapes::torus(5, 7));

@@ -113,7 +113,7 @@ namespace detail {
 template <class Point, std::unsigned_integral Index>
 constexpr std::uint64_t kind_of_message()
 {
-    constexpr std::uint64_t version = 3;
+    constexpr std::uint64_t version = 4;
     return 0x6b697468'00000000U | version << 16 | sizeof(Point) << 8 | sizeof(Index); // turned round elsewhere
 }
 
@@ -167,7 +167,7 @@ void for_each_array(Topology& t, Tile& part, const F& f)
     f(t.face_corner), f(t.corner_face), f(part.root_of);
     f(part.vertex_ids), f(part.edge_ids), f(part.face_ids);
     f(part.first_corner_ids), f(part.corners_before), f(part.marked_before), f(part.roots);
-    f(part.vertex_marks), f(part.edge_marks), f(part.face_marks);
+    f(part.vertex_marks), f(part.edge_marks), f(part.face_marks), f(part.normals);
 }
 
 } // namespace detail
@@ -219,7 +219,10 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
     detail::unpack_state(in, scheme);
     if (not in.is_at_end())
         throw pack_error("a message is longer than what it holds");
-    if (const char* fault = detail::fault_of_tile(t, points.size(), part))
+    const char* fault = detail::fault_of_tile(t, points.size(), part);
+    if (fault == nullptr and not part.normals.empty() and part.normals.size() != points.size())
+        fault = "has normals of another number of vertices";
+    if (fault != nullptr)
         throw pack_error(std::string("a message holds a tile that ") + fault + "; its sender is at fault");
     part.mesh = {std::move(points), std::move(t), generation};
     return {std::move(part), std::move(scheme)};
