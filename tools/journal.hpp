@@ -35,8 +35,8 @@ class journal_share {
 public:
     /// Begins the journal, unless it is there already. The recipe appears when it is complete, so that a process that
     /// is ended meanwhile leaves no half of one.
-    /// Errors: file_error, also when the output is on another file system, when another job has begun otherwise, and for
-    /// a file in the place of the surface that is none.
+    /// Errors: file_error, also when the output is on another file system, when another job has begun otherwise, and
+    /// for a file in the place of the surface that is none.
     journal_share(std::string directory, const found_recipe& recipe, const std::string& output);
     journal_share(journal_share&& other) noexcept;
     journal_share& operator=(journal_share&&) = delete;

@@ -116,7 +116,7 @@ std::string tile_output::incomplete_pieces() const
     return request_.journal.empty() ? (fs::path(pieces_).parent_path() / fs::path(name).filename()).string() : name;
 }
 
-/// What `commit` is going to need, before any work. A file without a journal and its pieces are made next to their place.
+/// What `commit` is going to need, before any work. Without a journal the file is made next to its place, which tells.
 void tile_output::require_names() const
 {
     if (journal_)

@@ -32,8 +32,8 @@ public:
 
     /// `part_of[f]` is the part of face f, below `parts`. Parts may be empty, and need not be connected.
     /// Preconditions: `refine` takes the mesh, which has its edges, and the mesh outlives this object. Errors:
-    /// mesh_error for a partition of another mesh, a part that does not exist, more parts than can be held, and state of
-    /// the scheme (creases, fields) of another mesh. Cost: O(elements).
+    /// mesh_error for a partition of another mesh, a part that does not exist, more parts than can be held, and state
+    /// of the scheme (creases, fields) of another mesh. Cost: O(elements).
     tile_cutter(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const std::uint32_t> part_of,
                 std::size_t parts)
         : mesh_(mesh), level_(mesh), scheme_(scheme), cutter_(mesh), first_(checked(parts, mesh) + 1, 0)
