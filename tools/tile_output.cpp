@@ -264,9 +264,10 @@ void tile_output::commit()
         if (fs::exists(target_, failed)) { // an index that was there before must not find other pieces
             fs::permissions(incomplete_, fs::status(target_).permissions(), failed);
             fs::remove(target_, failed);
+            if (failed)
+                throw file_error(target_ + ": cannot be written: " + failed.message());
         }
-        if (not failed)
-            fs::remove_all(pieces_, failed);
+        fs::remove_all(pieces_, failed);
         if (not failed)
             fs::rename(made, pieces_, failed);
         if (failed)
