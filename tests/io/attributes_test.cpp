@@ -149,7 +149,7 @@ std::string textured_fan(std::size_t triangles)
 
 TEST(obj_attributes, many_at_one_vertex_share_their_lines)
 {
-    // The last one takes minutes where each line is compared with all others of its vertex.
+    // The last one is there for its time, many times as long where each line is compared with all of its vertex.
     for (const std::size_t triangles : {120U, 128U, 130U, 132U, 1000U, 200000U}) {
         const auto soup = io::read_mesh(mesh_format::obj, textured_fan(triangles));
         const std::string text = written(mesh_format::obj, soup);
