@@ -21,6 +21,45 @@
 
 namespace {
 
+/// Mid-edge subdivision for closed meshes, checked: at the rim of a tile faces of vertices are left out, so that others
+/// meet in a point.
+struct checked_mid_edge {
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{
+            .name = "checked mid-edge", .closed_only = true, .reach = [](int rings) { return rings + 1; }};
+    }
+    static constexpr auto columns()
+    {
+        using namespace kith;
+        return kith::columns(new_vertices(per_edge),
+                             new_edges(per_corner),
+                             new_faces(per_face.of_degree(same_degree{}),
+                                       per_vertex.inside().of_degree([](const auto& v) { return v.valence(); })));
+    }
+    template <kith::running_step R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for_each(coarse.edges(), [&](auto e) { assoc(e, V) = average(e.org(), e.dst()); });
+        for_each(coarse.faces(), [&](auto f) {
+            assoc(f, F) = polygon(f.corners(),
+                                  [&](auto c) { return assoc(c.next_edge(), V) >> assoc(c.next(), E).left(); });
+        });
+        for_each(coarse.vertices(), [&](auto v) {
+            if (not v.is_boundary())
+                assoc(v, F) = polygon(v.corners(),
+                                      [&](auto c) { return assoc(c.next_edge(), V) >> assoc(c, E).right(); });
+        });
+        for_each(coarse.edges(), [&](auto e) {
+            const auto c = e.lcorner();
+            assoc(e, V).starts_at(assoc(c.f(), F).corner(c.index() - c.f().first_corner().index()),
+                                  assoc(c.next(), E).left());
+        });
+    }
+};
+
 std::string refusal(const mesh3d& mesh, int levels)
 {
     return error_text<kith::mesh_error>(
@@ -149,4 +188,23 @@ TEST(require_reach, names_what_is_different)
     EXPECT_NE(text.find("rings than in the whole mesh; a step reads more rings than traits().reach says"),
               std::string::npos)
         << text;
+}
+
+TEST(tiled_refinement, lets_a_scheme_for_closed_meshes_make_anything_at_the_rim_of_a_tile)
+{
+    const auto torus = native(shapes::shaken(shapes::torus(40, 40)));
+    kith::partition parts{std::vector<std::uint32_t>(torus.face_count()), 40};
+    for (std::uint32_t f = 0; f < parts.part_of.size(); ++f)
+        parts.part_of[f] = (f * 2654435761U >> 7) % 40;
+    const auto whole = kith::refine(torus, checked_mid_edge(), 2);
+    kith::tiled_refinement tiles(torus, checked_mid_edge(), 2, parts);
+    std::size_t faces = 0;
+    for (std::size_t t = 0; t < tiles.tiles(); ++t) {
+        const auto part = tiles.refine(t);
+        for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
+            for (std::size_t k = 0; k < part.mesh.face(f).size(); ++k)
+                ASSERT_EQ(part.mesh.point(part.mesh.face(f)[k]), whole.point(whole.face(part.face_ids[f])[k]));
+        faces += part.mesh.face_count();
+    }
+    EXPECT_EQ(faces, whole.face_count());
 }

@@ -21,3 +21,13 @@ TEST(selected_cgal, removed_faces_are_named)
     CGAL::Euler::remove_face(control.halfedge(mesh::Face_index(10)), control);
     expect_removed_face_is_named(kith::catmull_clark(), control, mesh::Face_index(10));
 }
+
+TEST(selected_cgal, closed_meshes_stay_without_a_mark_of_odd_steps)
+{
+    const auto tetrahedron = shapes::tetrahedron();
+    const auto control = user_mesh<mesh>::make(tetrahedron.points, tetrahedron.faces);
+    kith::hierarchy levels(control, kith::selected(kith::loop()));
+    levels.refine();
+    EXPECT_EQ(levels.finest().number_of_faces(), 16U);
+    EXPECT_EQ(levels.finest().properties<mesh::Face_index>(), control.properties<mesh::Face_index>());
+}

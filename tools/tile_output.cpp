@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace kith::tool {
@@ -72,6 +73,13 @@ void require_places(const output_request& request, const std::string& target, bo
                          (in_pieces ? "the index of the pieces" : "the end of a journal") + " must be; name a file");
 }
 
+/// By which a directory is told from others that have its name later; it keeps it when it is renamed.
+std::string file_number(const std::string& path)
+{
+    struct stat status{};
+    return ::stat(path.c_str(), &status) == 0 ? std::to_string(status.st_ino) : "0";
+}
+
 } // namespace
 
 void require_tile_format(const std::string& path)
@@ -126,13 +134,15 @@ void tile_output::require_names() const
 }
 
 /// Cuts the records off the surface, which so is complete. Until it has its name they lie in a file of their own, so
-/// that nothing is lost when it gets none or the process is killed; the place that the pieces go to is behind them.
+/// that nothing is lost when it gets none or the process is killed; behind them are the number of the directory of
+/// pieces and the place where it goes.
 void tile_output::cut_records()
 {
     auto surface = offset_file::open(incomplete_);
     std::vector<char> bytes(journal_->end() - layout_->size());
     surface.read(layout_->size(), bytes.data(), bytes.size());
-    const std::string place = pieces_.empty() ? "" : fs::absolute(pieces_).string();
+    const std::string place = pieces_.empty() ? ""
+                                              : file_number(incomplete_pieces()) + " " + fs::absolute(pieces_).string();
     bytes.insert(bytes.end(), place.begin(), place.end());
     auto records = offset_file::create(journal_share::records_in(request_.journal), bytes.size());
     records.write(0, bytes.data(), bytes.size());
@@ -154,8 +164,10 @@ void tile_output::restore_records()
     auto records = offset_file::open(path);
     std::vector<char> bytes(fs::file_size(path));
     records.read(0, bytes.data(), bytes.size());
-    if (const std::string place(bytes.begin() + std::ptrdiff_t(size), bytes.end());
-        not place.empty() and not fs::exists(incomplete_pieces()))
+    const std::string pieces(bytes.begin() + std::ptrdiff_t(size), bytes.end());
+    const std::size_t space = pieces.find(' ');
+    if (const std::string place = pieces.substr(space == pieces.npos ? pieces.size() : space + 1);
+        not place.empty() and not fs::exists(incomplete_pieces()) and file_number(place) == pieces.substr(0, space))
         fs::rename(place, incomplete_pieces(), failed); // pieces that are lost are written again
     auto surface = offset_file::open(incomplete_);
     surface.write(begin, bytes.data(), size);

@@ -69,11 +69,11 @@ public:
             else
                 assoc(v, V) = v;
         });
-        const auto is_green = closure_.vertices_of_green(r.coarse);
+        const auto is_green = closure_.vertices_of_green(r.coarse, detail::is_wide<Scheme>());
         const auto edges = at_edges([&](auto e) {
             if (not closure_.is_cut(e))
                 return;
-            if (detail::is_wide<Scheme>() and (is_green[e.org().index()] or is_green[e.dst().index()]))
+            if (not is_green.empty() and (is_green[e.org().index()] or is_green[e.dst().index()]))
                 assoc(e, V) = average(e.org(), e.dst());
             else
                 assoc(e, V) = all(e, V);

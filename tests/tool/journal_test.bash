@@ -134,7 +134,7 @@ rm out.ply
 # and with them a byte that a test has changed.
 cut_records() { # cut_records SIZE PLACE: what such a job leaves of `kept`
     tail -c +$(($1 + 1)) kept/surface >kept/surface.records
-    printf %s "$2" >>kept/surface.records
+    test -z "$2" || printf '%s %s' "$(stat -c %i kept/surface.pieces)" "$2" >>kept/surface.records
     truncate -s "$1" kept/surface
 }
 run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
@@ -162,6 +162,24 @@ exits 0
 check "the changed byte is still there" test "$(od -An -tx1 -j1500 -N1 out.pieces/1.vtu | tr -d ' ')" = 55
 leaves cube.off out.pieces out.pvtu whole.ply whole.vtu
 rm -r out.*
+
+# What another refinement has put there since is not taken for them.
+run refine cube.off -s catmull-clark -n 3 -o whole.pvtu --tiles 3
+exits 0
+mv whole.pieces expected
+rm whole.pvtu
+run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 3 --journal kept --only 0..1
+cut_records $(($(stat -c %s kept/surface) - 3 * 24)) "$PWD/out.pieces"
+mv kept/surface.pieces out.pieces
+run refine cube.off -s linear -n 3 -o out.pvtu --tiles 3
+exits 0
+run refine --journal kept --only 0
+prints '^kept: 1 of 3 tiles are finished$'
+check "the pieces of the other one are still there" test -e out.pieces/0.vtu
+run refine --journal kept
+exits 0
+check "all pieces are those of a job that was not interrupted" diff -r expected out.pieces
+rm -r out.* expected
 
 # What cannot be named at the end is refused at the beginning. Who may write anywhere becomes somebody else for it.
 privileged=$kith

@@ -123,10 +123,11 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
 }
 
 /// At the boundary a fan has to start where nothing lies clockwise: behind the boundary edge that leaves the vertex.
+/// `parallel`: no vertex has several fans there.
 template <std::unsigned_integral Index>
-void turn_boundary_fans(connectivity<Index>& fine)
+void turn_boundary_fans(connectivity<Index>& fine, bool parallel)
 {
-    for_parts(fine.edges(), true, [&](std::size_t begin, std::size_t end) {
+    for_parts(fine.edges(), parallel, [&](std::size_t begin, std::size_t end) {
         for (std::size_t e = begin; e < end; ++e)
             if (fine.is_boundary(e)) {
                 const Index c = fine.halfedge_corner[2 * e];
@@ -240,9 +241,11 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     if constexpr (Connect == connect::everything) {
         if constexpr (Numbering::has_edges) {
             if (fine.corners() != 2 * fine.edges())
-                detail::turn_boundary_fans(fine);
+                detail::turn_boundary_fans(fine, not Checked);
+            // A scheme for closed meshes may make anything at the rim of a part, which is given shadows for that.
             if constexpr (Checked)
-                detail::check_fans(coarse, ids, fine);
+                if (coarse.is_closed() or not needs_closed<Scheme>)
+                    detail::check_fans(coarse, ids, fine);
         } else {
             mesh_report report;
             match(fine, report);

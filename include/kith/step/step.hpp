@@ -9,7 +9,9 @@
 #include <kith/level/lift.hpp>
 #include <kith/mesh/foreign_level.hpp>
 
+#include <atomic>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <type_traits>
@@ -65,15 +67,23 @@ basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const
             mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
 }
 
-/// Whether the next level of a closed one is known to be closed: a scheme may make faces around holes.
-template <level Level, scheme Scheme>
-bool stays_closed(const Level& coarse, const Scheme& scheme, int generation)
+/// Whether the next level of a closed one, which is numbered so, is closed: a scheme may make faces around holes.
+/// Cost: O(1), of a scheme that makes faces of several degrees and cannot count them O(new faces).
+template <level Level, scheme Scheme, level_numbering Numbering>
+bool stays_closed(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
 {
-    if constexpr (countable_scheme<Scheme>)
+    if constexpr (Numbering::common_degree != 0) {
+        return ids.faces.total() * Numbering::common_degree == 2 * ids.edges.total();
+    } else if constexpr (countable_scheme<Scheme>) {
         return next_counts(scheme, {coarse.vertex_count(), coarse.edge_count(), coarse.face_count()}, generation)
                    .boundary_edges == 0;
-    else
-        return false;
+    } else {
+        std::atomic<std::size_t> corners = 0;
+        detail::for_new_faces(coarse, ids, columns_of(scheme, generation), [&](std::size_t, const auto& degree) {
+            corners.fetch_add(std::size_t(degree()), std::memory_order_relaxed);
+        });
+        return corners == 2 * ids.edges.total();
+    }
 }
 
 /// One step into a mesh of another library: straight where the scheme is trusted and declares its edges. Errors: as
@@ -87,7 +97,7 @@ void refine_level_into(level_writer<Point, typename Level::index_type>& fine, co
         fine.make_room(ids.vertices.total(),
                        ids.edges.total(),
                        ids.faces.total(),
-                       coarse.is_closed() and stays_closed(coarse, scheme, generation));
+                       coarse.is_closed() and stays_closed(coarse, scheme, generation, ids));
         run_scheme_into(fine, coarse, scheme, generation, ids, &ids.dictionary);
     } else {
         write_level(fine, refine_level<connect::everything>(coarse, scheme, generation, ids));

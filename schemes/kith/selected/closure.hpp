@@ -67,13 +67,14 @@ public:
                 return true;
         return false;
     }
-    /// For each vertex whether a face around it is green. Cost: O(level).
+    /// For each vertex whether a face around it is green; nothing where none is or where they are not asked for. Cost:
+    /// O(level).
     template <level Level>
-    [[nodiscard]] std::vector<unsigned char> vertices_of_green(const Level& level) const
+    [[nodiscard]] std::vector<unsigned char> vertices_of_green(const Level& level, bool are_asked_for) const
     {
+        if (sides_.empty() or not are_asked_for)
+            return {};
         std::vector<unsigned char> result(level.vertex_count(), 0);
-        if (sides_.empty())
-            return result;
         for (const auto& f : level.faces()) {
             bool is_green = false;
             for (const auto& c : f.corners())
