@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 // Faults of a scheme in the edges it declares.
 
 namespace {
@@ -115,48 +117,26 @@ TEST(edge_errors, sides_of_one_edge_that_do_not_join_the_same_vertices)
               "assoc(e 0) -> E: its two sides do not join the same vertices");
 }
 
-TEST(edge_errors, a_fan_that_starts_at_the_corner_of_another_vertex)
+TEST(edge_errors, a_fan_that_starts_at_a_corner_or_a_side_that_is_not_its_own)
 {
-    EXPECT_EQ(fault(shapes::cube(),
-                    new_edges(kith::per_edge),
-                    [](const auto& coarse, const auto& assoc) {
-                        copy_vertices(coarse, assoc);
-                        copy_faces_and_edges(coarse, assoc);
-                        const auto c = coarse.vertices()[3].first_corner();
-                        const auto e = c.next_edge();
-                        assoc(coarse.vertices()[3], V)
-                            .starts_at(assoc(c.f(), F).corner((c.index() + 1) % 4), assoc(e, E).along(e));
-                    }),
-              "assoc(v 3) -> V starts at a corner that is not its own, or at another side there");
-}
-
-TEST(edge_errors, a_fan_that_starts_at_the_side_of_another_corner)
-{
-    EXPECT_EQ(
-        fault(shapes::cube(),
-              new_edges(kith::per_edge),
-              [](const auto& coarse, const auto& assoc) {
-                  copy_vertices(coarse, assoc);
-                  copy_faces_and_edges(coarse, assoc);
-                  const auto c = coarse.vertices()[3].first_corner();
-                  const auto e = c.prev_edge();
-                  assoc(coarse.vertices()[3], V).starts_at(assoc(c.f(), F).corner(c.index() % 4), assoc(e, E).along(e));
-              }),
-        "assoc(v 3) -> V starts at a corner that is not its own, or at another side there");
-}
-
-TEST(edge_errors, a_fan_that_starts_at_no_corner)
-{
-    EXPECT_EQ(fault(shapes::cube(),
-                    new_edges(kith::per_edge),
-                    [](const auto& coarse, const auto& assoc) {
-                        copy_vertices(coarse, assoc);
-                        copy_faces_and_edges(coarse, assoc);
-                        const auto c = coarse.vertices()[3].first_corner();
-                        const auto e = c.next_edge();
-                        assoc(coarse.vertices()[3], V).starts_at(assoc(c.f(), F).corner(100'000), assoc(e, E).along(e));
-                    }),
-              "assoc(v 3) -> V starts at a corner that is not its own, or at another side there");
+    // Starts vertex 3 of a cube at so many corners behind its own, and at the side that `edge_at` gives.
+    const auto start = [](std::size_t behind, const auto& edge_at) {
+        return fault(shapes::cube(), new_edges(kith::per_edge), [&](const auto& coarse, const auto& assoc) {
+            copy_vertices(coarse, assoc);
+            copy_faces_and_edges(coarse, assoc);
+            const auto v = coarse.vertices()[3];
+            const auto c = v.first_corner();
+            const auto e = edge_at(c);
+            assoc(v, V).starts_at(assoc(c.f(), F).corner(c.index() % 4 + behind), assoc(e, E).along(e));
+        });
+    };
+    constexpr auto next = [](const auto& c) { return c.next_edge(); };
+    constexpr auto previous = [](const auto& c) { return c.prev_edge(); };
+    const std::string text = "assoc(v 3) -> V starts at a corner that is not its own, or at another side there";
+    EXPECT_EQ(start(0, next), "no error");
+    EXPECT_EQ(start(1, next), text);
+    EXPECT_EQ(start(100'000, next), text); // where there is no corner
+    EXPECT_EQ(start(0, previous), text);
 }
 
 TEST(edge_errors, lines_with_elements_of_a_pass)

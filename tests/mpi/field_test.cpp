@@ -37,9 +37,8 @@ void expect_same_on_ranks(const mesh3d& mesh, const Scheme& plain, const kith::p
     }
 
     kith::tile_cutter cutter(mesh, given, parts.part_of, parts.parts);
-    tiles3d tiles; // on their ranks already: then every rank says what the fields are
-    for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size()))
-        tiles.push_back({t, cutter.cut(t, kith::reach_of(given, 1)).part});
+    // On their ranks already: then every rank says what the fields are.
+    auto tiles = cut_tiles_of_rank(cutter, parts.parts, kith::reach_of(given, 1));
     kith::mpi::exchanging_refinement dealt(world(), mesh, mine, parts, kith::reach_of(given, 1));
     kith::mpi::exchanging_refinement held(world(), std::move(tiles), cutter.counts(), given, kith::reach_of(given, 1));
     for (auto* refinement : {&dealt, &held}) {

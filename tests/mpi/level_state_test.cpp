@@ -42,12 +42,10 @@ void expect_same_on_ranks(const mesh3d& mesh, const Scheme& scheme, const Scheme
 {
     expect_same_from_one_rank(mesh, scheme, options, parts);
     const auto whole = kith::refine(mesh, scheme, 3);
-    tiles3d tiles, same; // on their ranks already: then every rank says what the state is
+    // On their ranks already: then every rank says what the state is.
     kith::tile_cutter cutter(mesh, scheme, parts.part_of, parts.parts);
-    for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size())) {
-        tiles.push_back({t, cutter.cut(t, kith::ring_schedule(scheme, 3, 1)[0]).part});
-        same.push_back({t, cutter.cut(t, kith::reach_of(scheme, 1)).part});
-    }
+    auto tiles = cut_tiles_of_rank(cutter, parts.parts, kith::ring_schedule(scheme, 3, 1)[0]);
+    auto same = cut_tiles_of_rank(cutter, parts.parts, kith::reach_of(scheme, 1));
     kith::mpi::rank_refinement held(world(), std::move(tiles), cutter.counts(), scheme, 3, 1);
     tiles3d refined;
     held.refine(kith::mpi::sharing::spmd,

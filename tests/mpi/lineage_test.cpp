@@ -65,9 +65,7 @@ void expect_family_by_exchange(const Scheme& scheme, const mesh3d& mesh, int dep
     refined(kith::mpi::exchanging_refinement(world(), mesh, scheme, parts, kith::reach_of(scheme, 1)));
     if constexpr (not kith::marks_edges<Scheme>) {
         kith::tile_cutter cutter(mesh, scheme, parts.part_of, parts.parts);
-        tiles3d tiles; // on their ranks already
-        for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size()))
-            tiles.push_back({t, cutter.cut(t, kith::reach_of(scheme, 1)).part});
+        auto tiles = cut_tiles_of_rank(cutter, parts.parts, kith::reach_of(scheme, 1));
         refined(kith::mpi::exchanging_refinement(
             world(), std::move(tiles), cutter.counts(), scheme, kith::reach_of(scheme, 1)));
     }
@@ -104,9 +102,7 @@ TEST(lineage_on_ranks, is_known_of_tiles_that_lie_on_their_ranks)
     const auto parts = in_blocks(torus, 3);
     const kith::doo_sabin scheme;
     kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);
-    tiles3d tiles;
-    for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size()))
-        tiles.push_back({t, cutter.cut(t, kith::ring_schedule(scheme, 2, 0)[0]).part});
+    auto tiles = cut_tiles_of_rank(cutter, parts.parts, kith::ring_schedule(scheme, 2, 0)[0]);
     kith::mpi::rank_refinement refinement(world(), std::move(tiles), cutter.counts(), scheme, 2, 0);
     kith::hierarchy levels(torus, scheme);
     levels.refine(2);

@@ -36,6 +36,16 @@ tiles3d refined_tiles(const mesh3d& mesh, const Scheme& scheme, int levels, cons
     return result;
 }
 
+/// Local: every so many-th of the tiles, those of this rank, cut with rings of shadows. Every rank has the mesh.
+template <class Cutter>
+tiles3d cut_tiles_of_rank(Cutter& cutter, std::uint64_t tiles, int rings)
+{
+    tiles3d result;
+    for (auto t = std::uint64_t(world().rank()); t < tiles; t += std::uint64_t(world().size()))
+        result.push_back({t, cutter.cut(t, rings).part});
+    return result;
+}
+
 inline kith::partition scattered(const mesh3d& mesh, std::size_t parts, std::uint32_t seed)
 {
     return {partitions::scattered(mesh.face_count(), parts, seed), parts};

@@ -135,9 +135,7 @@ TEST(exchanging_refinement, takes_tiles_of_any_generation)
         for (const std::size_t parts : {1, 4}) { // of one part, most ranks have no tile to tell them
             const auto partition = scattered(control, parts, 1);
             kith::tile_cutter cutter(control, scheme, partition.part_of, partition.parts);
-            tiles3d tiles;
-            for (auto t = std::size_t(world().rank()); t < parts; t += std::size_t(world().size()))
-                tiles.push_back({t, cutter.cut(t, reach_of(scheme, 1)).part});
+            auto tiles = cut_tiles_of_rank(cutter, parts, reach_of(scheme, 1));
             expect_same_levels(kith::mpi::exchanging_refinement(world(),
                                                                 std::move(tiles),
                                                                 cutter.counts(),

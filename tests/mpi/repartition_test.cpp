@@ -190,9 +190,9 @@ TEST(rank_refinement, refuses_tiles_whose_numbers_it_cannot_ask_for)
     const kith::catmull_clark scheme;
     const auto text = [&](const std::vector<std::uint64_t>& numbers) {
         kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);
-        tiles3d tiles;
-        for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size()))
-            tiles.push_back({numbers[t], cutter.cut(t, kith::ring_schedule(scheme, 1, 0)[0]).part});
+        auto tiles = cut_tiles_of_rank(cutter, parts.parts, kith::ring_schedule(scheme, 1, 0)[0]);
+        for (auto& tile : tiles)
+            tile.number = numbers[tile.number];
         return error_text<kith::mpi::phase_error>(
             [&] { kith::mpi::rank_refinement(world(), std::move(tiles), cutter.counts(), scheme, 1); });
     };
@@ -207,9 +207,7 @@ TEST(rank_refinement, uses_up_tiles_that_lay_on_their_ranks)
     const auto parts = in_blocks(torus, 5);
     const kith::catmull_clark scheme;
     kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);
-    tiles3d tiles;
-    for (auto t = std::uint64_t(world().rank()); t < parts.parts; t += std::uint64_t(world().size()))
-        tiles.push_back({t, cutter.cut(t, kith::ring_schedule(scheme, 1, 0)[0]).part});
+    auto tiles = cut_tiles_of_rank(cutter, parts.parts, kith::ring_schedule(scheme, 1, 0)[0]);
     kith::mpi::rank_refinement refinement(world(), std::move(tiles), cutter.counts(), scheme, 1);
     const auto text = [&](const std::vector<std::uint64_t>& numbers) {
         return error_text<kith::mpi::phase_error>(
