@@ -16,6 +16,7 @@ inline constexpr kith::patch_costs all_templates{.in_patch = 0,
                                                  .of_look = 0,
                                                  .share_if_alike = 1, // whatever the control mesh looks like
                                                  .to_be_cheaper = std::numeric_limits<double>::infinity(),
+                                                 .least_if_ordered = 1,
                                                  .least_faces = 1};
 
 /// The same with templates for classes that have some members, or for none.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "refine_in_surface_order.hpp"
+
 #include <kith/patch/patched_level.hpp>
 #include <kith/step/step.hpp>
 
@@ -44,33 +46,34 @@ public:
     }
 
     /// What refining level by level makes, to the bit; of the last level what is asked for. Nothing where it is no
-    /// gain. The mesh, the control mesh, and its scheme become the level whose faces own patches. Precondition:
+    /// gain; then the mesh, which is the control mesh before, and its scheme are a level to go on from. Precondition:
     /// is_worth_looking().
     [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine(basic_mesh<Point, Index>& mesh, Scheme& scheme,
                                                                  connect last_level) const
     {
-        const auto made = patches_after(mesh, scheme, last_level);
-        if (not made)
-            return {};
-        return filled(mesh, *made, last_level);
+        std::optional<basic_mesh<Point, Index>> fine;
+        with_patches(mesh, scheme, last_level, [&](const auto& level, const patches& made, const numbers* given) {
+            fine = filled(level, made, given, last_level);
+        });
+        return fine;
     }
     /// The same into a mesh of another library; false where it is no gain. Precondition: is_worth_looking(). Errors:
     /// those of `make_room`.
     [[nodiscard]] bool refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index>& mesh,
                                    Scheme& scheme) const
     {
-        const auto made = patches_after(mesh, scheme, connect::everything);
-        if (not made)
-            return false;
-        const counts& last = plan_->last();
-        fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
-        made->fill(mesh, {.points = fine.points(), .writer = &fine});
-        fine.finish(last_generation_);
-        return true;
+        const auto into_fine = [&](const auto& level, const patches& made, const numbers* given) {
+            const counts& last = plan_->last();
+            fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
+            made.fill(level, {.points = fine.points(), .writer = &fine, .coarse_numbers = given});
+            fine.finish(last_generation_);
+        };
+        return with_patches(mesh, scheme, connect::everything, into_fine);
     }
 
 private:
     using patches = patched_level<Point, Index, Scheme>;
+    using numbers = element_numbers<Index>;
 
     /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a kind of
     /// its own. After as many steps as there are rings around a patch there are few kinds; patches begin there.
@@ -82,17 +85,41 @@ private:
         if (plan_->begin < plan_->rings or not plan_->has_room_for_classes())
             plan_.reset();
     }
-    /// Makes of the mesh the level whose faces own patches, and of the scheme that of this level; nothing where they
-    /// are no gain.
-    [[nodiscard]] std::optional<patches> patches_after(basic_mesh<Point, Index>& mesh, Scheme& scheme,
-                                                       connect last_level) const
+    /// f(level, patches, numbers): the level whose faces own patches, and the numbers that its elements have where the
+    /// control mesh is refined as it is, if that has been put into the order of its surface: then what is read around a
+    /// face lies close together. False where patches are no gain; then the mesh is this level or the control mesh as
+    /// it was, and the scheme that of it.
+    template <class F>
+    bool with_patches(basic_mesh<Point, Index>& mesh, Scheme& scheme, connect last_level, const F& f) const
     {
+        if constexpr (orderable_scheme<Scheme, Index>)
+            if (is_worth_ordering(mesh.topology(), scheme, plan_->begin + int(plan_->bases.size())) and
+                plan_->bases.size() > 1) { // else the numbers take memory that nobody has foreseen
+                if (last_level == connect::faces and plan_->faces_of_patch() < costs_.least_if_ordered)
+                    return false;
+                auto ordered = in_surface_order(mesh);
+                Scheme of_level = scheme;
+                refine_ordered(ordered, of_level, plan_->begin);
+                const auto made = patches_of(ordered.mesh, of_level, last_level);
+                if (made)
+                    f(ordered.mesh, *made, &ordered.numbers);
+                return made.has_value();
+            }
         mesh = detail::refine_on(std::move(mesh), scheme, plan_->begin);
-        const face_classes<Index> classes(mesh.topology(), plan_->rings, state_marks<Index>(mesh.topology(), scheme));
-        return patches::make(mesh, classes, scheme, *plan_, costs_, last_level == connect::everything);
+        const auto made = patches_of(mesh, scheme, last_level);
+        if (made)
+            f(mesh, *made, nullptr);
+        return made.has_value();
+    }
+    /// Of the level that the plan begins with and its scheme; nothing where they are no gain.
+    [[nodiscard]] std::optional<patches> patches_of(const basic_mesh<Point, Index>& level, const Scheme& scheme,
+                                                    connect last_level) const
+    {
+        const face_classes<Index> classes(level.topology(), plan_->rings, state_marks<Index>(level.topology(), scheme));
+        return patches::make(level, classes, scheme, *plan_, costs_, last_level == connect::everything);
     }
     [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh, const patches& made,
-                                                  connect last_level) const
+                                                  const numbers* given, connect last_level) const
     {
         const counts& last = plan_->last();
         storage<Point> points(last.vertices);
@@ -105,11 +132,12 @@ private:
             fine.vertex_corner = storage<Index>(last.vertices);
         }
         made.fill(mesh,
-                  {points.data(),
-                   fine.corner_vertex.data(),
-                   fine.corner_halfedge.data(),
-                   fine.halfedge_corner.data(),
-                   fine.vertex_corner.data()});
+                  {.points = points.data(),
+                   .corner_vertex = fine.corner_vertex.data(),
+                   .corner_halfedge = fine.corner_halfedge.data(),
+                   .halfedge_corner = fine.halfedge_corner.data(),
+                   .vertex_corner = fine.vertex_corner.data(),
+                   .coarse_numbers = given});
         return basic_mesh<Point, Index>(std::move(points), std::move(fine), last_generation_);
     }
 

@@ -11,8 +11,9 @@
 
 namespace kith {
 
-/// Whether a refinement to face-vertex lists gains by the order of the surface: the first level alone is not worth the
-/// sorting, and where edges are asked for, too, writing here and there costs what reading does not. Cost: O(edges).
+/// Whether a refinement gains by the order of the surface: the mesh is scattered, and the first level alone is not
+/// worth the sorting. Where edges are asked for, too, and the last level is made in one step, writing here and there
+/// costs what reading does not. Cost: O(1).
 template <scheme Scheme, std::unsigned_integral Index>
     requires orderable_scheme<Scheme, Index>
 bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme, int levels)
@@ -22,6 +23,24 @@ bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme,
            is_scattered(control);
 }
 
+/// Refines a mesh that is in another order, so that it becomes a later level, in that order, with the numbers that
+/// its elements have where the given mesh is refined, and the scheme that of this level. Precondition: as for
+/// `is_worth_ordering`. Cost: that of the steps, and for each element of their levels its number.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+    requires orderable_scheme<Scheme, Index>
+void refine_ordered(ordered_mesh<Point, Index>& mesh, Scheme& scheme, int steps)
+{
+    numbering_of<Scheme, Index> ids;
+    for (; steps > 0; --steps) {
+        const int generation = mesh.mesh.generation();
+        auto fine = refine_mesh<connect::everything>(mesh.mesh, scheme, ids);
+        const level_of<basic_mesh<Point, Index>> coarse(mesh.mesh);
+        mesh.numbers = after(mesh.numbers, coarse, ids, columns_of(scheme, generation));
+        advance(scheme, coarse, generation, ids, fine);
+        mesh.mesh = std::move(fine);
+    }
+}
+
 /// What `refine` makes of a mesh with `connect::faces`, to the bit, by way of the mesh in the order of its surface.
 /// Preconditions: levels > 1, and is_worth_ordering but for the part about scattered meshes; the mesh has its edges.
 /// Cost: that of the levels, and for each element of the last but one its number.
@@ -29,18 +48,12 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>
 basic_mesh<Point, Index> refine_in_surface_order(basic_mesh<Point, Index> control, Scheme scheme, int levels)
 {
-    auto [mesh, numbers] = in_surface_order(std::exchange(control, {}));
-    numbering_of<Scheme, Index> ids;
-    for (int level = 1; level < levels; ++level) {
-        auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
-        const level_of<basic_mesh<Point, Index>> coarse(mesh);
-        numbers = after(numbers, coarse, ids, columns_of(scheme, mesh.generation()));
-        advance(scheme, coarse, mesh.generation(), ids, fine);
-        mesh = std::move(fine);
-    }
+    auto ordered = in_surface_order(std::exchange(control, {}));
+    refine_ordered(ordered, scheme, levels - 1);
     constexpr int degree = int(numbering_of<Scheme, Index>::common_degree);
-    const level_elements<numbered_level<Point, Index, degree>> coarse(mesh, numbers);
-    return refine_level<connect::faces>(coarse, scheme, mesh.generation(), ids);
+    const level_elements<numbered_level<Point, Index, degree>> coarse(ordered.mesh, ordered.numbers);
+    numbering_of<Scheme, Index> ids;
+    return refine_level<connect::faces>(coarse, scheme, ordered.mesh.generation(), ids);
 }
 
 } // namespace kith

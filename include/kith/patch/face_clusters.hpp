@@ -71,7 +71,7 @@ private:
         void fill(std::span<const Index> faces, const output& to)
         {
             auto part = cutter_.cut(cutter_.faces_around(faces, clusters_.rings_.front()));
-            auto numbers = numbers_of(part, faces);
+            auto numbers = numbers_of(part, faces, to.coarse_numbers);
             Scheme scheme = clusters_.plain_;
             take_state_of_part(scheme, clusters_.scheme_, part.numbers());
             const auto before_last = refine_part(
@@ -93,22 +93,27 @@ private:
         }
 
     private:
-        [[nodiscard]] numbers_in_whole numbers_of(const submesh<Point, Index>& part, std::span<const Index> faces)
+        /// `given`: the numbers from which those in what is written follow, where they are others than here.
+        [[nodiscard]] numbers_in_whole numbers_of(const submesh<Point, Index>& part, std::span<const Index> faces,
+                                                  const element_numbers<Index>* given)
         {
             const connectivity<Index>& whole = mesh_.topology();
             for (const Index f : faces)
                 is_one_[f] = true;
-            const auto owned = [](std::span<const Index> from, const auto& is_owned) {
+            const auto owned = [&](tuple_kind kind, std::span<const Index> from, const auto& is_owned) {
                 storage<owned_number<Index>> result(from.size());
                 for (std::size_t i = 0; i < from.size(); ++i)
-                    result[i] = {from[i], is_owned(from[i])};
+                    result[i] = {given == nullptr ? from[i] : given->of(kind)[from[i]], is_owned(from[i])};
                 return result;
             };
             numbers_in_whole numbers{
-                owned(part.vertex_from, [&](Index v) { return is_one_[whole.face_of(whole.vertex_corner[v])]; }),
-                owned(part.edge_from,
+                owned(tuple_kind::v,
+                      part.vertex_from,
+                      [&](Index v) { return is_one_[whole.face_of(whole.vertex_corner[v])]; }),
+                owned(tuple_kind::e,
+                      part.edge_from,
                       [&](Index e) { return is_one_[whole.face_of(whole.halfedge_corner[2 * std::size_t(e)])]; }),
-                owned(part.face_from, [&](Index f) { return is_one_[f]; }),
+                owned(tuple_kind::f, part.face_from, [&](Index f) { return is_one_[f]; }),
                 {},
                 degree};
             if (degree == 0) {

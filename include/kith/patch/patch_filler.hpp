@@ -6,6 +6,7 @@
 #include <kith/base/storage.hpp>
 #include <kith/lane/lanes.hpp>
 #include <kith/mesh/basic_mesh.hpp>
+#include <kith/step/surface_order.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -39,7 +40,7 @@ public:
     /// For faces of a mesh that all have this degree, as have those of the level that is written, or any, 0: past the
     /// caches if that level is too large to be in them when it is read.
     patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
-        : coarse_(&coarse), writer_(to, past_caches), finder_(coarse.topology())
+        : coarse_(&coarse), writer_(to, past_caches), finder_(coarse.topology()), numbers_(to.coarse_numbers)
     {
     }
 
@@ -49,11 +50,19 @@ public:
     {
         finder_.walk(t.steps, faces);
         Index* to = found.data();
-        for (const auto* elements : {&t.inputs, &t.sources})
-            for (const walked_element& element : *elements) {
-                finder_.find(element, to);
-                to += at_once;
+        for (const walked_element& input : t.inputs) {
+            finder_.find(input, to);
+            to += at_once;
+        }
+        for (const walked_element& source : t.sources) {
+            finder_.find(source, to);
+            if (numbers_ != nullptr) {
+                const storage<Index>& number = numbers_->of(source.kind);
+                for (std::size_t i = 0; i < at_once; ++i)
+                    to[i] = number[to[i]];
             }
+            to += at_once;
+        }
     }
     /// Fetches the points that will be read.
     void call_for(const template_type& t, std::span<const Index> found) const
@@ -121,6 +130,7 @@ private:
     const basic_mesh<Point, Index>* coarse_;
     writer writer_;
     element_finder<Index, Degree, at_once> finder_;
+    const element_numbers<Index>* numbers_; // in what is written, or nothing
     storage<scalar> slots_;
 };
 

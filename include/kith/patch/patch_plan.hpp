@@ -112,7 +112,8 @@ struct patch_costs {
     double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
     double share_if_alike = .3;      ///< so few classes has a sample of faces of a control mesh whose faces are alike
     double to_be_cheaper = .9;       ///< patches must come to less than so much
-    double least_faces = 16e6;       ///< of the last level times those of a patch; for fewer nobody looks
+    double least_if_ordered = 32;    ///< smaller patches do not gain on the order of the surface alone, faces only
+    double least_faces = 12e6;       ///< of the last level times those of a patch; for fewer nobody looks
 
     /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three
     /// times as long there, making a template does not, and who looks reads from all over the memory.
@@ -121,7 +122,7 @@ struct patch_costs {
         patch_costs costs = *this;
         costs.of_template /= 2;
         costs.of_face_in_template /= 2;
-        costs.most_of_looks /= 3;
+        costs.most_of_looks /= 2;
         return costs;
     }
 };

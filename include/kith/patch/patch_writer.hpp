@@ -6,6 +6,7 @@
 #include <kith/base/storage.hpp>
 #include <kith/lane/lanes.hpp>
 #include <kith/mesh/level_sink.hpp>
+#include <kith/step/surface_order.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -27,6 +28,9 @@ struct patch_output {
     Index* halfedge_corner = nullptr;
     Index* vertex_corner = nullptr;
     level_writer<Point, Index>* writer = nullptr; ///< of a mesh of another library, in place of these arrays
+    /// From which the numbers in what is written follow, where they are others than those in the coarse mesh. Its faces
+    /// have one degree then.
+    const element_numbers<Index>* coarse_numbers = nullptr;
 
     [[nodiscard]] bool has_faces() const { return corner_vertex != nullptr; }
     [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
@@ -111,7 +115,7 @@ private:
 
     [[nodiscard]] bool goes_past_caches(const run& r, std::size_t bytes) const
     {
-        return past_caches_ and r.step == 1 and r.count * bytes >= 128;
+        return past_caches_ and r.step == 1 and r.count * bytes >= 64;
     }
     /// Calls for what will be written: it is here when the program has run.
     template <std::size_t Width, class T>

@@ -23,6 +23,11 @@ struct element_numbers {
     storage<Index> corners; ///< where faces have several degrees; else they follow from the faces
     std::size_t degree = 0; ///< of all faces where they have one
 
+    /// Those of the vertices, edges or faces: v, e, f.
+    [[nodiscard]] const storage<Index>& of(tuple_kind kind) const
+    {
+        return kind == tuple_kind::v ? vertices : kind == tuple_kind::e ? edges : faces;
+    }
     /// The index of a tuple in the other mesh.
     template <tuple_kind Kind>
     [[nodiscard]] std::size_t tuple(std::size_t index) const
