@@ -25,7 +25,7 @@ constexpr bool is_orderable = kith::orderable_scheme<Scheme, std::uint32_t>;
 
 /// Level by level in the given order.
 template <class Scheme>
-mesh3d refined_as_given(mesh3d mesh, Scheme scheme, int levels)
+mesh3d refined_as_given(mesh3d mesh, Scheme scheme, int levels, connect last_level = connect::faces)
 {
     kith::numbering_of<Scheme, std::uint32_t> ids;
     for (int level = 1; level < levels; ++level) {
@@ -33,7 +33,8 @@ mesh3d refined_as_given(mesh3d mesh, Scheme scheme, int levels)
         advance(scheme, kith::level_of<mesh3d>(mesh), mesh.generation(), ids, fine);
         mesh = std::move(fine);
     }
-    return kith::refine_mesh<connect::faces>(mesh, scheme, ids);
+    return last_level == connect::faces ? kith::refine_mesh<connect::faces>(mesh, scheme, ids)
+                                        : kith::refine_mesh<connect::everything>(mesh, scheme, ids);
 }
 
 /// Large enough to be scattered.
@@ -56,9 +57,10 @@ TEST(refine_in_surface_order, makes_the_same_bits)
             if (not kith::detail::is_free_of_order<scheme_type>(closed))
                 return;
             for (const int levels : {2, 3})
-                EXPECT_TRUE(
-                    same_bits(refine_in_surface_order(mesh, scheme, levels), refined_as_given(mesh, scheme, levels)))
-                    << levels;
+                for (const connect last : {connect::faces, connect::everything})
+                    EXPECT_TRUE(same_bits(refine_in_surface_order(mesh, scheme, levels, last),
+                                          refined_as_given(mesh, scheme, levels, last)))
+                        << levels;
             ++compared;
         }
     });
@@ -67,18 +69,20 @@ TEST(refine_in_surface_order, makes_the_same_bits)
 
 TEST(refine_in_surface_order, is_what_refine_does_with_a_scattered_mesh)
 {
-    const auto expect_same = [](const mesh3d& mesh, const auto& scheme) {
-        ASSERT_TRUE(is_worth_ordering(mesh.topology(), scheme, 2));
-        const auto given = refined_as_given(mesh, scheme, 2);
+    const auto expect_same = [](const mesh3d& mesh, const auto& scheme, int levels = 2, connect last = connect::faces) {
+        ASSERT_TRUE(is_worth_ordering(mesh, scheme, levels, last));
+        const auto given = refined_as_given(mesh, scheme, levels, last);
         for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 7}) {
             const thread_count count(threads);
-            EXPECT_TRUE(same_bits(refine(mesh, scheme, 2, {.last_level = connect::faces}), given)) << threads;
+            EXPECT_TRUE(same_bits(refine(mesh, scheme, levels, {.last_level = last}), given)) << threads;
         }
     };
     expect_same(scattered_torus(), kith::catmull_clark{});
     expect_same(scattered_torus(), kith::sqrt3{});
     expect_same(scattered_torus(), kith::butterfly{});
     expect_same(scattered_grid(), kith::loop{});
+    if (not under_sanitizers)
+        expect_same(scattered_torus(), kith::sqrt3{}, 5, connect::everything);
     expect_same(scattered_grid(), kith::catmull_clark{.corners = kith::boundary_corner::smoothed, .sharpness = {}});
 }
 
@@ -86,6 +90,9 @@ TEST(refine_in_surface_order, is_left_out_where_it_would_be_wrong_or_of_no_use)
 {
     const auto torus = scattered_torus(), grid = scattered_grid();
     EXPECT_FALSE(is_worth_ordering(torus.topology(), kith::loop{}, 1));
+    // With all connectivity levels are to be large.
+    EXPECT_TRUE(is_worth_ordering(torus, kith::loop{}, 2, connect::faces));
+    EXPECT_FALSE(is_worth_ordering(torus, kith::loop{}, 2, connect::everything));
     EXPECT_FALSE(is_worth_ordering(native(shapes::torus(60, 60)).topology(), kith::catmull_clark{}, 2));
     // The columns of sqrt(3) ask where the boundary is, and creases are kept by the numbers of edges.
     EXPECT_FALSE(is_worth_ordering(grid.topology(), kith::sqrt3{}, 2));

@@ -42,7 +42,7 @@
     How basic_mesh<> refine_mesh<connect::faces>(                                                                      \
         const basic_mesh<>&, const Scheme&, numbering_of<Scheme, std::uint32_t>&);                                     \
     How basic_mesh<> refine(const basic_mesh<>&, const Scheme&, int, const refine_options&);
-#define KITH_ORDERED_LEVELS(How, Scheme) How basic_mesh<> refine_in_surface_order(basic_mesh<>, Scheme, int);
+#define KITH_ORDERED_LEVELS(How, Scheme) How basic_mesh<> refine_in_surface_order(basic_mesh<>, Scheme, int, connect);
 #ifdef KITH_HAS_LANES
 #define KITH_PATCHES(How, Scheme)                                                                                      \
     How class patched_level<std::array<double, 3>, std::uint32_t, Scheme>;                                             \

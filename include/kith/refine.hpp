@@ -19,8 +19,7 @@ namespace kith {
 
 struct refine_options {
     /// Of the last level: `connect::faces` leaves out its edges, which saves about a third of the time and nearly half
-    /// of the memory. Large meshes whose faces lie in no order are refined in another one then, which is faster;
-    /// nothing else changes. When such a mesh is refined again its edges are found by matching: the same surface, other
+    /// of the memory. When such a mesh is refined again its edges are found by matching: the same surface, other
     /// edge numbers. For native meshes; those of other libraries and the levels of a `hierarchy` have everything.
     connect last_level = connect::everything;
     /// In bytes; a refinement whose native levels would need more is refused before they are made. Meshes of other
@@ -148,8 +147,7 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
     // Asked of the control mesh: the levels after it are as scattered, but look less so.
     bool is_ordering_worth_it = false;
     if constexpr (orderable_scheme<Scheme, Index>)
-        is_ordering_worth_it = options.last_level == connect::faces and
-                               is_worth_ordering(coarse.topology(), scheme, levels);
+        is_ordering_worth_it = is_worth_ordering(coarse, scheme, levels, options.last_level);
     Scheme of_level = scheme;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
@@ -162,7 +160,7 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
         if (is_ordering_worth_it and levels_left > 1 and
             detail::bytes_of_numbers<Index>(count(coarse.topology()), of_level, levels_left, coarse.generation()) <=
                 bytes_left)
-            return refine_in_surface_order(std::move(coarse), std::move(of_level), levels_left);
+            return refine_in_surface_order(std::move(coarse), std::move(of_level), levels_left, options.last_level);
     return detail::refine_levels(std::move(coarse), std::move(of_level), levels_left, options.last_level);
 }
 

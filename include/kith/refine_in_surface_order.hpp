@@ -7,13 +7,13 @@
 #include <kith/step/step.hpp>
 
 #include <concepts>
+#include <cstdint>
 #include <utility>
 
 namespace kith {
 
-/// Whether a refinement gains by the order of the surface: the mesh is scattered, and the first level alone is not
-/// worth the sorting. Where edges are asked for, too, and the last level is made in one step, writing here and there
-/// costs what reading does not. Cost: O(1).
+/// Whether a refinement may gain by the order of the surface: the mesh is scattered, and the first level alone is not
+/// worth the sorting. Cost: O(1).
 template <scheme Scheme, std::unsigned_integral Index>
     requires orderable_scheme<Scheme, Index>
 bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme, int levels)
@@ -41,19 +41,36 @@ void refine_ordered(ordered_mesh<Point, Index>& mesh, Scheme& scheme, int steps)
     }
 }
 
-/// What `refine` makes of a mesh with `connect::faces`, to the bit, by way of the mesh in the order of its surface.
+/// The same where the last level is made in one step. With all connectivity that step writes so much here and there
+/// that the level must be larger than the caches. Cost: O(levels).
+template <scheme Scheme, class Point, std::unsigned_integral Index>
+    requires orderable_scheme<Scheme, Index>
+bool is_worth_ordering(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, connect last_level)
+{
+    constexpr std::uint64_t least_faces_with_edges = 750'000; // as measured, comparisons/README.md
+    if (not is_worth_ordering(control.topology(), scheme, levels))
+        return false;
+    return last_level == connect::faces or
+           plan(count(control.topology()), scheme, levels, control.generation()).back().counts.faces >=
+               least_faces_with_edges;
+}
+
+/// What `refine` makes of a mesh, to the bit, by way of the mesh in the order of its surface.
 /// Preconditions: levels > 1, and is_worth_ordering but for the part about scattered meshes; the mesh has its edges.
 /// Cost: that of the levels, and for each element of the last but one its number.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>
-basic_mesh<Point, Index> refine_in_surface_order(basic_mesh<Point, Index> control, Scheme scheme, int levels)
+basic_mesh<Point, Index> refine_in_surface_order(basic_mesh<Point, Index> control, Scheme scheme, int levels,
+                                                 connect last_level)
 {
     auto ordered = in_surface_order(std::exchange(control, {}));
     refine_ordered(ordered, scheme, levels - 1);
     constexpr int degree = int(numbering_of<Scheme, Index>::common_degree);
     const level_elements<numbered_level<Point, Index, degree>> coarse(ordered.mesh, ordered.numbers);
     numbering_of<Scheme, Index> ids;
-    return refine_level<connect::faces>(coarse, scheme, ordered.mesh.generation(), ids);
+    const int generation = ordered.mesh.generation();
+    return last_level == connect::faces ? refine_level<connect::faces>(coarse, scheme, generation, ids)
+                                        : refine_level<connect::everything>(coarse, scheme, generation, ids);
 }
 
 } // namespace kith
