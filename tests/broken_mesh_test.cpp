@@ -197,6 +197,59 @@ TEST(broken_mesh, a_vertex_that_starts_at_no_half_edge_of_the_mesh)
               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
 }
 
+TEST(broken_mesh, a_vertex_whose_half_edge_leaves_another)
+{
+    // As many faces lie around both, so that counting does not tell.
+    const std::string text = "vertex 0: its half-edge leads to none of its faces; give it one that leaves it in a face";
+    auto ours = openmesh(shapes::tetrahedron());
+    ours.set_halfedge_handle(OpenMesh::VertexHandle(0), ours.halfedge_handle(OpenMesh::VertexHandle(3)));
+    expect_all(refusals_of(ours), text);
+    auto theirs = cgal(shapes::tetrahedron());
+    theirs.set_halfedge(vertex(0), theirs.halfedge(vertex(3)));
+    expect_all(refusals_of(theirs), text);
+}
+
+const std::string unjoined =
+    ": its half-edges do not all name it as their face and come before their next; join them anew or "
+    "remove the face";
+
+TEST(broken_mesh, a_half_edge_that_names_another_face)
+{
+    auto ours = openmesh(shapes::tetrahedron());
+    const auto inner = ours.halfedge_handle(OpenMesh::FaceHandle(1));
+    ours.set_face_handle(inner, ours.face_handle(ours.opposite_halfedge_handle(inner)));
+    expect_all(refusals_of(ours), "face 1" + unjoined);
+    auto theirs = cgal(shapes::tetrahedron());
+    const auto side = theirs.halfedge(face(1));
+    theirs.set_face(side, theirs.face(theirs.opposite(side)));
+    expect_all(refusals_of(theirs), "face 1" + unjoined);
+}
+
+TEST(broken_mesh, a_half_edge_in_a_face_that_names_none)
+{
+    auto ours = openmesh(shapes::tetrahedron());
+    ours.set_boundary(ours.halfedge_handle(OpenMesh::FaceHandle(2)));
+    expect_all(refusals_of(ours), "face 2" + unjoined);
+    auto theirs = cgal(shapes::tetrahedron());
+    theirs.set_face(theirs.halfedge(face(2)), cgal_mesh::null_face());
+    expect_all(refusals_of(theirs), "face 2" + unjoined);
+}
+
+TEST(broken_mesh, a_half_edge_that_does_not_come_before_its_next)
+{
+    auto open = shapes::tetrahedron();
+    open.faces.pop_back();
+    auto ours = openmesh(open);
+    OpenMesh::HalfedgeHandle rim;
+    for (const auto h : ours.halfedges())
+        if (ours.is_boundary(h))
+            rim = h;
+    const auto inner = ours.opposite_halfedge_handle(rim);
+    const auto named = "face " + std::to_string(ours.face_handle(inner).idx());
+    ours.set_next_halfedge_handle(rim, inner);
+    expect_all(refusals_of(ours), named + unjoined);
+}
+
 TEST(broken_mesh, half_edges_of_a_removed_face_lie_at_the_boundary)
 {
     // Removing a face at a low level leaves its half-edges as they are.

@@ -53,7 +53,7 @@ public:
             const auto number = std::size_t(traits::index(mesh, faces_[i]));
             const bool is_closed = detail::for_each_side(mesh, faces_[i], [&](const auto& h) {
                 index_type& corner = corner_number_[traits::index(mesh, h)];
-                if (corner != none)
+                if (corner != none or not detail::is_side_of(mesh, h, faces_[i]))
                     detail::refuse_shared_halfedge(number);
                 if (not edges_.has(mesh, traits::edge_of(mesh, h)))
                     detail::refuse_removed_edge(number);
@@ -74,7 +74,8 @@ public:
             fan_start_.emplace_back();
             if (traits::is_isolated(mesh, v))
                 report.add_isolated(std::size_t(traits::index(mesh, v)));
-            else if (not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
+            else if (not detail::leaves(mesh, traits::halfedge_of(mesh, v), v) or
+                     not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
                 report.add_lost_fan(std::size_t(traits::index(mesh, v)));
         }
         report.require_ok();

@@ -29,14 +29,19 @@ template <mesh M>
     for (const auto f : traits::faces(mesh)) {
         empty = false;
         corners.clear();
-        const bool is_closed = detail::for_each_side(mesh, f, [&](const auto& h) {
+        bool is_joined = true;
+        const bool comes_back = detail::for_each_side(mesh, f, [&](const auto& h) {
+            is_joined = is_joined and detail::is_side_of(mesh, h, f);
             corners.push_back(number(traits::source(mesh, h)));
             if (corners.back() < faces_at.size()) // else it has been removed
                 ++faces_at[corners.back()];
         });
+        const bool is_closed = comes_back and is_joined;
         all_are_closed = all_are_closed and is_closed;
         if (is_closed or corners.empty())
             report.add_face_faults(number(f), corners);
+        else if (comes_back)
+            report.add_unjoined_face(number(f));
         else
             report.add_open_face(number(f));
     }
@@ -52,6 +57,10 @@ template <mesh M>
             report.add_not_finite(number(v));
         if (traits::is_isolated(mesh, v) or faces_at[number(v)] == 0) {
             report.add_isolated(number(v));
+            continue;
+        }
+        if (not detail::leaves(mesh, traits::halfedge_of(mesh, v), v)) {
+            report.add_lost_fan(number(v));
             continue;
         }
         if (not all_are_closed) // half-edges lead anywhere, so that nobody knows which fans there are

@@ -186,7 +186,7 @@ private:
             const auto start = traits::halfedge_of(mesh_, faces_[f]);
             auto h = start;
             for (std::size_t c = first; c < end; ++c) {
-                if (c != first and h == start)
+                if ((c != first and h == start) or not is_side_of(mesh_, h, faces_[f]))
                     return false;
                 const auto along = traits::edge_of(mesh_, h);
                 const std::size_t e = edges_.number(mesh_, along);

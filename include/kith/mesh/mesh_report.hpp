@@ -64,6 +64,8 @@ public:
     void add_face_faults(std::size_t face, std::vector<std::size_t>& vertices);
     /// Of a face whose half-edges do not come back to the first.
     void add_open_face(std::size_t face);
+    /// Of a face one of whose half-edges names another face, or does not come before its next.
+    void add_unjoined_face(std::size_t face);
     void add_several_fans(std::size_t vertex, std::size_t faces);
     /// Of a vertex whose half-edges lead to none of its faces.
     void add_lost_fan(std::size_t vertex);
@@ -156,6 +158,13 @@ KITH_IN_LIBRARY void mesh_report::add_open_face(std::size_t face)
 {
     add(problem::degenerate_face, [&] {
         return named("face", face) + "its half-edges do not lead back to the first; join them anew or remove the face";
+    });
+}
+KITH_IN_LIBRARY void mesh_report::add_unjoined_face(std::size_t face)
+{
+    add(problem::degenerate_face, [&] {
+        return named("face", face) + "its half-edges do not all name it as their face and come before their next; join "
+                                     "them anew or remove the face";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_lost_fan(std::size_t vertex)

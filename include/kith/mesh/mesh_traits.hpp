@@ -193,6 +193,26 @@ bool for_each_side(const M& mesh, typename mesh_traits<M>::face face, const F& f
     return false;
 }
 
+/// Whether a half-edge in a face names that face and is the one before its next.
+template <mesh M>
+bool is_side_of(const M& mesh, typename mesh_traits<M>::halfedge h, typename mesh_traits<M>::face face)
+{
+    using traits = mesh_traits<M>;
+    const auto next = traits::next(mesh, h);
+    return not traits::is_boundary(mesh, h) and
+           traits::index(mesh, traits::face_of(mesh, h)) == traits::index(mesh, face) and
+           std::size_t(traits::index(mesh, next)) < traits::halfedge_bound(mesh) and
+           traits::index(mesh, traits::prev(mesh, next)) == traits::index(mesh, h);
+}
+/// Whether a half-edge is there and leaves a vertex.
+template <mesh M>
+bool leaves(const M& mesh, typename mesh_traits<M>::halfedge h, typename mesh_traits<M>::vertex v)
+{
+    using traits = mesh_traits<M>;
+    return std::size_t(traits::index(mesh, h)) < traits::halfedge_bound(mesh) and
+           traits::index(mesh, traits::source(mesh, h)) == traits::index(mesh, v);
+}
+
 } // namespace detail
 
 /// Whether the program links what reads and makes meshes of this type, such as kith::compiled_cgal; adapters say so.
