@@ -5,6 +5,8 @@
 
 #include <kith/crease/make_creases.hpp>
 #include <kith/doo_sabin.hpp>
+#include <kith/four_eight.hpp>
+#include <kith/unified.hpp>
 
 #include <CGAL/Cartesian.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -115,6 +117,39 @@ TEST(cgal, removed_elements_do_not_shift_associations)
     const auto centre = levels.assoc(0, bottom, kith::targets::V);
     EXPECT_EQ(levels[1].point(centre), point(0, 0, -1));
     EXPECT_EQ(levels.origin(1, centre).f, bottom);
+}
+
+TEST(cgal, errors_count_removed_elements)
+{
+    const auto cube = cube_after_removed_tetrahedron();
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::hierarchy(cube, kith::loop()); }),
+              "loop: face 4 has 4 vertices; triangulate the mesh first");
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::make_creases(cube, [](auto) { return -1; }); }),
+              "edge 6: its sharpness is -1.000000; give 0 or more, infinitely_sharp for ever");
+    EXPECT_EQ(error_text<kith::mesh_error>(
+                  [&] { kith::make_creases(cube, [](auto) { return false; }, [](auto) { return -1; }); }),
+              "vertex 4: its sharpness is -1.000000; give 0 or more, infinitely_sharp for ever");
+
+    auto open_cube = cube;
+    CGAL::Euler::remove_face(open_cube.halfedge(mesh::Face_index(4)), open_cube);
+    const std::string closed_only = error_text<kith::mesh_error>([&] { kith::hierarchy(open_cube, kith::unified()); });
+    const auto number_of = [](std::size_t v) { return std::to_string(v); };
+    bool names_a_boundary_edge = false;
+    for (const auto e : open_cube.edges()) {
+        const auto h = open_cube.halfedge(e);
+        const auto a = number_of(open_cube.source(h)), b = number_of(open_cube.target(h));
+        const std::string start = "unified: edge " + number_of(e) + " between vertices ";
+        if (open_cube.is_border(e))
+            names_a_boundary_edge |= closed_only.starts_with(start + a + " and " + b + " ") or
+                                     closed_only.starts_with(start + b + " and " + a + " ");
+    }
+    EXPECT_TRUE(names_a_boundary_edge) << closed_only;
+
+    const auto tetrahedra = make(shapes::both(shapes::tetrahedron(), shapes::tetrahedron()));
+    auto unmarked = tetrahedra;
+    CGAL::Euler::remove_face(unmarked.halfedge(mesh::Face_index(0)), unmarked);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::hierarchy(unmarked, kith::four_eight()); }),
+              "4-8: faces 1 and 2 do not both start with the edge between them; make a tri-quad mesh first (tri_quad)");
 }
 
 TEST(cgal, removed_elements_and_invalid_handles_are_refused)

@@ -30,7 +30,7 @@ struct sqrt3 {
                     for (const auto f : control.faces())
                         if (const auto edges = sqrt3_split::boundary_edges(f);
                             sqrt3_split::is_odd(generation) and edges > 1)
-                            throw mesh_error("sqrt3: face " + std::to_string(f.index()) + " has " +
+                            throw mesh_error("sqrt3: face " + std::to_string(number_in_mesh(control, f)) + " has " +
                                              std::to_string(edges) +
                                              " boundary edges in a step that trisects them; start with generation 0");
                 },

@@ -77,4 +77,15 @@ private:
     }
 };
 
+/// The number by which the user of a mesh knows an element of its level, for messages: removed elements, which levels
+/// leave out, may count.
+template <walkable_level Level, element Element>
+std::size_t number_in_mesh(const Level& level, const Element& x)
+{
+    if constexpr (requires { level.number_in_mesh(x.handle()); })
+        return level.number_in_mesh(x.handle());
+    else
+        return x.index();
+}
+
 } // namespace kith

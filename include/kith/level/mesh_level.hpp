@@ -122,6 +122,13 @@ public:
         return 2 * index(e) + (first(e) == c ? 0 : 1);
     }
 
+    /// The number that the mesh itself gives to an element: it may count removed ones, too.
+    template <handle_of<M> Handle>
+    [[nodiscard]] std::size_t number_in_mesh(Handle x) const
+    {
+        return traits::index(*mesh_, x);
+    }
+
     [[nodiscard]] corner_handle first(vertex_handle v) const { return {fan_start_[index(v)]}; }
     [[nodiscard]] corner_handle first(edge_handle e) const
     {

@@ -118,19 +118,19 @@ concept orderable_scheme = separable_scheme<Scheme, Index> and numbering_of<Sche
 template <class S, level Level>
 void require_input(const Level& level, [[maybe_unused]] int generation = 0)
 {
+    [[maybe_unused]] const auto number = [&level](const auto& x) { return std::to_string(number_in_mesh(level, x)); };
     if constexpr (needs_triangles<S> or needs_quads<S>)
         for (const auto f : level.faces())
             if (f.degree() != (needs_triangles<S> ? 3 : 4))
-                throw mesh_error(std::string(scheme_name<S>()) + ": face " + std::to_string(f.index()) + " has " +
+                throw mesh_error(std::string(scheme_name<S>()) + ": face " + number(f) + " has " +
                                  std::to_string(f.degree()) + " vertices; " +
                                  (needs_triangles<S> ? "triangulate the mesh first"
                                                      : "split it into quads first, by one step of the linear scheme"));
     if constexpr (needs_closed<S>)
         for (const auto e : level.edges())
             if (e.is_boundary())
-                throw mesh_error(std::string(scheme_name<S>()) + ": edge " + std::to_string(e.index()) +
-                                 " between vertices " + std::to_string(e.org().index()) + " and " +
-                                 std::to_string(e.dst().index()) +
+                throw mesh_error(std::string(scheme_name<S>()) + ": edge " + number(e) + " between vertices " +
+                                 number(e.org()) + " and " + number(e.dst()) +
                                  " is a boundary edge; close the mesh first, or take a scheme with a boundary rule");
     if constexpr (detail::is_said<decltype(traits_of<S>.require)>) {
         constexpr bool is_function = std::invocable<decltype(traits_of<S>.require), const Level&, int>;

@@ -21,7 +21,7 @@ namespace kith {
 namespace detail {
 
 /// What a function, a property map (`get(map, handle)`) or an array by handles says of an element, which has this
-/// number.
+/// number in its mesh.
 template <class Source, class Handle>
 double sharpness_from(const Source& source, const Handle& x, std::size_t number, const char* kind)
 {
@@ -53,10 +53,13 @@ creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const V
     require_edges(mesh);
     const level_of<M> level(mesh);
     creases result(method);
+    const auto sharpness_of = [&](const auto& source, const auto& x, const char* kind) {
+        return detail::sharpness_from(source, x.handle(), number_in_mesh(level, x), kind);
+    };
     for (const auto e : level.edges())
-        result.sharpen_edge(e.index(), detail::sharpness_from(edge_sharpness, e.handle(), e.index(), "edge"));
+        result.sharpen_edge(e.index(), sharpness_of(edge_sharpness, e, "edge"));
     for (const auto v : level.vertices())
-        result.sharpen_vertex(v.index(), detail::sharpness_from(vertex_sharpness, v.handle(), v.index(), "vertex"));
+        result.sharpen_vertex(v.index(), sharpness_of(vertex_sharpness, v, "vertex"));
     return result;
 }
 template <mesh M, class EdgeSharpness>

@@ -88,7 +88,8 @@ struct bisection_split {
             const auto c = f.first_corner();
             if (not c.is_boundary() and not(c.across() == c.across().f().first_corner()))
                 throw mesh_error(
-                    "4-8: faces " + std::to_string(f.index()) + " and " + std::to_string(c.across().f().index()) +
+                    "4-8: faces " + std::to_string(number_in_mesh(coarse, f)) + " and " +
+                    std::to_string(number_in_mesh(coarse, c.across().f())) +
                     " do not both start with the edge between them; make a tri-quad mesh first (tri_quad)");
         }
     }

@@ -16,7 +16,7 @@ namespace kith {
 template <scheme Scheme, level Level>
 void require_three_faces(const Level& coarse)
 {
-    for_each_by_number(coarse.vertices(), [&](const auto& v) {
+    for_each_by_number(coarse.vertices(), [&coarse](const auto& v) {
         const auto first = v.first_corner(), before = first.prev();
         if (first.is_boundary() or before.is_boundary())
             return;
@@ -24,7 +24,7 @@ void require_three_faces(const Level& coarse)
         if (not(first.across().next() == second)) // what lies clockwise and what lies counter-clockwise
             return;
         const bool triangles = first.f().degree() == 3 and second.f().degree() == 3;
-        throw mesh_error(std::string(scheme_name<Scheme>()) + ": vertex " + std::to_string(v.index()) +
+        throw mesh_error(std::string(scheme_name<Scheme>()) + ": vertex " + std::to_string(number_in_mesh(coarse, v)) +
                          " lies between 2 faces only, the scheme needs three; " +
                          (triangles ? "remove these triangles, which are back to back, or put a vertex into one of them"
                                     : "join its edges to one first"));
