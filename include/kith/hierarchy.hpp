@@ -118,13 +118,15 @@ public:
             throw mesh_error(std::to_string(count) + " levels were to be kept; keep at least the last one");
         levels_.keep_last(count);
     }
-    /// Whether a level is in memory. Errors: as below.
+    /// Whether a level is in memory. Errors: mesh_error for levels that do not exist.
     [[nodiscard]] bool holds(int level) const { return levels_.entry_at(level).here != nullptr; }
     /// How many of the last levels are kept.
     [[nodiscard]] int kept_levels() const { return levels_.kept(); }
-    /// Whether `move_points` has moved this level itself. Errors: as below.
+    /// Whether `move_points` has moved this level itself. Errors: mesh_error for levels that do not
+    /// exist.
     [[nodiscard]] bool is_moved(int level) const { return levels_.entry_at(level).is_moved; }
-    /// Makes a dropped level again, the same bits; it stays until levels are added. Errors: as below.
+    /// Makes a dropped level again, the same bits; it stays until levels are added. Errors: mesh_error for levels that do not
+    /// exist.
     /// Cost: that of refining from the last level before it that is there.
     void restore(int level) { levels_.restore(level); }
 
@@ -246,7 +248,7 @@ public:
 
     /// The subdivision matrix from the vertices of one level to those of a finer one. Errors: mesh_error unless from <=
     /// to.
-    /// Cost: O(its entries log of those of a row) time and memory per level.
+    /// Cost per level: for each row the number of its operands times that of its entries; memory: the entries.
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
         require_order(levels_, from, to);
