@@ -122,12 +122,10 @@ public:
     [[nodiscard]] bool holds(int level) const { return levels_.entry_at(level).here != nullptr; }
     /// How many of the last levels are kept.
     [[nodiscard]] int kept_levels() const { return levels_.kept(); }
-    /// Whether `move_points` has moved this level itself. Errors: mesh_error for levels that do not
-    /// exist.
+    /// Whether `move_points` has moved this level itself. Errors: mesh_error for levels that do not exist.
     [[nodiscard]] bool is_moved(int level) const { return levels_.entry_at(level).is_moved; }
-    /// Makes a dropped level again, the same bits; it stays until levels are added. Errors: mesh_error for levels that do not
-    /// exist.
-    /// Cost: that of refining from the last level before it that is there.
+    /// Makes a dropped level again, the same bits; it stays until levels are added. Errors: mesh_error for levels
+    /// that do not exist. Cost: that of refining from the last level before it that is there.
     void restore(int level) { levels_.restore(level); }
 
     /// The number of the last level.

@@ -83,10 +83,12 @@ struct doo_sabin {
                 assoc(c, V) = v;
             else if (open and is_clamped and c.f().is_boundary())
                 assoc(c, V) = sum(c.vertices_from_here(), clamped_quad_weights<real>(c).data());
-            else if (n <= longest_row)
-                assoc(c, V) = masks.sum_from(c, n);
             else
-                in_large_face(masks, c, [&](const auto& mask) { assoc(c, V) = mask; });
+                masks.of_corner(
+                    c,
+                    n,
+                    [&](const auto& sum_by, const auto& use) { in_large_face(c, sum_by, use); },
+                    [&](const auto& mask) { assoc(c, V) = mask; });
         });
 
         split().connect(r);
@@ -94,13 +96,13 @@ struct doo_sabin {
 
 private:
     /// Calls use(mask) with the same weights by what they have in common.
-    template <class Masks, corner_element Corner, class Use>
-    void in_large_face(const Masks& masks, const Corner& c, const Use& use) const
+    template <corner_element Corner, class SumBy, class Use>
+    void in_large_face(const Corner& c, const SumBy& sum_by, const Use& use) const
     {
         if (weights == doo_sabin_weights::cosine)
-            use(1. / 4 * c.v() + masks.sum_in_large(c, {3. / 4, 1. / 4, 0}));
+            use(1. / 4 * c.v() + sum_by({3. / 4, 1. / 4, 0}));
         else
-            use(1. / 2 * c.v() + 1. / 8 * (c.prev().v() + c.next().v()) + masks.sum_in_large(c, {1. / 4, 0, 0}));
+            use(1. / 2 * c.v() + 1. / 8 * (c.prev().v() + c.next().v()) + sum_by({1. / 4, 0, 0}));
     }
 };
 

@@ -12,10 +12,7 @@
 namespace kith {
 
 /// The weight of each neighbour in the point of an inner vertex.
-enum class loop_weights : unsigned char {
-    loop,  ///< Loop 1987
-    warren ///< Warren 1995: 3/16 at valence 3, else 3/(8n)
-};
+enum class loop_weights : unsigned char { loop, warren }; ///< Loop 1987; Warren 1995: 3/16 at valence 3, else 3/(8n)
 
 /// Loop: quartic box splines for triangle meshes. Loop 1987; boundary Hoppe et al. 1994 with the cubic B-spline curve.
 /// C2, at vertices of valence other than 6 C1. Cost: O(corners).
@@ -49,9 +46,8 @@ struct loop {
     {
         const sharp_rules sharp(r.coarse, sharpness, corners);
         const auto betas = by_valence(r, [this](std::size_t n) { return beta(n); });
-        const auto edge_point = [](auto e) {
-            return 3. / 8 * (e.org() + e.dst()) + 1. / 8 * (e.lcorner().prev().v() + e.rcorner().prev().v());
-        };
+        const auto tips = [](auto e) { return e.lcorner().prev().v() + e.rcorner().prev().v(); };
+        const auto edge_point = [=](auto e) { return 3. / 8 * (e.org() + e.dst()) + 1. / 8 * tips(e); };
         const auto vertex_point = [&](auto v) {
             const auto ring = v.corners().map([](auto c) { return c.next().v(); });
             return around(v, ring, betas, [](auto n, auto b, auto v, auto sum) { return (1 - n * b) * v + b * sum; });

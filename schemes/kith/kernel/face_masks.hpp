@@ -42,17 +42,16 @@ public:
         }
     }
 
-    /// The sum over the corners of a face of degree n, from c on. Precondition: n <= longest_row.
-    template <corner_element Corner>
-    [[nodiscard]] auto sum_from(const Corner& c, std::size_t n) const
+    /// Calls use(mask) with the mask of the corner c of a face of degree n. Of a large face in_large(sum_by, use) does
+    /// so, with the same weights by what they have in common: sum_by(kernel) is the sum around the face from c on.
+    template <corner_element Corner, class InLarge, class Use>
+    void of_corner(const Corner& c, std::size_t n, const InLarge& in_large, const Use& use) const
     {
-        return sum(c.vertices_from_here(), rows_[n].data());
-    }
-    /// The same by a kernel. Precondition: the face of c has more than longest_row corners.
-    template <corner_element Corner>
-    [[nodiscard]] auto sum_in_large(const Corner& c, const wave_kernel& kernel) const
-    {
-        return large_.of(c.f()).mask(kernel, 2 * step_in_face(c));
+        if (n <= longest_row)
+            use(sum(c.vertices_from_here(), rows_[n].data()));
+        else
+            in_large([&](const wave_kernel& kernel) { return large_.of(c.f()).mask(kernel, 2 * step_in_face(c)); },
+                     use);
     }
 
 private:
