@@ -42,6 +42,12 @@ inline constexpr bool picks_at_boundary = requires { Where::inner; };
 /// Columns without one have all of their tuples or none, on any mesh.
 template <class Where>
 inline constexpr bool has_condition = not std::same_as<Where, everywhere> and not std::same_as<Where, all_or_none>;
+/// Whether nothing but the boundary, of which closed meshes have none, decides which tuples are picked.
+template <class Where>
+constexpr bool picks_without_condition(bool closed)
+{
+    return picks_at_boundary<Where> ? closed : not has_condition<Where>;
+}
 
 } // namespace detail
 

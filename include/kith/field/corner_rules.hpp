@@ -3,6 +3,7 @@
 
 #include "edge_rules.hpp"
 #include "inherit.hpp"
+#include "linear_masks.hpp"
 
 #include <kith/association/tuples.hpp>
 #include <kith/base/storage.hpp>
@@ -66,15 +67,11 @@ public:
     /// The same where the tuple of the vertex is in no column.
     [[nodiscard]] T at(std::pair<tuple_kind, std::size_t> face, const tuple_elements& vertex) const
     {
-        const auto of = [&](const std::pair<char, std::size_t>& x) {
-            return x.first == 'v'   ? at_vertex(face, level().vertices()[x.second])
-                   : x.first == 'e' ? at(face, std::pair(tuple_kind::e, x.second))
-                                    : means_[x.second];
-        };
-        blend<T> sum(of(vertex.front()));
-        for (std::size_t i = 1; i < vertex.size(); ++i)
-            sum.add(of(vertex[i]));
-        return sum.over(vertex.size());
+        return mean_of_tuple<T>(
+            vertex,
+            [&](std::size_t v) { return at_vertex(face, level().vertices()[v]); },
+            [&](std::size_t e) { return at(face, std::pair(tuple_kind::e, e)); },
+            [&](std::size_t f) { return means_[f]; });
     }
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "inherit.hpp"
+#include "linear_masks.hpp"
 
 #include <kith/base/storage.hpp>
 #include <kith/step/refinement.hpp>
@@ -71,19 +72,13 @@ struct linear_values {
                     result[id] = masks::of_three(
                         at(x), middle(tuple % 2 == 0 ? x.next_edge() : x.prev_edge()), means[x.f().index()]);
             });
-        const auto of = [&](const std::pair<char, std::size_t>& x) {
-            return x.first == 'v'   ? values[x.second]
-                   : x.first == 'e' ? middle(step.coarse.edges()[x.second])
-                                    : mean(step.coarse.faces()[x.second]);
-        };
         const auto& listed = step.ids.dictionary;
-        for (std::size_t k = 0; k < listed.size(); ++k) {
-            const tuple_elements& tuple = listed.tuple_of(k);
-            detail::blend<T> sum(of(tuple.front()));
-            for (std::size_t i = 1; i < tuple.size(); ++i)
-                sum.add(of(tuple[i]));
-            result[step.ids.vertices.total() + k] = sum.over(tuple.size());
-        }
+        for (std::size_t k = 0; k < listed.size(); ++k)
+            result[step.ids.vertices.total() + k] = detail::mean_of_tuple<T>(
+                listed.tuple_of(k),
+                [&](std::size_t v) { return values[v]; },
+                [&](std::size_t e) { return middle(step.coarse.edges()[e]); },
+                [&](std::size_t f) { return mean(step.coarse.faces()[f]); });
         return result;
     }
 

@@ -68,8 +68,8 @@ struct column_bases {
 
 namespace detail {
 
-/// Where the numbers of a column are base + a multiple of the number of an element, where there is no boundary or
-/// anywhere: all of its tuples are picked, or marks tell, of edges or of the corners of each face as many.
+/// Whether the numbers of a column are a base plus a multiple of the element's number, on closed meshes or on all. That
+/// holds where all tuples are picked, and where marks pick as many of the edges or corners of each face.
 template <class Column>
 constexpr bool is_affine(bool closed)
 {
@@ -77,13 +77,11 @@ constexpr bool is_affine(bool closed)
     if constexpr (numbers_by_marks<where>)
         return numbered_elements(Column::kind, 1) == tuple_kind::e or
                (Column::kind == tuple_kind::vf or Column::kind == tuple_kind::ef);
-    else if constexpr (picks_at_boundary<where>)
-        return closed;
     else
-        return not has_condition<where>;
+        return picks_without_condition<where>(closed);
 }
-/// So are those of its corners: of faces of one degree, of that of the face that they come from, or of as many corners
-/// as a vertex has faces, where the scheme says that these are as many everywhere.
+/// Whether the same holds of the corners of its new faces: all have one degree, that of their parent face, or one per
+/// face at a vertex where the scheme states one valence.
 template <class Column, bool HasValence>
 inline constexpr bool has_affine_corners = fixed_degree_of<decltype(Column::degree)> != 0 or
                                            (Column::kind == tuple_kind::f and

@@ -84,13 +84,7 @@ namespace detail {
 template <class... Columns>
 constexpr bool is_free_of_order(const std::tuple<Columns...>*, bool closed)
 {
-    const auto column_is_free = []<tuple_kind K, class W, class D>(const column<K, W, D>*, bool without_boundary) {
-        if constexpr (requires { W::inner; })
-            return without_boundary;
-        else
-            return std::same_as<W, everywhere> or std::same_as<W, all_or_none>;
-    };
-    return (column_is_free(static_cast<const Columns*>(nullptr), closed) and ...);
+    return (picks_without_condition<decltype(Columns::where)>(closed) and ...);
 }
 
 template <scheme Scheme>

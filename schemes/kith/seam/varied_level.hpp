@@ -6,6 +6,7 @@
 #include <kith/crease/fading.hpp>
 #include <kith/field/inherit.hpp>
 #include <kith/field/level_by_corners.hpp>
+#include <kith/field/linear_masks.hpp>
 #include <kith/step/children.hpp>
 #include <kith/step/refinement.hpp>
 
