@@ -306,7 +306,7 @@ TEST(limit_surface, of_a_tile_is_that_of_the_whole)
             whole.refine(levels);
             const auto limits = limit_surface_of(whole, levels);
             const kith::partition parts{partitions::scattered(mesh.face_count(), 3, 1), 3};
-            kith::tiled_refinement tiles(mesh, scheme, levels, parts, limit_rings(scheme));
+            kith::tiled_refinement tiles(mesh, scheme, levels, parts, rings_for_limits(scheme));
             for (std::size_t t = 0; t < tiles.tiles(); ++t) {
                 kith::phase_seconds seconds;
                 const auto job = tiles.refine_job(t, kith::connect::everything, seconds);

@@ -30,7 +30,7 @@ void move_to_limit(tile<std::array<double, 3>>& part, const any_scheme& scheme)
 
 int rings_for_limit(const any_scheme& scheme)
 {
-    return std::visit([](const auto& s) { return limit_rings(s); }, scheme);
+    return std::visit([](const auto& s) { return rings_for_limits(s); }, scheme);
 }
 
 std::optional<int> rings_of_last_level(const any_scheme& scheme, bool limit, bool has_attributes)

@@ -6,7 +6,6 @@
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/mesh/mesh_report.hpp>
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +13,36 @@
 #include <vector>
 
 namespace kith {
+
+namespace detail {
+
+/// How many faces the half-edges of a vertex lead to; more than `most` where they do not come to an end before.
+/// Clockwise through the faces; from the boundary, beyond which nothing is promised, back and the other way.
+/// Precondition: v has an edge. Cost: O(most).
+template <mesh M>
+std::size_t faces_in_fan(const M& mesh, typename mesh_traits<M>::vertex v, std::size_t most)
+{
+    using traits = mesh_traits<M>;
+    const auto is_inside = [&](const auto& h) {
+        return std::size_t(traits::index(mesh, h)) < traits::halfedge_bound(mesh) and not traits::is_boundary(mesh, h);
+    };
+    const auto start = traits::halfedge_of(mesh, v);
+    std::size_t faces = is_inside(start) ? 1 : 0;
+    auto in = traits::opposite(mesh, start);
+    auto out = start;
+    while (is_inside(in) and (out = traits::next(mesh, in)) != start and faces <= most) {
+        ++faces;
+        in = traits::opposite(mesh, out);
+    }
+    if (not is_inside(in))
+        for (out = start; is_inside(out) and faces <= most;) {
+            out = traits::opposite(mesh, traits::prev(mesh, out));
+            faces += is_inside(out) ? 1 : 0;
+        }
+    return faces;
+}
+
+} // namespace detail
 
 /// Everything that is wrong with a mesh that can be built but not refined. Elements are named by the index that their
 /// library gives them. Nothing is changed. Cost: O(elements), faces with many corners a logarithm more.
@@ -65,25 +94,7 @@ template <mesh M>
         }
         if (not all_are_closed) // half-edges lead anywhere, so that nobody knows which fans there are
             continue;
-        // Clockwise through the faces; from the boundary, beyond which nothing is promised, back and the other way.
-        const std::size_t all = faces_at[number(v)];
-        const auto start = traits::halfedge_of(mesh, v);
-        const auto is_inside = [&](const auto& h) {
-            return number(h) < traits::halfedge_bound(mesh) and not traits::is_boundary(mesh, h);
-        };
-        std::size_t fan = is_inside(start) ? 1 : 0;
-        auto in = traits::opposite(mesh, start);
-        auto out = start;
-        while (is_inside(in) and (out = traits::next(mesh, in)) != start and fan <= all) {
-            ++fan;
-            in = traits::opposite(mesh, out);
-        }
-        if (not is_inside(in))
-            for (out = start; is_inside(out) and fan <= all;) {
-                out = traits::opposite(mesh, traits::prev(mesh, out));
-                fan += is_inside(out) ? 1 : 0;
-            }
-        if (fan != all)
+        if (const std::size_t all = faces_at[number(v)]; detail::faces_in_fan(mesh, v, all) != all)
             report.add_several_fans(number(v), all);
     }
     return report;

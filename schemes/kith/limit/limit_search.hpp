@@ -46,8 +46,8 @@ public:
     limit_search(const mesh_type& mesh, const Scheme& scheme) : mesh_(mesh), scheme_(scheme), cutter_(mesh) {}
 
     /// Completes what is known of some vertices; `limits[i]` is that of vertices[i], which increase. Of a part of
-    /// a mesh no more is looked at than limit_rings says. Errors: mesh_error where the neighbourhood of a vertex does
-    /// not become a point.
+    /// a mesh no more is looked at than rings_for_limits says. Errors: mesh_error where the neighbourhood of a vertex
+    /// does not become a point.
     void complete(std::span<const Index> vertices, std::span<found> limits, bool is_part)
     {
         constexpr std::size_t at_once = 1 << 12; // so that what is virtual stays small

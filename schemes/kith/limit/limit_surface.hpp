@@ -24,7 +24,7 @@ struct limit_surface {
 
 /// The rings of faces around some faces that limit_surface_around looks at for the vertices of these.
 template <searchable_scheme Scheme>
-int limit_rings(const Scheme& scheme)
+int rings_for_limits(const Scheme& scheme)
 {
     int most = 0;
     const detail::limit_rings rings(scheme, detail::few_steps);
@@ -32,6 +32,37 @@ int limit_rings(const Scheme& scheme)
         most = std::max(most, rings.at(step));
     return most + 2; // the neighbours of their vertices, and the faces at these
 }
+
+namespace detail {
+
+/// Of each vertex whether its place on the limit surface is asked for: that of those with a mark and, for their
+/// normals, that of all in a face with them; all if there are no marks.
+template <class Point, std::unsigned_integral Index>
+std::vector<unsigned char> needed_vertices(const basic_mesh<Point, Index>& mesh, std::span<const unsigned char> marks)
+{
+    std::vector<unsigned char> result(mesh.vertex_count(), marks.empty() ? 1 : 0);
+    for (std::size_t f = 0; not marks.empty() and f < mesh.face_count(); ++f)
+        if (std::ranges::any_of(mesh.face(f), [&](Index v) { return marks[v] != 0; }))
+            for (const Index v : mesh.face(f))
+                result[v] = 1;
+    return result;
+}
+
+/// Where faces shrink to a point, or have no area at all, normals are those of the mesh.
+template <class Point, std::unsigned_integral Index>
+void fill_zero_normals(const basic_mesh<Point, Index>& mesh, std::span<const unsigned char> marks,
+                       std::vector<normal_vector>& normals)
+{
+    const auto is_zero = [](const normal_vector& n) { return n == normal_vector{}; };
+    if (std::ranges::none_of(normals, is_zero))
+        return;
+    const auto of_mesh = mean_face_normals(mesh, mesh.points(), marks);
+    for (std::size_t v = 0; v < of_mesh.size(); ++v)
+        if (is_zero(normals[v]))
+            normals[v] = of_mesh[v];
+}
+
+} // namespace detail
 
 /// The limits of some vertices, those with a mark; all if there are no marks. All others stay, but for the neighbours
 /// of these. As limit_surface_of. Precondition: a mark per vertex, or none.
@@ -43,12 +74,7 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
     using search_type = detail::limit_search<Point, Index, Scheme>;
     require_edges(mesh);
     const level_type level(mesh);
-    std::vector<unsigned char> is_needed(mesh.vertex_count(), marks.empty() ? 1 : 0);
-    for (std::size_t f = 0; not marks.empty() and f < mesh.face_count(); ++f)
-        if (std::ranges::any_of(mesh.face(f), [&](Index v) { return marks[v] != 0; }))
-            for (const Index v : mesh.face(f))
-                is_needed[v] = 1;
-
+    const auto is_needed = detail::needed_vertices(mesh, marks);
     limit_surface<Point> result{storage<Point>(mesh.points()), {}};
     std::vector<Index> open; // some of their limits are not known by masks of this level
     std::vector<typename search_type::found> open_limits;
@@ -82,13 +108,7 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
         mesh, std::span<const Point>(result.positions.data(), mesh.vertex_count()), marks);
     for (const auto& [v, normal] : normals)
         result.normals[v] = normal;
-    const auto is_zero = [](const normal_vector& n) { return n == normal_vector{}; };
-    if (std::ranges::any_of(result.normals, is_zero)) { // faces that shrink to a point, or have no area at all
-        const auto of_level = mean_face_normals(mesh, mesh.points(), marks);
-        for (std::size_t v = 0; v < of_level.size(); ++v)
-            if (is_zero(result.normals[v]))
-                result.normals[v] = of_level[v];
-    }
+    detail::fill_zero_normals(mesh, marks, result.normals);
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -151,6 +152,76 @@ private:
     std::vector<std::size_t> pushed_;
 };
 
+/// The places that somebody else wants, too: another quad, or an edge that has them.
+class wanted_places {
+public:
+    struct claim {
+        std::size_t face, which, place;
+    };
+
+    /// Cost: O(corners log valence).
+    template <level Level>
+    explicit wanted_places(const Level& level)
+    {
+        std::vector<other_end> ends;
+        for (const auto v : level.vertices()) {
+            list_other_ends(v, ends);
+            for (auto run = ends.begin(); run != ends.end();) {
+                const auto end = std::find_if(run, ends.end(), [&](const auto& x) { return x.vertex != run->vertex; });
+                if (end - run > 1)
+                    add_place(level, {run, end});
+                run = end;
+            }
+        }
+        std::ranges::sort(claims_, {}, [](const claim& x) { return std::pair(x.face, x.which); });
+    }
+
+    /// Sorted by the face that wants a place.
+    [[nodiscard]] const std::vector<claim>& claims() const { return claims_; }
+    /// Of each place whether an edge has it.
+    [[nodiscard]] const std::vector<bool>& is_taken() const { return is_taken_; }
+
+private:
+    static constexpr std::size_t edge = diagonal_choice::own;
+    struct other_end {
+        std::size_t vertex, corner; ///< where a diagonal from this corner, or an edge, which has none, leads
+        bool operator<(const other_end& other) const
+        {
+            return std::pair(vertex, corner) < std::pair(other.vertex, other.corner);
+        }
+    };
+
+    /// Of the edges and diagonals that lead to a vertex with a larger number.
+    template <vertex_element Vertex>
+    static void list_other_ends(const Vertex& v, std::vector<other_end>& ends)
+    {
+        ends.clear();
+        const auto add = [&](std::size_t other, std::size_t corner) {
+            if (other > v.index())
+                ends.push_back({other, corner});
+        };
+        for (const auto u : v.neighbors())
+            add(u.index(), edge);
+        for (const auto c : v.corners())
+            add(c.next().next().v().index(), c.index());
+        std::sort(ends.begin(), ends.end());
+    }
+    /// One place, with all that want it.
+    template <level Level>
+    void add_place(const Level& level, std::span<const other_end> wanted)
+    {
+        for (const auto& x : wanted)
+            if (x.corner != edge) {
+                const auto c = level.corners()[x.corner];
+                claims_.push_back({c.f().index(), (x.corner - c.f().first_corner().index()) % 2, is_taken_.size()});
+            }
+        is_taken_.push_back(wanted.back().corner == edge);
+    }
+
+    std::vector<claim> claims_;
+    std::vector<bool> is_taken_;
+};
+
 /// For each face of a level of quads whether its diagonal joins its second and fourth corner rather than the first and
 /// third: the one with the smallest vertex, unless another edge joins the same two vertices.
 /// Errors: mesh_error if there is no choice without such edges. Cost: O(corners log valence).
@@ -171,55 +242,16 @@ std::vector<unsigned char> choose_diagonals(const Level& level)
     for (const auto f : level.faces())
         is_odd[f.index()] = quad_of(f).smallest == 1;
 
-    struct claim {
-        std::size_t face, which, place;
-    };
-    std::vector<claim> claims; // of places that several want
-    std::vector<bool> place_is_taken;
-    struct other_end {
-        std::size_t vertex, corner; ///< an edge has no corner
-        bool operator<(const other_end& other) const
-        {
-            return std::pair(vertex, corner) < std::pair(other.vertex, other.corner);
-        }
-    };
-    constexpr std::size_t edge = diagonal_choice::own;
-    std::vector<other_end> ends;
-    for (const auto v : level.vertices()) {
-        ends.clear();
-        const auto add = [&](std::size_t other, std::size_t corner) {
-            if (other > v.index())
-                ends.push_back({other, corner});
-        };
-        for (const auto u : v.neighbors())
-            add(u.index(), edge);
-        for (const auto c : v.corners())
-            add(c.next().next().v().index(), c.index());
-        std::sort(ends.begin(), ends.end());
-        for (auto run = ends.begin(); run != ends.end();) {
-            const auto end = std::find_if(run, ends.end(), [&](const auto& x) { return x.vertex != run->vertex; });
-            if (end - run > 1) {
-                for (auto x = run; x != end and x->corner != edge; ++x) {
-                    const auto c = level.corners()[x->corner];
-                    claims.push_back(
-                        {c.f().index(), (x->corner - c.f().first_corner().index()) % 2, place_is_taken.size()});
-                }
-                place_is_taken.push_back((end - 1)->corner == edge);
-            }
-            run = end;
-        }
-    }
-    if (claims.empty())
+    const wanted_places wanted(level);
+    if (wanted.claims().empty())
         return is_odd;
-
-    std::ranges::sort(claims, {}, [](const claim& x) { return std::pair(x.face, x.which); });
     std::vector<diagonal_choice::quad> quads;
-    for (const claim& x : claims) {
+    for (const auto& x : wanted.claims()) {
         if (quads.empty() or quads.back().face != x.face)
             quads.push_back(quad_of(level.faces()[x.face]));
         quads.back().places[x.which] = x.place;
     }
-    for (const auto& q : diagonal_choice(std::move(quads), std::move(place_is_taken)).solve())
+    for (const auto& q : diagonal_choice(std::move(quads), wanted.is_taken()).solve())
         is_odd[q.face] = q.taken == 1;
     return is_odd;
 }
