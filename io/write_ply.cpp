@@ -3,6 +3,7 @@
 
 #include <kith/output/ply_words.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -30,14 +31,26 @@ void write_properties(text_block& header, const attribute_list& attributes)
         header << "property " << name_of(a->type) << ' ' << ply_name(a->name) << '\n';
 }
 
-void write_value(text_block& text, bool binary, const attribute& a, std::size_t element)
+void write_number(text_block& text, bool binary, const ply_number& type, double value)
 {
-    with_type(a.type, a.values[element], [&](auto number) {
+    with_type(type, value, [&](auto number) {
         if (binary)
             text.raw(number);
         else
             text << ' ' << number;
     });
+}
+void write_value(text_block& text, bool binary, const attribute& a, std::size_t element)
+{
+    write_number(text, binary, a.type, a.values[element]);
+}
+
+/// A list has one type: that of its numbers, or double where they have several.
+ply_number type_of_list(const attribute_list& list)
+{
+    const bool are_of_one = std::ranges::all_of(
+        list, [&](const attribute* a) { return name_of(a->type) == name_of(list[0]->type); });
+    return are_of_one ? list[0]->type : ply_number{8, true, true};
 }
 
 /// The texture coordinates of the corners of a face, two each; none where one is missing.
@@ -54,9 +67,10 @@ void write_texture(text_block& text, bool binary, bool short_lists, const attrib
         text.raw(std::uint8_t(length));
     else
         text.raw(std::uint16_t(length));
+    const ply_number type = type_of_list(uv);
     for (std::size_t c = first; is_there and c < first + degree; ++c)
         for (const attribute* a : uv)
-            write_value(text, binary, *a, c);
+            write_number(text, binary, type, a->values[c]);
 }
 
 } // namespace
@@ -80,8 +94,8 @@ void write_ply(std::ostream& out, const written_mesh& what)
     write_properties(header, held.vertices);
     header << "element face " << what.mesh.face_count() << "\nproperty list uchar int vertex_indices\n";
     if (not held.corner_textures.empty())
-        header << "property list " << (short_lists ? "uchar " : "ushort ") << name_of(held.corner_textures[0]->type)
-               << " texcoord\n";
+        header << "property list " << (short_lists ? "uchar " : "ushort ")
+               << name_of(type_of_list(held.corner_textures)) << " texcoord\n";
     write_properties(header, held.faces);
     header << "end_header\n";
     out << header.text();

@@ -267,6 +267,19 @@ TEST(ply_attributes, lists_of_textures_fit_their_faces)
               "line 12: face 0 has 3 corners and 4 texture coordinates, 6 are needed");
 }
 
+TEST(ply_attributes, a_list_of_textures_of_two_types_is_one_of_doubles)
+{
+    io::polygon_soup soup{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .faces = {}};
+    soup.faces.push_back(std::vector{0, 1, 2});
+    soup.attributes.corners = {{"u", {4, true, true}, {.25, .5, .75}, {}}, {"v", {8, true, true}, {.1, .2, .3}, {}}};
+    for (const bool binary : {false, true}) {
+        const auto read = io::read_mesh(mesh_format::ply, written(mesh_format::ply, soup, binary));
+        ASSERT_EQ(read.attributes.corners.size(), 2);
+        for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_EQ(read.attributes.corners[i].values, soup.attributes.corners[i].values) << binary;
+    }
+}
+
 TEST(ply_attributes, words_of_faces_are_comments_that_others_skip)
 {
     const std::string obj = "mtllib my paint.mtl\nmtllib other.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no\nf  1 2 3\n"
