@@ -64,6 +64,9 @@ bool is_consistent(const connectivity<Index>& t, std::size_t points)
         if (t.corner_vertex[c] >= t.vertices or t.corner_halfedge[c] >= sides or
             t.halfedge_corner[t.corner_halfedge[c]] != c)
             return false;
+    for (std::size_t h = 0; h < sides; h += 2) // side 1 has no face at the boundary, side 0 always has one
+        if (t.halfedge_corner[h] == none)
+            return false;
     for (std::size_t h = 0; h < sides; ++h)
         if (const Index c = t.halfedge_corner[h]; c != none) {
             if (c >= corners or t.corner_halfedge[c] != h)
@@ -74,6 +77,9 @@ bool is_consistent(const connectivity<Index>& t, std::size_t points)
         }
     for (std::size_t v = 0; v < t.vertices; ++v)
         if (t.vertex_corner[v] >= corners or t.corner_vertex[t.vertex_corner[v]] != v)
+            return false;
+    for (std::size_t c = 0; c < corners; ++c) // at the boundary a fan starts where nothing lies clockwise
+        if (t.across(Index(c)) == none and t.vertex_corner[t.corner_vertex[c]] != c)
             return false;
     return true;
 }
