@@ -5,13 +5,13 @@
 #include "json.hpp"
 #include "scheme_words.hpp"
 
+#include <kith/packed_mesh.hpp>
 #include <kith/part/checksum.hpp>
 #include <kith/tile/pack.hpp>
 
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -47,14 +47,6 @@ const std::string& setting(const recipe& recipe, const std::string& name)
     throw file_error("the recipe has no " + name + "; it is of another version");
 }
 
-/// The connectivity of a mesh as it is kept: its numbers are those of the surface.
-template <class Topology, class F>
-void for_each_array(Topology& t, const F& f)
-{
-    f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner);
-    f(t.vertex_corner), f(t.face_corner), f(t.corner_face);
-}
-
 template <class Kinds, class F>
 void for_each_element(Kinds& kinds, const F& f)
 {
@@ -63,13 +55,9 @@ void for_each_element(Kinds& kinds, const F& f)
 
 std::vector<std::byte> pack_control(const tile_request& request)
 {
-    const auto& [mesh, scheme] = std::tie(request.control, request.scheme);
-    const auto& t = mesh.topology();
     packer out;
-    out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(mesh.generation());
-    out.add_array(mesh.points());
-    for_each_array(t, [&](const auto& array) { out.add_array(array); });
-    std::visit([&](const auto& s) { kith::detail::pack_state(out, s); }, scheme);
+    io::pack_mesh(out, request.control);
+    std::visit([&](const auto& s) { kith::detail::pack_state(out, s); }, request.scheme);
     out.add_array(pack_kinds(request.kinds));
     request.attributes.pack(out);
     return out.take();
@@ -79,15 +67,8 @@ std::vector<std::byte> pack_control(const tile_request& request)
 void unpack_control(const std::vector<std::byte>& bytes, tile_request& request)
 {
     unpacker in(bytes);
-    connectivity<std::uint32_t> t;
-    t.vertices = in.get<std::uint64_t>();
-    t.faces = in.get<std::uint64_t>();
-    t.degree = in.get<int>();
-    const int generation = in.get<int>();
-    auto points = in.get_array<storage<std::array<double, 3>>>();
-    for_each_array(t, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
+    request.control = io::unpack_mesh<std::array<double, 3>, std::uint32_t>(in);
     std::visit([&](auto& s) { kith::detail::unpack_state(in, s); }, request.scheme);
-    request.control = {std::move(points), std::move(t), generation};
     request.kinds = unpack_kinds(in.get_array<std::vector<std::byte>>());
     request.attributes.unpack(in);
 }

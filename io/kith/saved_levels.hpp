@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "packed_mesh.hpp"
+
 #include <kith/hierarchy.hpp>
 #include <kith/text/file_error.hpp>
 #include <kith/tile/pack.hpp>
@@ -14,7 +16,6 @@
 #include <ostream>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,63 +26,8 @@ namespace detail {
 template <class Point, std::unsigned_integral Index>
 constexpr std::uint64_t kind_of_levels()
 {
-    constexpr std::uint64_t version = 1;
+    constexpr std::uint64_t version = 2;
     return 0x6b69746c'00000000U | version << 16 | sizeof(Point) << 8 | sizeof(Index); // turned round elsewhere
-}
-
-template <class Topology, class F>
-void for_each_array(Topology& t, const F& f)
-{
-    f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner), f(t.vertex_corner), f(t.face_corner),
-        f(t.corner_face);
-}
-
-/// Whether the arrays of a mesh from elsewhere fit each other, so that walking on them stays inside and ends.
-template <std::unsigned_integral Index>
-bool is_consistent(const connectivity<Index>& t, std::size_t points)
-{
-    constexpr Index none = connectivity<Index>::none;
-    const std::size_t corners = t.corner_vertex.size(), sides = t.halfedge_corner.size();
-    const bool is_mixed = t.degree == 0;
-    if (points != t.vertices or t.vertex_corner.size() != t.vertices or t.corner_halfedge.size() != corners or
-        sides % 2 != 0 or t.corner_face.size() != (is_mixed ? corners : 0) or
-        (is_mixed ? t.face_corner.empty() or t.face_corner.size() - 1 != t.faces
-                  : (t.degree != 3 and t.degree != 4) or t.faces != corners / std::size_t(t.degree) or
-                        corners % std::size_t(t.degree) != 0))
-        return false;
-    if (is_mixed) {
-        if (t.face_corner[0] != 0 or t.face_corner[t.faces] != corners)
-            return false;
-        for (std::size_t f = 0; f < t.faces; ++f) {
-            if (t.face_corner[f + 1] > corners or t.face_corner[f + 1] < t.face_corner[f] + std::size_t(3))
-                return false;
-            for (std::size_t c = t.face_corner[f]; c < t.face_corner[f + 1]; ++c)
-                if (t.corner_face[c] != f)
-                    return false;
-        }
-    }
-    for (std::size_t c = 0; c < corners; ++c)
-        if (t.corner_vertex[c] >= t.vertices or t.corner_halfedge[c] >= sides or
-            t.halfedge_corner[t.corner_halfedge[c]] != c)
-            return false;
-    for (std::size_t h = 0; h < sides; h += 2) // side 1 has no face at the boundary, side 0 always has one
-        if (t.halfedge_corner[h] == none)
-            return false;
-    for (std::size_t h = 0; h < sides; ++h)
-        if (const Index c = t.halfedge_corner[h]; c != none) {
-            if (c >= corners or t.corner_halfedge[c] != h)
-                return false;
-            if (const Index across = t.halfedge_corner[h ^ 1];
-                across != none and (across >= corners or t.corner_vertex[t.next(c)] != t.corner_vertex[across]))
-                return false;
-        }
-    for (std::size_t v = 0; v < t.vertices; ++v)
-        if (t.vertex_corner[v] >= corners or t.corner_vertex[t.vertex_corner[v]] != v)
-            return false;
-    for (std::size_t c = 0; c < corners; ++c) // at the boundary a fan starts where nothing lies clockwise
-        if (t.across(Index(c)) == none and t.vertex_corner[t.corner_vertex[c]] != c)
-            return false;
-    return true;
 }
 
 template <level Level>
@@ -142,16 +88,12 @@ template <mesh M, scheme Scheme>
 void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
 {
     using point = typename mesh_traits<M>::point;
-    static_assert(std::is_trivially_copyable_v<point>, "points that are plain bytes can be written, others not");
     const auto control = detail::native(levels[0]);
-    const auto& t = control.topology();
     packer bytes;
     bytes.add(detail::kind_of_levels<point, typename hierarchy<M, Scheme>::index_type>());
     bytes.add_array(scheme_name<Scheme>());
-    bytes.add(levels.depth()).add(levels.kept_levels()).add(control.generation());
-    bytes.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree);
-    bytes.add_array(control.points());
-    detail::for_each_array(t, [&](const auto& array) { bytes.add_array(array); });
+    bytes.add(levels.depth()).add(levels.kept_levels());
+    pack_mesh(bytes, control);
     kith::detail::pack_state(bytes, detail::control_scheme(levels));
     for (int level = 1; level <= levels.depth(); ++level) {
         if constexpr (selecting_scheme<Scheme, level_of<M>>)
@@ -191,18 +133,9 @@ try {
     if (name != scheme_name<Scheme>())
         throw file_error("saved levels: they are of the scheme " + name + ", not of " +
                          std::string(scheme_name<Scheme>()));
-    const int depth = bytes.get<int>(), kept = bytes.get<int>(), generation = bytes.get<int>();
-    connectivity<index> t;
-    t.vertices = bytes.get<std::uint64_t>();
-    t.faces = bytes.get<std::uint64_t>();
-    t.degree = bytes.get<int>();
-    auto points = bytes.get_array<storage<point>>();
-    detail::for_each_array(t, [&]<class Array>(Array& array) { array = bytes.get_array<Array>(); });
-    if (not detail::is_consistent(t, points.size()))
-        throw file_error(
-            "saved levels: the arrays of the control mesh do not fit each other; who wrote them is at fault");
+    const int depth = bytes.get<int>(), kept = bytes.get<int>();
+    auto control = unpack_mesh<point, index>(bytes);
     kith::detail::unpack_state(bytes, scheme);
-    basic_mesh<point, index> control(std::move(points), std::move(t), generation);
     hierarchy<M, Scheme> levels(
         [&] {
             if constexpr (std::same_as<M, basic_mesh<point, index>>)
