@@ -37,6 +37,29 @@ std::string refusal(const job_type& job)
     return error_text<kith::pack_error>([&] { sent(job); });
 }
 
+/// What is said of a job after `break_it` has changed the topology of its mesh.
+template <class Break>
+std::string refusal_of_broken(job_type job, const Break& break_it)
+{
+    auto& mesh = job.part.mesh;
+    auto topology = mesh.topology();
+    break_it(topology);
+    mesh = {kith::storage<shapes::point>(mesh.points()), std::move(topology), mesh.generation()};
+    return refusal(job);
+}
+
+std::string refusal_because(const std::string& fault)
+{
+    return "a message holds a tile that " + fault + "; its sender is at fault";
+}
+
+/// A tile of triangles and quads.
+job_type a_mixed_job()
+{
+    const auto mesh = native(shapes::open_house());
+    return kith::tile_cutter(mesh, kith::catmull_clark(), partitions::blocks(mesh.face_count(), 2), 2).cut(0, 1);
+}
+
 } // namespace
 
 TEST(pack, comes_out_as_it_went_in)
@@ -103,6 +126,74 @@ TEST(pack, refuses_arrays_that_do_not_fit)
     job.part.root_of[0] = std::uint32_t(job.part.roots.size());
     EXPECT_EQ(refusal(job),
               "a message holds a tile that points at elements that it does not have; its sender is at fault");
+}
+
+TEST(pack, refuses_faces_whose_corners_do_not_follow_one_another)
+{
+    const auto good = a_mixed_job();
+    ASSERT_EQ(good.part.mesh.topology().degree, 0);
+    ASSERT_GE(good.part.mesh.face_count(), 3U);
+    EXPECT_EQ(refusal(good), "no error");
+    const auto fault = refusal_because("has faces whose corners do not follow one another");
+    EXPECT_EQ(refusal_of_broken(good, [](auto& t) { std::swap(t.face_corner[1], t.face_corner[2]); }), fault);
+    EXPECT_EQ(refusal_of_broken(good, [](auto& t) { t.face_corner[0] = 1; }), fault);
+    EXPECT_EQ(refusal_of_broken(good, [](auto& t) { --t.face_corner[t.faces]; }), fault);
+    EXPECT_EQ(refusal_of_broken(good, [](auto& t) { t.face_corner[1] = 2; }), fault);
+}
+
+TEST(pack, refuses_corners_that_do_not_know_their_faces)
+{
+    EXPECT_EQ(refusal_of_broken(a_mixed_job(), [](auto& t) { t.corner_face[0] = 1; }),
+              refusal_because("has corners that do not know their faces"));
+}
+
+TEST(pack, refuses_corners_and_sides_that_do_not_know_each_other)
+{
+    const auto fault = refusal_because("has corners and sides of edges that do not know each other");
+    for (const auto& good : {a_job(), a_mixed_job()}) {
+        EXPECT_EQ(refusal_of_broken(good, [](auto& t) { t.corner_halfedge[1] = t.corner_halfedge[0]; }), fault);
+        EXPECT_EQ(refusal_of_broken(good, [](auto& t) { t.halfedge_corner[t.corner_halfedge[1]] = 0; }), fault);
+        EXPECT_EQ(refusal_of_broken(good,
+                                    [](auto& t) {
+                                        for (std::size_t e = 0; e < t.edges(); ++e)
+                                            if (t.is_boundary(e)) // a corner has another edge
+                                                t.halfedge_corner[2 * e + 1] = 0;
+                                    }),
+                  fault);
+    }
+}
+
+TEST(pack, refuses_edges_without_a_first_side)
+{
+    const auto turn_cut_edges = [](auto& t) {
+        for (std::size_t e = 0; e < t.edges(); ++e)
+            if (t.is_boundary(e)) {
+                t.set_side(t.halfedge_corner[2 * e], std::uint32_t(2 * e + 1));
+                t.halfedge_corner[2 * e] = t.none;
+            }
+    };
+    for (const auto& good : {a_job(), a_mixed_job()})
+        EXPECT_EQ(refusal_of_broken(good, turn_cut_edges),
+                  refusal_because("has edges without a face on their first side"));
+}
+
+TEST(pack, refuses_edges_that_join_other_vertices_on_each_side)
+{
+    const auto change_sides = [](auto& t) {
+        const auto first = t.corner_halfedge[0], second = t.corner_halfedge[1];
+        t.set_side(0, second);
+        t.set_side(1, first);
+    };
+    for (const auto& good : {a_job(), a_mixed_job()})
+        EXPECT_EQ(refusal_of_broken(good, change_sides),
+                  refusal_because("has edges that join other vertices on each of their sides"));
+}
+
+TEST(pack, refuses_fans_that_start_at_another_vertex)
+{
+    for (const auto& good : {a_job(), a_mixed_job()})
+        EXPECT_EQ(refusal_of_broken(good, [](auto& t) { std::swap(t.vertex_corner[0], t.vertex_corner[1]); }),
+                  refusal_because("has vertices whose fans start at another vertex"));
 }
 
 TEST(pack, takes_texts)

@@ -5,14 +5,57 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <ranges>
 
 namespace kith::detail {
 
+/// What is wrong with the corners, sides and fans of a tile, or nothing. Walks on faces and around vertices stay inside
+/// and end where this finds no fault. Precondition: its arrays have the right sizes and point at elements that are
+/// there. Cost: O(elements).
+template <class Topology>
+const char* fault_of_corners(const Topology& t)
+{
+    const std::size_t corners = t.corner_vertex.size(), sides = t.halfedge_corner.size();
+    if (t.degree == 0 and t.faces != 0) {
+        bool fits = t.face_corner[0] == 0 and t.face_corner[t.faces] == corners;
+        for (std::size_t f = 0; f < t.faces; ++f)
+            fits = fits and t.face_corner[f + 1] >= t.face_corner[f] + std::size_t(3);
+        if (not fits)
+            return "has faces whose corners do not follow one another";
+        for (std::size_t f = 0; f < t.faces; ++f)
+            for (std::size_t c = t.face_corner[f]; c < t.face_corner[f + 1]; ++c)
+                if (t.corner_face[c] != f)
+                    return "has corners that do not know their faces";
+    }
+    if (t.corner_halfedge.empty())
+        return nullptr;
+
+    for (std::size_t c = 0; c < corners; ++c)
+        if (t.halfedge_corner[t.corner_halfedge[c]] != c)
+            return "has corners and sides of edges that do not know each other";
+    for (std::size_t side = 0; side < sides; ++side)
+        if (const auto corner = t.halfedge_corner[side]; corner != t.none and t.corner_halfedge[corner] != side)
+            return "has corners and sides of edges that do not know each other";
+    for (std::size_t first = 0; first < sides; first += 2) {
+        const auto corner = t.halfedge_corner[first], across = t.halfedge_corner[first + 1];
+        if (corner == t.none)
+            return "has edges without a face on their first side";
+        if (across != t.none and
+            (t.corner_vertex[corner] != t.target(across) or t.target(corner) != t.corner_vertex[across]))
+            return "has edges that join other vertices on each of their sides";
+    }
+    for (std::size_t v = 0; v < t.vertices; ++v)
+        if (t.corner_vertex[t.vertex_corner[v]] != v)
+            return "has vertices whose fans start at another vertex";
+    return nullptr;
+}
+
 /// What is wrong with the arrays of a tile that comes from elsewhere, or nothing: they have the sizes of the elements
-/// they are about, they point at elements that are there, and elements are in the order of their numbers in the whole
-/// mesh. In another order masks would be evaluated in another order, too. What is not seen is a face that starts at
-/// another of its corners, which is as good a tile of another mesh. Cost: O(elements).
+/// they are about, they point at elements that are there, corners, sides and fans fit each other, and elements are in
+/// the order of their numbers in the whole mesh. In another order masks would be evaluated in another order, too. What
+/// is not seen is what makes as good a tile of another mesh, such as a face that starts at another of its corners.
+/// Cost: O(elements).
 template <class Topology, tile_like Tile>
 const char* fault_of_tile(const Topology& t, std::size_t points, const Tile& part)
 {
@@ -27,6 +70,7 @@ const char* fault_of_tile(const Topology& t, std::size_t points, const Tile& par
             each_or_none(part.first_corner_ids, faces) and each_or_none(part.corners_before, vertices) and
             each_or_none(part.marked_before, edges) and each(t.corner_halfedge, faces_only ? 0 : corners) and
             each(t.vertex_corner, faces_only ? 0 : vertices) and each(t.halfedge_corner, 2 * edges) and
+            (edges == 0 or not faces_only) and (mixed or t.degree == 3 or t.degree == 4) and
             each(t.face_corner, mixed and faces != 0 ? faces + 1 : t.face_corner.size()) and
             each(t.corner_face, mixed ? corners : 0) and (mixed or corners == faces * std::size_t(t.degree))))
         return "has arrays of the wrong sizes";
@@ -40,6 +84,8 @@ const char* fault_of_tile(const Topology& t, std::size_t points, const Tile& par
             below(t.corner_face, faces) and below(t.face_corner, corners + 1) and
             below(part.root_of, part.roots.size())))
         return "points at elements that it does not have";
+    if (const char* fault = fault_of_corners(t); fault != nullptr)
+        return fault;
 
     if (not std::ranges::is_sorted(part.vertex_ids)) // the fans of a vertex have its number each
         return "has vertices that are not in the order of their numbers";
