@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/format/obj_tag.hpp>
 
-#include <kith/text/counted.hpp>
 #include <kith/crease/creases.hpp>
 
 #include <algorithm>

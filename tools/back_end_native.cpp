@@ -5,7 +5,6 @@
 #include <kith/refine_with_fields.hpp>
 
 #include <tuple>
-#include <utility>
 #include <variant>
 
 namespace kith::tool {

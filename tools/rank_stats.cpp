@@ -8,7 +8,6 @@
 #include <kith/output_file.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstring>
 #include <limits>

@@ -23,7 +23,8 @@
 /// which defines KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles there, and compiles only what reads
 /// and writes its own meshes, if their coordinates are doubles. The results are the same bits. KITH_COMPILED_FLOATS: so
 /// for floats, but for the schemes that take longest to compile. KITH_COMPILED_ORDER, KITH_COMPILED_PATCHES: the two
-/// fast ways to face lists, where a scheme has them. KITH_PATCH_PARTS: what patches of all schemes share.
+/// fast ways to face lists, where a scheme has them. KITH_PATCH_PARTS: what patches of all schemes share;
+/// KITH_PATCH_NUMBERS: what of it does not depend on the type of coordinates.
 
 #define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
     How basic_mesh<std::array<Number, 3>> refine_mesh<connect::everything>(                                            \

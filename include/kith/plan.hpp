@@ -122,7 +122,7 @@ std::vector<double> shares_of_work(const counts& control, const S& scheme, int l
 {
     std::vector<double> result{0};
     if constexpr (countable_scheme<S>) {
-        // Counts alone are asked for, which are those of any point and index.
+        // Only counts are asked for; they do not depend on the types of point and index.
         const auto planned = plan(control, scheme, levels, generation, sizeof(double), sizeof(std::uint64_t));
         for (int level = 1; level <= levels; ++level)
             result.push_back(result.back() + double(planned[std::size_t(level)].counts.faces));

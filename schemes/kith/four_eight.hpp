@@ -57,8 +57,9 @@ struct four_eight {
         subdivide(bisection_split(), r, midpoints, vertices);
     }
 
+    /// The sides at v of the quads that pairs of triangles make, each as the corner of v in the quad to its left.
     template <vertex_element Vertex>
-    static auto sides(const Vertex& v) // of the pairs of triangles at v, each side with the pair to its left
+    static auto sides(const Vertex& v)
     {
         return v.corners().only([](const auto& c) { return not bisection_split::is_first(c); });
     }

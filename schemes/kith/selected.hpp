@@ -14,7 +14,7 @@
 
 namespace kith {
 
-/// A scheme whose steps refine the faces that are chosen for them; of a level for which nothing was chosen all of them.
+/// A scheme whose steps refine the faces that are chosen for them; where none have been chosen, all faces.
 /// What keeps the mesh conforming is `closure`: no vertex lies on the edge of another face. Vertices at cut edges have
 /// the rules of the scheme, on the mesh as it is, all others stay; but where a scheme reaches further than a ring of
 /// faces new vertices beside green faces are midpoints. So what is red has the points of full refinement, the same

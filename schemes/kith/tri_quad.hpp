@@ -34,6 +34,7 @@ basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh, std::tup
     return {storage<Point>(made.points()), made.topology(), 0};
 }
 
+/// The same of a mesh of another library. Errors: also what `validate` finds.
 template <refinable_mesh M>
 M tri_quad(const M& mesh)
 {

@@ -74,6 +74,7 @@ constexpr std::size_t tuples_per_element(tuple_kind kind)
     return kind == tuple_kind::ve or kind == tuple_kind::vfe ? 2 : 1;
 }
 
+/// That of the tuple with this index. Precondition: index < tuple_count(level, Kind).
 template <tuple_kind Kind, level Level>
 auto tuple_element(const Level& level, std::size_t index)
 {
@@ -193,6 +194,7 @@ struct same_degree {
         return f.degree();
     }
 };
+/// A column whose new faces are triangles; quads.
 template <tuple_kind Kind, class Where, class Degree>
 [[nodiscard]] constexpr auto triangles(const column<Kind, Where, Degree>& c)
 {
@@ -204,6 +206,7 @@ template <tuple_kind Kind, class Where, class Degree>
     return c.of_degree(fixed_degree<4>{});
 }
 
+/// The columns that give birth to vertices, to edges and to faces; in this order their elements are numbered.
 template <class... Columns>
 struct new_vertices {
     std::tuple<Columns...> list;

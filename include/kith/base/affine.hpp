@@ -90,6 +90,7 @@ struct affine<Scalar> {
     static void scale(Scalar& total, Scalar weight) { total *= weight; }
 };
 
+/// The type of the weights of T.
 template <class T>
 using scalar_of = typename affine<T>::scalar;
 

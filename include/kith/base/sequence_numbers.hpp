@@ -31,7 +31,8 @@ private:
 public:
     [[nodiscard]] std::size_t count() const { return of_sequence_.size(); }
 
-    /// Remembers what it was told, so that it rarely waits for other threads, and best what it was asked last.
+    /// Keeps the sequences that it was asked for, so that it rarely waits for other threads; the last one is found
+    /// fastest.
     class reader {
     public:
         explicit reader(sequence_numbers& numbers) : numbers_(numbers), last_(places) {}

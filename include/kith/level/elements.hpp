@@ -134,7 +134,7 @@ public:
     }
     /// In each face the vertex after the next, counter-clockwise: in quads the one opposite this vertex.
     [[nodiscard]] auto opposites() const { return first_corner().opposites_from_here(); }
-    /// The number of edges, and the number of faces: one less at the boundary.
+    /// The number of edges.
     [[nodiscard]] std::size_t valence() const { return face_count() + (is_boundary() ? 1 : 0); }
     /// Cost: O(the smaller of n and the valence).
     [[nodiscard]] bool has_valence(std::size_t n) const
@@ -144,6 +144,7 @@ public:
             ++found;
         return found == n;
     }
+    /// The number of faces, one less than the edges at the boundary.
     [[nodiscard]] std::size_t face_count() const
     {
         std::size_t result = 0;

@@ -41,7 +41,7 @@ concept walkable_level = requires(const L& level, typename L::vertex_handle v, t
     { level.edge_at(i) } -> std::convertible_to<typename L::edge_handle>;
     { level.face_at(i) } -> std::convertible_to<typename L::face_handle>;
     { level.corner_at(i) } -> std::convertible_to<typename L::corner_handle>;
-    // The number of an element. That of the corners of a face follow one another, in the order of the faces.
+    // The number of an element. The corners of a face have consecutive numbers, face after face.
     { level.index(v) } -> std::convertible_to<std::size_t>;
     { level.index(e) } -> std::convertible_to<std::size_t>;
     { level.index(f) } -> std::convertible_to<std::size_t>;

@@ -79,6 +79,7 @@ auto lift(const level_elements<mesh_level<M>>& level, int generation = 0)
     return basic_mesh<point, index>(std::move(points), std::move(t), generation);
 }
 
+/// The same of a mesh that nobody has made a level of: read in bulk where it can be, which is faster.
 template <mesh M>
 auto lift(const M& mesh)
 {

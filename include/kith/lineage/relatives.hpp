@@ -35,7 +35,7 @@ template <mesh M>
 struct ancestor_element : some_elements<M> {
     element_kind kind;
 
-    /// Of the level that is given, of M.
+    /// The element with this kind and number on a level of M.
     template <level Level>
     ancestor_element(const Level& level, const numbered_element& x) : kind(x.kind)
     {

@@ -10,8 +10,7 @@
 
 namespace kith {
 
-/// A scheme whose steps refine the faces that are chosen, such as `selected`; of a level for which none were chosen
-/// all.
+/// A scheme whose steps refine the faces that are chosen, such as `selected`; where none have been chosen, all faces.
 template <class S, class Level>
 concept selecting_scheme = scheme<S> and requires(S& scheme, const S& chosen_before, const Level& level,
                                                   std::span<const unsigned char> flags) {

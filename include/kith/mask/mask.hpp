@@ -20,6 +20,7 @@ namespace kith {
 template <class T>
 concept mask = std::derived_from<std::remove_cvref_t<T>, mask_base>;
 
+/// What gives masks one after the other: the vertices of a face, the neighbours of a vertex.
 template <class R>
 concept mask_range = requires(const R& range) {
     { *range.begin() } -> mask;

@@ -40,7 +40,7 @@ protected:
         });
         return result;
     }
-    /// Whether there may be so many.
+    /// Allocates the arrays for so many corners and edges; false if no manifold has them.
     bool make_corners(std::size_t corners, std::size_t edges);
     [[nodiscard]] bool comes_to_no_vertex_twice(std::size_t first, std::size_t end) const;
     /// Every half-edge belongs to one corner at most, and every edge has a face.

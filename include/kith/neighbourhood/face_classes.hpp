@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -116,8 +118,9 @@ private:
     }
 
     std::size_t count_ = 0;
-    storage<number>
-        class_; // before the last round the number of the first item of the class, which are as many as corners
+    // Per face: its class; before the last round the number of the class's first item. There are as many items as
+    // corners.
+    storage<number> class_;
     storage<char32_t> place_in_fan_; // of corners: which place in which kind of fan
 };
 

@@ -50,8 +50,8 @@ std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
         kind, tuple, [&](std::size_t corner) -> std::size_t { return level.corners()[corner].f().index(); });
 }
 
-/// The face that what a tuple gives birth to comes from: its parent or, where that is an edge or a vertex, the face
-/// with the smallest number there. Cost: O(faces at it).
+/// The face from which a new element comes: the parent of its tuple or, where that is an edge or a vertex, the face at
+/// it with the smallest number. Cost: O(faces at it).
 template <level Level>
 std::size_t parent_face(const Level& level, tuple_kind kind, std::size_t tuple)
 {

@@ -28,7 +28,7 @@ public:
     {
         if (not applies_)
             return;
-        const Body body = body_; // a copy is known to be nobody else's
+        const Body body = body_; // the compiler knows that nobody else changes a copy
         for_each(elements_(r.coarse), [&body, &assoc = r.assoc](const auto& x) {
             if constexpr (std::is_void_v<decltype(body(x))>)
                 body(x);

@@ -20,8 +20,9 @@ struct unsaid {
 ///
 ///   static constexpr auto traits() { return kith::scheme_traits{.name = "my-scheme", .closed_only = true}; }
 ///
-/// Every fact may be left out, in this order; a word that is not one of them does not compile. The functions are
-/// lambdas or pointers to members. Those that depend on options of the scheme take it as their first argument:
+/// Every fact may be left out; those that are said stand in this order, as designated initialisers do. A word that is
+/// not one of them does not compile. The functions are lambdas or pointers to members. Those that depend on options of
+/// the scheme take it as their first argument:
 ///
 ///   .reach = [](const my_scheme& s, int rings) { return rings / 2 + s.width; }
 template <class Next = unsaid, class Require = unsaid, class Reach = unsaid, class IsMarked = unsaid,
@@ -49,10 +50,9 @@ struct scheme_traits {
     /// Its masks follow from the mesh and from what its == compares, since what has been recorded of one scheme is used
     /// for all that are equal; those without members all are.
     IgnoresNumbers ignores_numbers{};
-    /// What keeps its levels conforming where it refines some faces only, [](const auto& scheme) -> const auto& {...}:
-    ///   lies_on_side(corner) the corner is not one of those that its face was born with, but lies on a side between
-    ///   two
-    ///   is_pair(face, face)    both are parts of one face, of which the next level is made
+    /// What keeps its levels conforming where it refines some faces only, [](const auto& scheme) -> const auto& {...}.
+    /// `lies_on_side(corner)`: the corner lies inside a side of its face and is none of those the face was born with.
+    /// `is_pair(face, face)`: both are parts of one face, of which the next level is made.
     Closure closure{};
 };
 

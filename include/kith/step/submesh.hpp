@@ -75,7 +75,7 @@ void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
 
 } // namespace detail
 
-/// Takes submeshes out of one mesh, each at a cost of O(its elements log of them).
+/// Takes submeshes out of one mesh. Cost of each: O(n log n) for n elements.
 template <class Point, std::unsigned_integral Index>
 class submesh_cutter {
 public:

@@ -62,6 +62,7 @@ creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, const V
         result.sharpen_vertex(v.index(), sharpness_of(vertex_sharpness, v, "vertex"));
     return result;
 }
+/// The same without sharp vertices.
 template <mesh M, class EdgeSharpness>
 creases make_creases(const M& mesh, const EdgeSharpness& edge_sharpness, crease_method method = crease_method::uniform)
 {

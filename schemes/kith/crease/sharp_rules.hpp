@@ -99,7 +99,7 @@ private:
     template <class Range, mask_evaluator Space, class Smooth>
     void make_all(const Range& range, const Space& assoc, const Smooth& smooth_mask) const
     {
-        const Smooth smooth = smooth_mask; // a copy is known to be nobody else's
+        const Smooth smooth = smooth_mask; // the compiler knows that nobody else changes a copy
         constexpr bool native = detail::ordered_by_faces<Level>;
         if constexpr (native)
             if (all_smooth_)

@@ -68,6 +68,22 @@ public:
         }
     }
 
+    /// What the closed masks of a scheme say of an element, where nothing is known of it yet.
+    template <element Element>
+    static void take(const Element& x, const limit_rules_argument<Scheme, level_type>& rules, found& limit, int step)
+    {
+        if constexpr (has_limit_positions<Scheme, Element, level_type>)
+            if (not limit.position)
+                limit_rules<Scheme>::position(rules, x, [&](const auto& mask) {
+                    limit.position = number::store(mask.evaluate(point_values<level_type>()));
+                });
+        if constexpr (has_limit_tangents<Scheme, Element, level_type>)
+            if (not limit.normal and step <= last_normal)
+                limit_rules<Scheme>::tangents(rules, x, [&](const auto& first, const auto& second) {
+                    limit.normal = normal_of<level_type>(first, second);
+                });
+    }
+
 private:
     using number = affine<Point>;
     static constexpr int none = std::numeric_limits<int>::max();
@@ -245,24 +261,6 @@ private:
         return true;
     }
 
-public:
-    /// What the closed masks of a scheme say of an element, where nothing is known of it yet.
-    template <element Element>
-    static void take(const Element& x, const limit_rules_argument<Scheme, level_type>& rules, found& limit, int step)
-    {
-        if constexpr (has_limit_positions<Scheme, Element, level_type>)
-            if (not limit.position)
-                limit_rules<Scheme>::position(rules, x, [&](const auto& mask) {
-                    limit.position = number::store(mask.evaluate(point_values<level_type>()));
-                });
-        if constexpr (has_limit_tangents<Scheme, Element, level_type>)
-            if (not limit.normal and step <= last_normal)
-                limit_rules<Scheme>::tangents(rules, x, [&](const auto& first, const auto& second) {
-                    limit.normal = normal_of<level_type>(first, second);
-                });
-    }
-
-private:
     const mesh_type& mesh_;
     Scheme scheme_;
     submesh_cutter<Point, Index> cutter_;

@@ -25,8 +25,8 @@ inline bool has_finite_weights(const stencil_row& row)
 
 } // namespace detail
 
-/// A row per vertex in each: what two tangents of the limit surface there are of the vertices of another level. Their
-/// cross product points outward for counter-clockwise faces.
+/// Two tangents of the limit surface at each vertex, a row per vertex in each matrix, as weights of the vertices of
+/// another level. Their cross product points outward for counter-clockwise faces.
 struct tangent_matrices {
     subdivision_matrix first, second;
 };

@@ -13,7 +13,7 @@
 
 namespace kith {
 
-/// The weights of Nasri-Hasbini's scheme, in units of 1/729; how they are used says docs/schemes.md.
+/// The weights of Nasri-Hasbini's scheme, in units of 1/729; docs/schemes.md says how they are used.
 
 /// Which of the three kinds of points of a vertex a weight is for: (v), (v, e_0) or (v, f_0).
 enum class ternary_point : unsigned char { vertex, edge, face };

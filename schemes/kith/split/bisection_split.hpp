@@ -13,11 +13,13 @@ namespace kith {
 /// ones of the next level. The marked edge of a triangle is its first one, on every mesh type, so the mark needs no
 /// room and is handed on by the order of the corners alone. Velho & Zorin 2001, section 3.
 struct bisection_split {
+    /// Whether the marked edge of its triangle leaves from this corner.
     template <corner_element Corner>
     static bool is_first(const Corner& c)
     {
         return c == c.f().first_corner();
     }
+    /// Whether the triangles at the edge mark it; that on its left tells.
     template <edge_element Edge>
     static bool is_marked(const Edge& e)
     {
