@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 TEST(kobbelt, keeps_all_points)
 {
     for (const auto& shape : {shapes::cube(), shapes::grid(), shapes::l_shape(), shapes::ring()}) {
@@ -39,16 +37,4 @@ TEST(kobbelt, refuses_faces_that_are_no_quads)
 {
     EXPECT_EQ(error_text<kith::mesh_error>([] { kith::refine(native(shapes::house()), kith::kobbelt(), 1); }),
               "kobbelt: face 0 has 3 vertices; split it into quads first, by one step of the linear scheme");
-}
-
-TEST(kobbelt, refuses_a_tension_with_which_nothing_is_smooth)
-{
-    const auto refined_with = [](double tension) {
-        return [tension] { kith::refine(native(shapes::cube()), kith::kobbelt{.tension = tension}, 1); };
-    };
-    EXPECT_NO_THROW(refined_with(2.472)());
-    for (const double tension : {0., -1., kith::kobbelt::max_tension, std::numeric_limits<double>::quiet_NaN()})
-        EXPECT_THROW(refined_with(tension)(), kith::mesh_error) << tension;
-    EXPECT_EQ(error_text<kith::mesh_error>(refined_with(2.5)),
-              "kobbelt: tension 2.500000 was asked for; ask for more than 0 and less than 2.472");
 }

@@ -46,11 +46,12 @@ Scheme scheme_like(const std::string& preset)
     }
 }
 
+/// Kobbelt 1996: the curves and surfaces are smooth for 0 < tension < 2 (sqrt 5 - 1).
 template <class Scheme>
 void set_tension(Scheme& scheme, double tension)
 {
     if constexpr (requires { scheme.tension; }) {
-        if (not(tension > 0 and tension < Scheme::max_tension))
+        if (not(tension > 0 and tension < 2.4721))
             throw usage_error("--tension: " + std::to_string(tension) + " is not between 0 and 2.472");
         scheme = Scheme{.tension = tension};
     } else {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/error.hpp>
 #include <kith/kernel/virtual_points.hpp>
 #include <kith/split/quad_split.hpp>
 #include <kith/step/rules.hpp>
 #include <kith/step/scheme_traits.hpp>
-
-#include <string>
 
 namespace kith {
 
@@ -15,15 +12,11 @@ namespace kith {
 /// Every new point is the four-point rule along a line of the mesh; where no line goes on beyond a vertex, a virtual
 /// point does. `gamma` weighs the vertices opposite an extraordinary vertex in its virtual points: the default makes
 /// the two directions of a face at such a vertex agree (docs/schemes.md). Boundary: four-point curve, corners kept.
-/// Errors: mesh_error for a tension with which nothing is smooth. Cost: O(corners), those of large fans times their
-/// logarithm.
+/// Cost: O(corners), those of large fans times their logarithm.
 struct kobbelt {
-    double tension = 1; ///< w, more than 0 and less than max_tension
+    double tension = 1; ///< w, 0 < w < 2 (sqrt 5 - 1)
     double gamma = tension / (8 + tension);
     friend bool operator==(const kobbelt&, const kobbelt&) = default;
-
-    /// Up to here curves and surfaces are smooth: 2 (sqrt 5 - 1), rounded down.
-    static constexpr double max_tension = 2.4721;
 
     static constexpr auto traits()
     {
@@ -41,9 +34,6 @@ struct kobbelt {
         using namespace targets;
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
-        if (not(tension > 0 and tension < max_tension)) // nor a NaN
-            throw mesh_error("kobbelt: tension " + std::to_string(tension) +
-                             " was asked for; ask for more than 0 and less than 2.472");
         const auto outer = real(-tension / 16);
         const auto inner = real((8 + tension) / 16);
         const virtual_points points(r, gamma);
