@@ -74,8 +74,7 @@ public:
             fan_start_.emplace_back();
             if (traits::is_isolated(mesh, v))
                 report.add_isolated(std::size_t(traits::index(mesh, v)));
-            else if (not detail::leaves(mesh, traits::halfedge_of(mesh, v), v) or
-                     not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
+            else if (not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
                 report.add_lost_fan(std::size_t(traits::index(mesh, v)));
         }
         report.require_ok();

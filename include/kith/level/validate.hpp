@@ -88,10 +88,6 @@ template <mesh M>
             report.add_isolated(number(v));
             continue;
         }
-        if (not detail::leaves(mesh, traits::halfedge_of(mesh, v), v)) {
-            report.add_lost_fan(number(v));
-            continue;
-        }
         if (not all_are_closed) // half-edges lead anywhere, so that nobody knows which fans there are
             continue;
         if (const std::size_t all = faces_at[number(v)]; detail::faces_in_fan(mesh, v, all) != all)

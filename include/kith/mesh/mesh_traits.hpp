@@ -204,14 +204,6 @@ bool is_side_of(const M& mesh, typename mesh_traits<M>::halfedge h, typename mes
            std::size_t(traits::index(mesh, next)) < traits::halfedge_bound(mesh) and
            traits::index(mesh, traits::prev(mesh, next)) == traits::index(mesh, h);
 }
-/// Whether a half-edge is there and leaves a vertex.
-template <mesh M>
-bool leaves(const M& mesh, typename mesh_traits<M>::halfedge h, typename mesh_traits<M>::vertex v)
-{
-    using traits = mesh_traits<M>;
-    return std::size_t(traits::index(mesh, h)) < traits::halfedge_bound(mesh) and
-           traits::index(mesh, traits::source(mesh, h)) == traits::index(mesh, v);
-}
 
 } // namespace detail
 
