@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/format/obj_tag.hpp>
 
+#include <kith/text/counted.hpp>
 #include <kith/crease/creases.hpp>
 
 #include <algorithm>

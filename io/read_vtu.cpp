@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtu_numbers.hpp"
-#include "xml_tags.hpp"
 
 #include <kith/read_mesh.hpp>
 #include <kith/text/counted.hpp>

@@ -2,8 +2,10 @@
 #include "written_parts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <ostream>
+#include <string_view>
 
 namespace kith::io {
 

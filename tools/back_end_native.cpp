@@ -5,6 +5,7 @@
 #include <kith/refine_with_fields.hpp>
 
 #include <tuple>
+#include <utility>
 #include <variant>
 
 namespace kith::tool {

@@ -8,6 +8,7 @@
 #include <kith/output_file.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <limits>
