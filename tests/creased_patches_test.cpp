@@ -50,12 +50,7 @@ void expect_same_bits(const mesh3d& mesh, const Scheme& scheme, int levels, cons
     EXPECT_TRUE(same_bits(made_by(patches, mesh, scheme, connect::everything), expected));
     EXPECT_TRUE(same_bits(made_by(patches, mesh, scheme, connect::faces),
                           level_by_level(mesh, scheme, levels, connect::faces)));
-    const thread_count one(1);
-    written_level<std::array<double, 3>, std::uint32_t> written;
-    auto coarse = mesh;
-    auto of_level = scheme;
-    EXPECT_TRUE(patches.refine_into(written, coarse, of_level));
-    EXPECT_TRUE(same_bits(written.take(), expected));
+    EXPECT_TRUE(same_bits(written_by(patches, mesh, scheme), expected));
 }
 
 /// The edges of every `each`-th number and vertex 5 are sharp.

@@ -3,6 +3,9 @@
 
 #include <kith/refine_in_patches.hpp>
 
+#include "thread_count.hpp"
+#include "written_level.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -36,4 +39,14 @@ kith::basic_mesh<Point, Index> made_by(const kith::patch_refinement<Point, Index
     auto made = patches.refine(mesh, scheme, last);
     EXPECT_TRUE(made);
     return made ? std::move(*made) : std::move(mesh);
+}
+/// The same written into a mesh of another library.
+template <class Point, class Index, class Scheme>
+kith::basic_mesh<Point, Index> written_by(const kith::patch_refinement<Point, Index, Scheme>& patches,
+                                          kith::basic_mesh<Point, Index> mesh, Scheme scheme)
+{
+    const thread_count one(1);
+    written_level<Point, Index> written;
+    EXPECT_TRUE(patches.refine_into(written, mesh, scheme));
+    return written.take();
 }

@@ -13,7 +13,6 @@
 #include "shuffled.hpp"
 #include "thread_count.hpp"
 #include "under_sanitizers.hpp"
-#include "written_level.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,12 +68,7 @@ bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, i
         }
         EXPECT_TRUE(same_level(made_by(patches, mesh, scheme, connect::faces), *faces)) << levels;
         EXPECT_TRUE(same_level(made_by(patches, mesh, scheme, connect::everything), *everything)) << levels;
-        const thread_count one(1);
-        written_level<Point, Index> written;
-        auto coarse = mesh;
-        auto of_level = scheme;
-        EXPECT_TRUE(patches.refine_into(written, coarse, of_level));
-        EXPECT_TRUE(same_level(written.take(), *everything)) << levels;
+        EXPECT_TRUE(same_level(written_by(patches, mesh, scheme), *everything)) << levels;
     }
     return faces.has_value();
 }
@@ -139,12 +133,7 @@ TEST(refine_in_patches, makes_the_same_bits_of_a_scattered_mesh_in_the_order_of_
         EXPECT_TRUE(same_level(made_by(patches, mesh, scheme, connect::everything), everything));
         EXPECT_TRUE(same_level(made_by(patches, mesh, scheme, connect::faces),
                                level_by_level(mesh, scheme, levels, connect::faces)));
-        const thread_count one(1);
-        written_level<std::array<double, 3>, std::uint32_t> written;
-        auto coarse = mesh;
-        auto of_level = scheme;
-        EXPECT_TRUE(patches.refine_into(written, coarse, of_level));
-        EXPECT_TRUE(same_level(written.take(), everything));
+        EXPECT_TRUE(same_level(written_by(patches, mesh, scheme), everything));
     };
     constexpr double from_control_mesh = 1, later = 0; // are the faces of the control mesh taken for alike?
     const auto triangles = scattered_triangles();

@@ -3,7 +3,10 @@
 
 #include "tile_like.hpp"
 
+#include <kith/mesh/connectivity.hpp>
+
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <ranges>
@@ -13,8 +16,8 @@ namespace kith::detail {
 /// What is wrong with the corners, sides and fans of a tile, or nothing. Walks on faces and around vertices stay inside
 /// and end where this finds no fault. Precondition: its arrays have the right sizes and point at elements that are
 /// there. Cost: O(elements).
-template <class Topology>
-const char* fault_of_corners(const Topology& t)
+template <std::unsigned_integral Index>
+const char* fault_of_corners(const connectivity<Index>& t)
 {
     const std::size_t corners = t.corner_vertex.size(), sides = t.halfedge_corner.size();
     if (t.degree == 0 and t.faces != 0) {
@@ -56,8 +59,8 @@ const char* fault_of_corners(const Topology& t)
 /// the order of their numbers in the whole mesh. In another order masks would be evaluated in another order, too. What
 /// is not seen is what makes as good a tile of another mesh, such as a face that starts at another of its corners.
 /// Cost: O(elements).
-template <class Topology, tile_like Tile>
-const char* fault_of_tile(const Topology& t, std::size_t points, const Tile& part)
+template <std::unsigned_integral Index, tile_like Tile>
+const char* fault_of_tile(const connectivity<Index>& t, std::size_t points, const Tile& part)
 {
     const std::size_t vertices = part.vertex_ids.size(), edges = part.edge_ids.size(), faces = part.face_ids.size();
     const std::size_t corners = t.corner_vertex.size();

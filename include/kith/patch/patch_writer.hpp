@@ -113,6 +113,7 @@ private:
     using run = typename patch_numbers<Index>::run;
     using list = typename patch_numbers<Index>::list;
 
+    /// Shorter runs than a line of the cache leave lines half written, which others fill later.
     [[nodiscard]] bool goes_past_caches(const run& r, std::size_t bytes) const
     {
         return past_caches_ and r.step == 1 and r.count * bytes >= 64;
