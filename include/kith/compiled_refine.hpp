@@ -22,8 +22,8 @@
 /// KITH_COMPILED_SCHEME(scheme), in the folder `compiled` of the schemes: a program that links kith::compiled_schemes,
 /// which defines KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles there, and compiles only what reads
 /// and writes its own meshes, if their coordinates are doubles. The results are the same bits. KITH_COMPILED_FLOATS: so
-/// for floats, but for the schemes that take longest to compile. KITH_COMPILED_ORDER, KITH_COMPILED_PATCHES: the
-/// order of the surface and patches, for the schemes that have them. KITH_PATCH_PARTS: what patches of all schemes share;
+/// for floats, but for the schemes that take longest to compile. KITH_COMPILED_ORDER, KITH_COMPILED_PATCHES: the order
+/// of the surface and patches, for the schemes that have them. KITH_PATCH_PARTS: what patches of all schemes share;
 /// KITH_PATCH_NUMBERS: what of it does not depend on the type of coordinates.
 
 #define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
