@@ -7,10 +7,12 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include <locale.h>
+#include <stdlib.h>
 
 namespace kith::io {
 
@@ -35,6 +37,14 @@ inline std::string shown(std::string_view word)
 inline std::string_view without_byte_order_mark(std::string_view bytes)
 {
     return bytes.substr(bytes.starts_with("\xef\xbb\xbf") ? 3 : 0);
+}
+
+/// The number nearest to these digits, also when it is 0 or infinite, which std::from_chars does not give. Its point is
+/// a point whatever locale the process has.
+inline double nearest_double(const std::string& digits)
+{
+    static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", locale_t());
+    return ::strtod_l(digits.c_str(), nullptr, plain);
 }
 
 /// Walks over the words of a text in memory, of which it changes nothing. Lines end with LF, CR or CRLF; their numbers
@@ -103,7 +113,7 @@ public:
         const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error == std::errc::invalid_argument or rest != digits.data() + digits.size())
             refuse(what() + " should be a number, it is '" + shown(found) + "'");
-        return error == std::errc() ? value : std::strtod(digits.c_str(), nullptr); // too small or too large
+        return error == std::errc() ? value : nearest_double(digits); // too small or too large
     }
     /// A whole number in this line. Errors: file_error when there is none or it does not fit.
     template <std::integral Integer, std::invocable What>
@@ -212,7 +222,7 @@ private:
         const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if ((error != std::errc() and error != std::errc::result_out_of_range) or rest != digits.data() + digits.size())
             refuse(what() + " should be a number, it is '" + shown(word) + "'");
-        const double wide = std::strtod(digits.c_str(), nullptr); // tells what is too small from what is too large
+        const double wide = nearest_double(digits); // tells what is too small from what is too large
         if (not std::isfinite(wide))
             refuse(what() + " is '" + shown(word) + "', which is not a finite number; give it a place");
         if (not std::isfinite(Number(wide)))
