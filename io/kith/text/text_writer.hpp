@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/for_parts.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -60,25 +62,25 @@ private:
 };
 
 /// Writes `write(block, i)` for all i below a count, one after the other; blocks of them are made on all threads.
+/// Errors: those of `write`, and of the stream in its state.
 template <class Write>
 void write_blocks(std::ostream& out, std::size_t count, const Write& write)
 {
     constexpr std::size_t per_block = 4096, blocks_at_once = 32;
     std::vector<text_block> blocks(std::min(blocks_at_once, count / per_block + 1));
     for (std::size_t begin = 0; begin < count and out; begin += blocks.size() * per_block) {
-        const auto used = std::ptrdiff_t(std::min(blocks.size(), (count - begin + per_block - 1) / per_block));
-#if defined(_OPENMP)
-#pragma omp parallel for schedule(dynamic)
-#endif
-        for (std::ptrdiff_t b = 0; b < used; ++b) {
-            text_block& block = blocks[std::size_t(b)];
-            block.clear();
-            const std::size_t first = begin + std::size_t(b) * per_block;
-            for (std::size_t i = first; i < std::min(first + per_block, count); ++i)
-                write(block, i);
-        }
-        for (std::ptrdiff_t b = 0; b < used; ++b)
-            out.write(blocks[std::size_t(b)].text().data(), std::streamsize(blocks[std::size_t(b)].text().size()));
+        const std::size_t used = std::min(blocks.size(), (count - begin + per_block - 1) / per_block);
+        const auto fill = [&](std::size_t first_block, std::size_t end_block) {
+            for (std::size_t b = first_block; b < end_block; ++b) {
+                blocks[b].clear();
+                const std::size_t first = begin + b * per_block;
+                for (std::size_t i = first; i < std::min(first + per_block, count); ++i)
+                    write(blocks[b], i);
+            }
+        };
+        kith::detail::for_parts(used, true, fill, 2);
+        for (std::size_t b = 0; b < used; ++b)
+            out.write(blocks[b].text().data(), std::streamsize(blocks[b].text().size()));
     }
 }
 
