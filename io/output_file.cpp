@@ -124,12 +124,13 @@ void remove_stale(const std::string& target)
     const std::string prefix = place.filename().string().append(mark_of_unfinished);
     std::error_code failed;
     std::vector<std::string> found;
-    for (const auto& entry : fs::directory_iterator(place.has_parent_path() ? place.parent_path() : ".", failed)) {
-        const std::string name = entry.path().filename().string();
+    for (fs::directory_iterator entry(place.has_parent_path() ? place.parent_path() : ".", failed), end; entry != end;
+         entry.increment(failed)) {
+        const std::string name = entry->path().filename().string();
         if (name.size() > prefix.size() and name.starts_with(prefix) and
             name.find_first_not_of("0123456789", prefix.size()) == std::string::npos and
-            entry.symlink_status(failed).type() == fs::file_type::regular)
-            found.push_back(entry.path().string());
+            entry->symlink_status(failed).type() == fs::file_type::regular)
+            found.push_back(entry->path().string());
     }
     for (const auto& path : found)
         if (const int descriptor = open_locked(path, 0); descriptor >= 0) {
@@ -170,7 +171,10 @@ std::string target_of(const std::string& path)
         constexpr int most_links = 40; // as Linux
         if (links == most_links)
             throw file_error(path + ": cannot be written: its symbolic links lead in a circle");
-        result = result.parent_path() / fs::read_symlink(result);
+        const fs::path next = fs::read_symlink(result, failed);
+        if (failed)
+            throw file_error(path + ": cannot be written: " + failed.message());
+        result = result.parent_path() / next;
     }
     return result.string();
 }
@@ -184,8 +188,8 @@ void give_name(const std::string& finished, const std::string& target)
 {
     const auto lock = hold_interruptions();
     std::error_code failed;
-    if (fs::exists(target, failed))
-        fs::permissions(finished, fs::status(target).permissions(), failed);
+    if (const auto before = fs::status(target, failed); fs::exists(before))
+        fs::permissions(finished, before.permissions(), failed);
     fs::rename(finished, target, failed);
     if (failed)
         throw file_error(target + ": could not be given its name: " + failed.message());
@@ -195,12 +199,13 @@ void give_name(const std::string& finished, const std::string& target)
 unfinished_file::unfinished_file(const std::string& path) : path_(path), target_(target_of(path))
 {
     std::error_code failed;
-    const bool exists = fs::exists(target_, failed);
-    if (fs::is_directory(target_, failed))
+    const fs::file_status before = fs::status(target_, failed);
+    const bool exists = fs::exists(before);
+    if (fs::is_directory(before))
         refuse("is a directory, not a file");
     if (exists and ::access(target_.c_str(), W_OK) != 0)
         refuse(std::string("cannot be written: ") + std::strerror(errno));
-    if (exists and not fs::is_regular_file(target_)) {
+    if (exists and not fs::is_regular_file(before)) {
         name_ = target_;
         descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
         if (descriptor_ < 0)
@@ -210,8 +215,8 @@ unfinished_file::unfinished_file(const std::string& path) : path_(path), target_
     remove_stale(target_);
     name_ = unfinished_name(target_, static_cast<unsigned long>(::getpid()));
     create();
-    if (struct stat before = {}; exists and ::stat(target_.c_str(), &before) == 0)
-        ::fchmod(descriptor_, before.st_mode & 07777); // from the first byte on, as it may be a secret
+    if (exists)
+        ::fchmod(descriptor_, mode_t(before.permissions())); // from the first byte on, as it may be a secret
 }
 
 void unfinished_file::create()
