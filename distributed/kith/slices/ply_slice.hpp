@@ -82,9 +82,10 @@ public:
             for (std::size_t x = 0; x < 3; ++x) {
                 point[x] = places_[x].is_double ? value<double>(record + places_[x].at)
                                                 : double(value<float>(record + places_[x].at));
-                require(std::isfinite(point[x]),
-                        "has vertex " + std::to_string(first_vertex + i) +
-                            " at a coordinate that is not a finite number; give it a place");
+                if (not std::isfinite(point[x]))
+                    require(false,
+                            "has vertex " + std::to_string(first_vertex + i) +
+                                " at a coordinate that is not a finite number; give it a place");
             }
         }
         return result;

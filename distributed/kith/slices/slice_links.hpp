@@ -10,7 +10,6 @@
 #include <kith/tile/tile_patch.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -21,8 +20,8 @@
 
 namespace kith::mpi {
 
-/// Which faces and vertices each rank reads: rank r those from number r of a list to number r+1. The faces are those of
-/// block_partition.
+/// Which faces and vertices each rank reads: rank r the faces from face[r] up to but without face[r + 1], and the same
+/// for vertices. The faces are those of block_partition.
 struct slice_ranges {
     std::vector<global_id> face, vertex;
 
@@ -53,7 +52,7 @@ private:
 };
 
 /// Lets each face start at its smallest vertex, as make_mesh does. Errors: mesh_error for a face that comes to a vertex
-/// twice, and for places that are no numbers. Local.
+/// twice. Local.
 template <class Point>
 void start_at_smallest(mesh_slice<Point>& slice)
 {
@@ -68,10 +67,6 @@ void start_at_smallest(mesh_slice<Point>& slice)
                 std::to_string(slice.first_face + global_id(face - slice.corners.begin()) / global_id(degree)) +
                 " comes to a vertex twice; remove the repeated corner or the face");
     }
-    for (std::size_t v = 0; v < slice.points.size(); ++v)
-        if (not std::ranges::all_of(slice.points[v], [](double x) { return std::isfinite(x); }))
-            throw mesh_error("vertex " + std::to_string(slice.first_vertex + v) +
-                             ": a coordinate is not a finite number; give it a place");
 }
 
 namespace detail {
