@@ -22,9 +22,9 @@ namespace {
 
 /// Lines of numbers to which corners refer. Corners of a vertex with the same numbers share a line, so that programs
 /// which go by the numbers of lines find the seams where values differ, and nowhere else.
-class referred_lines {
+class shared_lines {
 public:
-    referred_lines(const basic_mesh<>& mesh, const attribute_list& of_corners, const attribute_list& of_vertices)
+    shared_lines(const basic_mesh<>& mesh, const attribute_list& of_corners, const attribute_list& of_vertices)
         : list_(of_corners.empty() ? of_vertices : of_corners), is_of_corners_(not of_corners.empty())
     {
         if (list_.empty())
@@ -137,8 +137,8 @@ void write_obj(std::ostream& out, const written_mesh& what)
 {
     const bool has_normals = not what.normals.empty();
     const held_attributes held = held_by(mesh_format::obj, what);
-    const referred_lines textures(what.mesh, held.corner_textures, held.textures);
-    const referred_lines normals(what.mesh, held.corner_normals, held.normals);
+    const shared_lines textures(what.mesh, held.corner_textures, held.textures);
+    const shared_lines normals(what.mesh, held.corner_normals, held.normals);
     text_block header;
     header << "# kith: " << counted(vertices_of(what), "vertex") << ", " << counted(what.mesh.face_count(), "face")
            << '\n';

@@ -37,6 +37,7 @@ void give_name(const std::string& finished, const std::string& target);
 /// file_error.
 class unfinished_file {
 public:
+    /// Makes the file, or opens the device. Errors: file_error for a path that cannot be written, which it begins with.
     explicit unfinished_file(const std::string& path);
     unfinished_file(const unfinished_file&) = delete;
     unfinished_file& operator=(const unfinished_file&) = delete;
@@ -51,7 +52,7 @@ public:
 
     /// A directory that belongs to it: made now, removed like the file, left alone by `commit`. Errors: file_error.
     void make_directory(const std::string& directory);
-    /// Precondition: what was to be written is in the file.
+    /// Gives the file its name. Precondition: what was to be written is in it. Errors: file_error; nothing is left then.
     void commit();
 
 private:
@@ -69,9 +70,12 @@ private:
 /// A file that appears under its name only when it is complete, written as a stream. Errors: file_error.
 class output_file {
 public:
+    /// Errors: as unfinished_file.
     explicit output_file(const std::string& path);
 
     [[nodiscard]] std::ostream& stream() { return stream_; }
+    /// Writes what is left and gives the file its name. Errors: file_error for what could not be written, to the stream
+    /// before as well; nothing is left then.
     void commit();
 
 private:

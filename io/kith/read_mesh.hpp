@@ -21,6 +21,7 @@ polygon_soup read_mesh(mesh_format format, std::string_view bytes);
 /// path.
 polygon_soup read_mesh_file(const std::string& path);
 
+/// The same of one format each. Errors and cost: as read_mesh.
 polygon_soup read_off(std::string_view bytes);
 polygon_soup read_obj(std::string_view bytes);
 polygon_soup read_ply(std::string_view bytes);

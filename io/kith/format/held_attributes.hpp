@@ -12,7 +12,8 @@ namespace kith::io {
 
 using attribute_list = std::vector<const attribute*>;
 
-/// The attributes that a format has room for, as its writer takes them: lists that are complete or empty.
+/// The attributes that a format has room for, as its writer takes them: lists that are complete or empty. They refer to
+/// the attributes that they were found in.
 struct held_attributes {
     attribute_list colors;         ///< of vertices: three or four
     attribute_list normals;        ///< of vertices
@@ -26,17 +27,17 @@ struct held_attributes {
 };
 
 /// OBJ: normals and texture coordinates of corners, or of vertices, colours of vertices, words. OFF: normals, colours
-/// and texture coordinates of vertices, colours of faces. PLY: all numbers of vertices and
-/// faces, words of faces, texture coordinates of corners. STL: nothing.
+/// and texture coordinates of vertices, colours of faces. PLY: all numbers of vertices and faces, words of faces, texture
+/// coordinates of corners. STL: nothing.
 held_attributes held_by(mesh_format format, const mesh_attributes& attributes);
 
 /// The topics (topics_of) of the attributes for which a format has no room.
 std::vector<std::string> not_held(mesh_format format, const mesh_attributes& attributes);
 
-/// Whether it has room for a line that names another file.
+/// Whether the format has room for a line of file_lines.
 bool holds_file_line(mesh_format format, std::string_view line);
 
-/// Leaves those out.
+/// Leaves out the attributes for which the format has no room.
 void keep_held(mesh_format format, mesh_attributes& attributes);
 
 } // namespace kith::io

@@ -18,7 +18,7 @@ namespace kith::io {
 struct attribute {
     std::string name;
     ply_number type{8, true, true}; ///< in which a file has the values
-    std::vector<double> values;     ///< which hold all of these types; NaN: this element has none
+    std::vector<double> values;     ///< all types fit into a double; NaN: the element has no value
     std::vector<std::string>
         labels{}; ///< not empty: the values are numbers of these words, the first of which says "none"
 };

@@ -5,7 +5,7 @@
 
 namespace kith::io {
 
-/// VTU is read here; it is written in tiles.
+/// The formats that are read; all but VTU are written here, VTU in tiles (output/).
 enum class mesh_format : unsigned char { off, obj, ply, stl, vtu };
 
 /// "-" is standard input or output, which carries OFF.

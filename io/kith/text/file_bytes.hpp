@@ -11,7 +11,7 @@ namespace kith::io {
 /// All bytes of a file, in memory that nobody else can change.
 class file_bytes {
 public:
-    /// "-": of standard input. Errors: file_error, which begins with the path.
+    /// Reads the file at this path, or standard input for "-". Errors: file_error, which begins with the path.
     explicit file_bytes(const std::string& path);
 
     [[nodiscard]] std::string_view view() const { return {bytes_.get(), size_}; }
