@@ -69,6 +69,9 @@ for wrong, why in [
     (lambda: levels.carry(0, 3, np.zeros((7, 0))), "7"),
     (lambda: kith.refine(cube, quads, "kobbelt", tension=-8), "between 0 and"),
     (lambda: kith.refine(cube, quads, "kobbelt", sharp_edges=[(0, 1, 1)]), "creases"),
+    (lambda: kith.refine(cube, quads, "catmull-clark", sharp_edges=[(0, 1, -1)]), "0 or more"),
+    (lambda: kith.refine(cube, quads, "catmull-clark", sharp_edges=[(0, 1, np.nan)]), "0 or more"),
+    (lambda: kith.refine(cube, quads, "catmull-clark", sharp_vertices=[(3, np.nan)]), "0 or more"),
 ]:
     try:
         wrong()

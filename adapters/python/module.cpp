@@ -89,11 +89,51 @@ struct scheme_options {
 };
 
 template <class Scheme>
+kith::mesh_error has_no(const char* choice)
+{
+    return kith::mesh_error(std::string(kith::scheme_name<Scheme>()) + " has no " + choice);
+}
+
+/// Sharpens edges and vertices of the control mesh.
+template <class Scheme>
+void give_creases(Scheme& scheme, const scheme_options& options, const mesh& control)
+{
+    if (options.sharp_edges.empty() and options.sharp_vertices.empty())
+        return;
+    if constexpr (requires { scheme.sharpness.sharpen_edge(0, 1.); }) {
+        const kith::level_of<mesh> level(control);
+        const auto require_vertex = [&](std::size_t v) {
+            if (v >= level.vertex_count())
+                throw kith::mesh_error("vertex " + std::to_string(v) + " is to be sharp, there are " +
+                                       std::to_string(level.vertex_count()));
+            return level.vertices()[v];
+        };
+        const auto require_sharpness = [](const std::string& element, double sharpness) {
+            if (not(sharpness >= 0)) // nor a NaN
+                throw kith::mesh_error(element + ": its sharpness is " + std::to_string(sharpness) +
+                                       "; it must be 0 or more");
+        };
+        for (const auto& [a, b, sharpness] : options.sharp_edges) {
+            const auto edge = index_tuple(require_vertex(a), require_vertex(b));
+            if (edge.value == edge.not_incident)
+                throw kith::mesh_error("vertices " + std::to_string(a) + " and " + std::to_string(b) +
+                                       " are to be joined by a sharp edge; they have no edge");
+            require_sharpness("edge " + std::to_string(a) + "-" + std::to_string(b), sharpness);
+            scheme.sharpness.sharpen_edge(edge.value, sharpness);
+        }
+        for (const auto& [v, sharpness] : options.sharp_vertices) {
+            const auto vertex = require_vertex(v);
+            require_sharpness("vertex " + std::to_string(v), sharpness);
+            scheme.sharpness.sharpen_vertex(vertex.index(), sharpness);
+        }
+    } else {
+        throw has_no<Scheme>("creases");
+    }
+}
+
+template <class Scheme>
 Scheme configured(const scheme_options& options, const mesh& control)
 {
-    const auto has_no = [](const char* choice) -> kith::mesh_error {
-        return kith::mesh_error(std::string(kith::scheme_name<Scheme>()) + " has no " + choice);
-    };
     Scheme scheme;
     if (options.like) {
         static const std::map<std::string, kith::library> libraries{{"kith", kith::library::kith},
@@ -110,7 +150,7 @@ Scheme configured(const scheme_options& options, const mesh& control)
         if constexpr (requires { scheme.degree; })
             scheme.degree = *options.degree;
         else
-            throw has_no("degree");
+            throw has_no<Scheme>("degree");
     }
     if (options.tension) {
         if constexpr (requires { scheme.tension; }) {
@@ -118,31 +158,10 @@ Scheme configured(const scheme_options& options, const mesh& control)
                 throw kith::mesh_error("tension: " + std::to_string(*options.tension) + " is not between 0 and 2.472");
             scheme = Scheme{.tension = *options.tension}; // other weights follow from it
         } else {
-            throw has_no("tension");
+            throw has_no<Scheme>("tension");
         }
     }
-    if (options.sharp_edges.empty() and options.sharp_vertices.empty())
-        return scheme;
-    if constexpr (requires { scheme.sharpness.sharpen_edge(0, 1.); }) {
-        const kith::level_of<mesh> level(control);
-        const auto require_vertex = [&](std::size_t v) {
-            if (v >= level.vertex_count())
-                throw kith::mesh_error("vertex " + std::to_string(v) + " is to be sharp, there are " +
-                                       std::to_string(level.vertex_count()));
-            return level.vertices()[v];
-        };
-        for (const auto& [a, b, sharpness] : options.sharp_edges) {
-            const auto edge = index_tuple(require_vertex(a), require_vertex(b));
-            if (edge.value == edge.not_incident)
-                throw kith::mesh_error("vertices " + std::to_string(a) + " and " + std::to_string(b) +
-                                       " are to be joined by a sharp edge; they have no edge");
-            scheme.sharpness.sharpen_edge(edge.value, sharpness);
-        }
-        for (const auto& [v, sharpness] : options.sharp_vertices)
-            scheme.sharpness.sharpen_vertex(require_vertex(v).index(), sharpness);
-    } else {
-        throw has_no("creases");
-    }
+    give_creases(scheme, options, control);
     return scheme;
 }
 

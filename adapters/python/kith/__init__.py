@@ -35,6 +35,7 @@ class Levels:
     scheme: one of kith.schemes. like: the conventions of another library ("cgal", "openmesh", "opensubdiv", "libigl"). degree and
     tension: of the schemes that have them. sharp_edges: (vertex, vertex, sharpness) each, sharp_vertices: (vertex, sharpness)
     each; sharpness may be infinite. Raises MeshError, which is a ValueError, for what cannot be refined, with the reason.
+    An object is used by one thread at a time.
     """
 
     def __init__(self, points, faces, scheme, *, like=None, degree=None, tension=None, sharp_edges=(), sharp_vertices=()):
