@@ -130,6 +130,24 @@ TEST(cgal_parameters, removed_elements_stay_removed)
         EXPECT_EQ(name[v], v.idx() < 12 ? std::to_string(v.idx()) : "");
 }
 
+TEST(cgal_parameters, errors_name_elements_by_their_handles_beside_removed_ones)
+{
+    mesh control = make_graph<mesh>(shapes::both(shapes::tetrahedron(), shapes::cube()));
+    for (std::uint32_t f = 0; f < 4; ++f)
+        CGAL::Euler::remove_face(control.halfedge(face(f)), control);
+    ASSERT_EQ(control.num_vertices() - control.number_of_vertices(), 4U);
+    ASSERT_EQ(control.num_edges() - control.number_of_edges(), 6U);
+    const auto refusal_of = [&](const auto& parameters) {
+        return error_text<kith::mesh_error>([&] { ours::CatmullClark_subdivision(control, parameters); });
+    };
+    auto of_edges = control.add_property_map<edge, double>("e:sharpness", 0).first;
+    of_edges[edge(8)] = -1;
+    EXPECT_EQ(refusal_of(params::edge_sharpness_map(of_edges)).substr(0, 28), "edge 8: its sharpness is -1.");
+    auto of_vertices = control.add_property_map<vertex, double>("v:sharpness", 0).first;
+    of_vertices[vertex(6)] = -1;
+    EXPECT_EQ(refusal_of(params::vertex_sharpness_map(of_vertices)).substr(0, 30), "vertex 6: its sharpness is -1.");
+}
+
 TEST(cgal_parameters, maps_stay_beside_removed_elements)
 {
     for (const bool recycles : {true, false}) {

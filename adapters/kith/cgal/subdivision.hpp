@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -74,21 +75,23 @@ double sharpness_in(const Np& np, const Element& x, std::size_t number, const ch
     return result;
 }
 
-/// Adds what the maps say to the creases of a scheme.
+/// Adds what the maps say to the creases of a scheme. Messages have the numbers that the graph's handles hold, where
+/// they do; removed elements make others of those of the level.
 template <mesh View, class Np>
 void read_creases(const View& view, const Np& np, creases& sharp)
 {
     namespace tags = CGAL::internal_np;
+    using traits = mesh_traits<View>;
     const level_of<View> level(view);
     const auto& g = view.graph();
     for (const auto e : level.edges())
         if (const double s = sharpness_in<tags::edge_is_constrained_t, parameters::edge_sharpness_t>(
-                np, graph_calls::edge_along(g, view.directing(e.handle())), e.index(), "edge");
+                np, graph_calls::edge_along(g, view.directing(e.handle())), traits::index(view, e.handle()), "edge");
             s > 0)
             sharp.sharpen_edge(e.index(), s);
     for (const auto v : level.vertices())
         if (const double s = sharpness_in<tags::vertex_is_constrained_t, parameters::vertex_sharpness_t>(
-                np, v.handle(), v.index(), "vertex");
+                np, v.handle(), traits::index(view, v.handle()), "vertex");
             s > 0)
             sharp.sharpen_vertex(v.index(), s);
 }
