@@ -6,7 +6,7 @@
 #include <kith/mpi/all_to_all.hpp>
 #include <kith/tile/numbered_tile.hpp>
 #include <kith/tile/pack.hpp>
-#include <kith/tile/tile_patch.hpp>
+#include <kith/tile/known_faces.hpp>
 
 #include <concepts>
 #include <algorithm>
@@ -41,18 +41,18 @@ void keep_owned(const Tile& before, Tile& grown)
 }
 
 template <class Point>
-void pack_patch(packer& out, const tile_patch<Point>& patch)
+void pack_faces(packer& out, const known_faces<Point>& some)
 {
-    out.add_array(patch.faces).add_array(patch.corners).add_array(patch.vertices);
+    out.add_array(some.faces).add_array(some.corners).add_array(some.vertices);
 }
 template <class Point>
-tile_patch<Point> unpack_patch(unpacker& in)
+known_faces<Point> unpack_faces(unpacker& in)
 {
-    tile_patch<Point> patch;
-    patch.faces = in.get_array<decltype(patch.faces)>();
-    patch.corners = in.get_array<decltype(patch.corners)>();
-    patch.vertices = in.get_array<decltype(patch.vertices)>();
-    return patch;
+    known_faces<Point> result;
+    result.faces = in.get_array<decltype(result.faces)>();
+    result.corners = in.get_array<decltype(result.corners)>();
+    result.vertices = in.get_array<decltype(result.vertices)>();
+    return result;
 }
 
 /// Which faces lie at a vertex, and who owns them: asked of rank `vertex modulo ranks`.
@@ -119,7 +119,7 @@ private:
 /// What owners answer: faces, and the state that their schemes have there.
 template <class Point, scheme Scheme>
 struct fetched_faces {
-    tile_patch<Point> patch;
+    known_faces<Point> known;
     std::vector<kith::detail::known_state<Scheme>> states;
 };
 
@@ -135,16 +135,16 @@ fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std:
     const auto asked = all_to_all(comm, wanted);
     std::vector<std::vector<std::byte>> replies(asked.size());
     for (std::size_t rank = 0; rank < asked.size(); ++rank) {
-        tile_patch<point> reply;
+        known_faces<point> reply;
         std::map<std::uint64_t, std::vector<index>> faces_of_tile;
         for (const auto& where : asked[rank]) {
             const auto& part = tiles[where.tile].part;
             const auto face = index(std::ranges::lower_bound(part.face_ids, where.face) - part.face_ids.begin());
-            reply.append(patch_of(part, std::span<const index>(std::array{face})));
+            reply.append(known_faces_of(part, std::span<const index>(std::array{face})));
             faces_of_tile[where.tile].push_back(face);
         }
         packer out;
-        pack_patch(out, reply);
+        pack_faces(out, reply);
         if constexpr (has_state<Scheme>) {
             out.add(std::uint64_t(faces_of_tile.size()));
             for (auto& [tile, faces] : faces_of_tile)
@@ -156,7 +156,7 @@ fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std:
     std::vector<fetched_faces<point, Scheme>> result;
     for (const auto& bytes : all_to_all(comm, std::move(replies))) {
         unpacker in(bytes);
-        auto& came = result.emplace_back(unpack_patch<point>(in));
+        auto& came = result.emplace_back(unpack_faces<point>(in));
         if constexpr (has_state<Scheme>)
             for (auto left = in.get<std::uint64_t>(); left > 0; --left)
                 came.states.push_back(kith::detail::unpack_known_state(in, schemes.front()));
@@ -214,19 +214,19 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
             }
         }
         const auto came = detail::fetch_faces(comm, all_tiles, std::span<const Scheme>(schemes), wanted);
-        std::vector<tile_patch<Point>> more(tiles.size());
+        std::vector<known_faces<Point>> more(tiles.size());
         for (std::size_t rank = 0; rank < ranks; ++rank)
-            for (std::size_t f = 0, corner = 0; f < came[rank].patch.faces.size(); ++f) {
-                more[wanting[rank][f]].append_face(came[rank].patch, f, corner);
-                corner += came[rank].patch.faces[f].degree;
+            for (std::size_t f = 0, corner = 0; f < came[rank].known.faces.size(); ++f) {
+                more[wanting[rank][f]].append_face(came[rank].known, f, corner);
+                corner += came[rank].known.faces[f].degree;
             }
         for (std::size_t t = 0; t < tiles.size(); ++t) {
             auto& part = tiles[t].part;
             std::vector<Index> all(part.mesh.face_count());
             std::iota(all.begin(), all.end(), Index(0));
-            auto patch = patch_of(part, std::span<const Index>(all));
-            patch.append(more[t]);
-            auto grown = tile_of_patch<Index>(std::move(patch),
+            auto known = known_faces_of(part, std::span<const Index>(all));
+            known.append(more[t]);
+            auto grown = tile_of_faces<Index>(std::move(known),
                                               not part.first_corner_ids.empty(),
                                               part.mesh.generation(),
                                               not part.corners_before.empty());

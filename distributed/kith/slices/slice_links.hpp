@@ -7,7 +7,7 @@
 #include <kith/mpi/all_to_all.hpp>
 #include <kith/mesh/connectivity.hpp>
 #include <kith/part/partition.hpp>
-#include <kith/tile/tile_patch.hpp>
+#include <kith/tile/known_faces.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -75,7 +75,7 @@ namespace detail {
 /// the vertices. The numbers are those of `match`: edges in the order of (smaller vertex, larger vertex).
 template <class Point>
 class slice_links {
-    using patch = tile_patch<Point>;
+    using known = known_faces<Point>;
 
 public:
     /// Collective. Errors: phase_error for edges of three faces, faces that are turned, and vertices without a face or
@@ -89,9 +89,9 @@ public:
     [[nodiscard]] global_id edges() const { return edges_; }
 
     /// Collective: the faces of this rank.
-    patch own_patch()
+    known own_faces()
     {
-        patch result;
+        known result;
         std::vector<std::vector<global_id>> questions(ranks());
         for (std::size_t f = 0; f < slice_.corners.size() / degree_; ++f) {
             const global_id face = slice_.first_face + f;
@@ -102,7 +102,7 @@ public:
             questions[ranges_.rank_of_vertex(slice_.corners[c])].push_back(slice_.corners[c]);
         }
         const auto asked = all_to_all(comm_, questions);
-        std::vector<std::vector<typename patch::vertex>> answers(ranks());
+        std::vector<std::vector<typename known::vertex>> answers(ranks());
         for (std::size_t r = 0; r < ranks(); ++r)
             for (const global_id v : asked[r])
                 answers[r].push_back(facts_[v - slice_.first_vertex]);
@@ -285,7 +285,7 @@ private:
     global_id edges_ = 0;
     std::vector<half_end> ends_;                // of the corners of this rank
     std::vector<fan_corner> fans_;              // of the vertices of this rank, vertex by vertex
-    std::vector<typename patch::vertex> facts_; // of the vertices of this rank
+    std::vector<typename known::vertex> facts_; // of the vertices of this rank
 };
 
 } // namespace detail

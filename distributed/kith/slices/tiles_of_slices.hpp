@@ -9,7 +9,7 @@
 #include <kith/mpi/in_agreement.hpp>
 #include <kith/number/whole_counts.hpp>
 #include <kith/ranks/grow_shadows.hpp>
-#include <kith/tile/tile_patch.hpp>
+#include <kith/tile/known_faces.hpp>
 
 #include <concepts>
 #include <algorithm>
@@ -37,25 +37,25 @@ namespace detail {
 template <class Point, std::unsigned_integral Index>
 tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& slice, slice_links<Point>& links)
 {
-    auto patch = links.own_patch();
+    auto faces = links.own_faces();
     const auto missing = links.faces_around();
     const auto asked = all_to_all(comm, missing);
     std::vector<std::vector<std::byte>> replies(asked.size());
     for (std::size_t rank = 0; rank < asked.size(); ++rank) {
-        tile_patch<Point> reply;
+        known_faces<Point> reply;
         for (const global_id face : asked[rank]) {
             const std::size_t f = face - slice.first_face;
-            reply.append_face(patch, f, f * std::size_t(slice.degree));
+            reply.append_face(faces, f, f * std::size_t(slice.degree));
         }
         packer out;
-        pack_patch(out, reply);
+        pack_faces(out, reply);
         replies[rank] = out.take();
     }
     for (const auto& bytes : all_to_all(comm, std::move(replies))) {
         unpacker in(bytes);
-        patch.append(unpack_patch<Point>(in));
+        faces.append(unpack_faces<Point>(in));
     }
-    return tile_of_patch<Index>(std::move(patch), false, 0, true);
+    return tile_of_faces<Index>(std::move(faces), false, 0, true);
 }
 
 /// Whoever owns the smallest face of an element owns it. Precondition: a ring of shadows around faces [first, end).

@@ -15,10 +15,10 @@
 
 namespace kith {
 
-/// Some faces of a level with all that a tile knows of them, in the numbers of the whole mesh. Patches may be joined,
-/// with faces that occur several times, and are made tiles again.
+/// Some faces of a level, with all that a tile knows of them, in the numbers of the whole mesh. They may be joined with
+/// others, so that faces occur several times, and are made tiles again.
 template <class Point>
-struct tile_patch {
+struct known_faces {
     struct face {
         global_id id, first_corner, root;
         std::uint64_t degree;
@@ -30,8 +30,8 @@ struct tile_patch {
     };
     struct vertex {
         global_id id;
-        global_id first_face,
-            first_corner;         ///< where its fan starts, the corner counted in the face; ~0 where not known
+        /// Where its fan starts, the corner counted in the face; ~0 where not known.
+        global_id first_face, first_corner;
         global_id corners_before; ///< see tile
         Point point;
     };
@@ -40,14 +40,14 @@ struct tile_patch {
     std::vector<corner> corners;  ///< face by face
     std::vector<vertex> vertices; ///< of all corners, in any order, each once or several times
 
-    void append(const tile_patch& more)
+    void append(const known_faces& more)
     {
         faces.insert(faces.end(), more.faces.begin(), more.faces.end());
         corners.insert(corners.end(), more.corners.begin(), more.corners.end());
         vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
     }
-    /// One face of a patch that has its vertices in the order of its corners; `first` is where those of the face begin.
-    void append_face(const tile_patch& from, std::size_t face, std::size_t first)
+    /// One of `from`, which has its vertices in the order of its corners; `first` is where those of the face begin.
+    void append_face(const known_faces& from, std::size_t face, std::size_t first)
     {
         const auto begin = std::ptrdiff_t(first), end = std::ptrdiff_t(first + from.faces[face].degree);
         faces.push_back(from.faces[face]);
@@ -58,11 +58,11 @@ struct tile_patch {
 
 /// These faces of a tile that has its edges. Where all of a vertex's faces are in the tile its fan's start is known.
 template <class Point, std::unsigned_integral Index>
-tile_patch<Point> patch_of(const tile<Point, Index>& part, std::span<const Index> faces)
+known_faces<Point> known_faces_of(const tile<Point, Index>& part, std::span<const Index> faces)
 {
     constexpr global_id unknown = ~global_id(0);
     const auto& t = part.mesh.topology();
-    tile_patch<Point> result;
+    known_faces<Point> result;
     for (const Index f : faces) {
         const auto vertices = part.mesh.face(f);
         result.faces.push_back({part.face_ids[f], part.corner_id(f, 0), part.root(f), vertices.size()});
@@ -85,14 +85,14 @@ tile_patch<Point> patch_of(const tile<Point, Index>& part, std::span<const Index
 
 namespace detail {
 
-/// A tile from a patch, but for who owns what.
+/// A tile from some faces, but for who owns what.
 template <class Point, std::unsigned_integral Index>
-class patch_builder {
-    using patch = tile_patch<Point>;
+class known_faces_builder {
+    using facts = known_faces<Point>;
     static constexpr Index none = connectivity<Index>::none;
 
 public:
-    explicit patch_builder(patch all) : all_(std::move(all))
+    explicit known_faces_builder(facts all) : all_(std::move(all))
     {
         std::size_t corner = 0;
         for (const auto& f : all_.faces) {
@@ -103,7 +103,7 @@ public:
         std::ranges::sort(faces_, {}, face_id);
         faces_.erase(std::ranges::unique(faces_, {}, face_id).begin(), faces_.end());
         std::ranges::sort(all_.vertices, {}, [](const auto& v) { return std::tuple(v.id, v.first_face); });
-        all_.vertices.erase(std::ranges::unique(all_.vertices, {}, &patch::vertex::id).begin(), all_.vertices.end());
+        all_.vertices.erase(std::ranges::unique(all_.vertices, {}, &facts::vertex::id).begin(), all_.vertices.end());
         for (const auto& f : faces_)
             for (std::size_t k = 0; k < f.face->degree; ++k)
                 edges_.push_back(all_.corners[f.corner + k].end / 2);
@@ -125,7 +125,7 @@ public:
         if (with_corners_before)
             result.corners_before = storage<global_id>(t.vertices);
         for (std::size_t v = 0; v < t.vertices; ++v) {
-            const auto& known = *std::ranges::lower_bound(all_.vertices, vertex_ids[v], {}, &patch::vertex::id);
+            const auto& known = *std::ranges::lower_bound(all_.vertices, vertex_ids[v], {}, &facts::vertex::id);
             points[v] = known.point;
             if (with_corners_before)
                 result.corners_before[v] = known.corners_before;
@@ -141,7 +141,7 @@ public:
 
 private:
     struct placed_face {
-        const typename patch::face* face;
+        const typename facts::face* face;
         std::size_t corner; // the first of its corners
     };
 
@@ -184,7 +184,7 @@ private:
                 const std::size_t half = 2 * edge + (corner.end % 2 ^ std::size_t(turned));
                 t.set_side(Index(c), Index(half));
                 t.corner_vertex[c] = Index(
-                    std::ranges::lower_bound(all_.vertices, corner.vertex, {}, &patch::vertex::id) -
+                    std::ranges::lower_bound(all_.vertices, corner.vertex, {}, &facts::vertex::id) -
                     all_.vertices.begin());
                 result.edge_marks[edge] = static_cast<unsigned char>((turned ? turned_mark : 0) |
                                                                      (corner.has_other != 0 ? cut_mark : 0));
@@ -217,22 +217,22 @@ private:
         }
     }
 
-    patch all_;
+    facts all_;
     std::vector<placed_face> faces_; // by number, each once
     std::vector<global_id> edges_;
 };
 
 } // namespace detail
 
-/// The tile that a patch makes, of which nothing is owned yet. `with_first_corners`: the faces of the whole mesh are of
-/// many degrees, also where those of the patch are of one.
+/// The tile that some faces make, of which nothing is owned yet. `with_first_corners`: the faces of the whole mesh are
+/// of many degrees, also where these are of one.
 /// Precondition: wherever all faces of an inner vertex are there, one says where its fan starts.
 /// Cost: O(elements log of them).
 template <std::unsigned_integral Index, class Point>
-tile<Point, Index> tile_of_patch(tile_patch<Point> patch, bool with_first_corners, int generation,
+tile<Point, Index> tile_of_faces(known_faces<Point> faces, bool with_first_corners, int generation,
                                  bool with_corners_before)
 {
-    return detail::patch_builder<Point, Index>(std::move(patch))
+    return detail::known_faces_builder<Point, Index>(std::move(faces))
         .build(with_first_corners, generation, with_corners_before);
 }
 
