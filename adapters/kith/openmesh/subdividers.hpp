@@ -69,20 +69,32 @@ using MidpointT = detail::as_openmesh<Mesh, mid_edge>;
 
 // Schemes that OpenMesh does not have.
 
+/// Doo-Sabin, with the options of kith, as all below.
 template <class Mesh, class RealType = double>
 using DooSabinT = detail::as_kith<Mesh, doo_sabin>;
+
+/// Kobbelt's interpolating scheme; quads.
 template <class Mesh, class RealType = double>
 using KobbeltT = detail::as_kith<Mesh, kobbelt>;
-/// Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their first edges, as they
-/// do after an earlier call; a TriMesh, too.
+
+/// Velho and Zorin's 4-8. Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their
+/// first edges, as they do after an earlier call; a TriMesh, too.
 template <class Mesh, class RealType = double>
 using FourEightT = detail::as_kith<Mesh, four_eight>;
+
+/// Nasri and Hasbini's ternary scheme.
 template <class Mesh, class RealType = double>
 using NasriHasbiniT = detail::as_kith<Mesh, nasri_hasbini>;
+
+/// Zorin and Schroeder's unified family; closed meshes. `scheme().degree` is its bidegree, 1 to 9.
 template <class Mesh, class RealType = double>
 using UnifiedT = detail::as_kith<Mesh, unified>;
+
+/// The linear split of polygons into quads.
 template <class Mesh, class RealType = double>
 using LinearT = detail::as_kith<Mesh, linear>;
+
+/// The linear split of triangles into triangles.
 template <class Mesh, class RealType = double>
 using LinearTrianglesT = detail::as_kith<Mesh, linear_triangles>;
 

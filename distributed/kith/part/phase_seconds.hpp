@@ -26,8 +26,8 @@ public:
             result += seconds;
         return result;
     }
-    /// Of phases that ran on so many threads at once, the time that has passed.
     phase_seconds& operator+=(const phase_seconds& more) { return add(more, 1); }
+    /// Adds phases that ran on so many threads at once, as the time that has passed.
     phase_seconds& add(const phase_seconds& more, std::size_t threads)
     {
         for (std::size_t p = 0; p < seconds_.size(); ++p)

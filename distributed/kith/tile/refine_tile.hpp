@@ -58,6 +58,7 @@ void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const whole
     }
     keep(std::move(here));
 }
+/// The last level of a tile of level 0. `last` and `each` are those of the refinement of a job.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme, class Each>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole, connect last,
                           const Each& each)
@@ -66,6 +67,7 @@ tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_le
     refine(job, whole, last, each);
     return std::move(job.part);
 }
+/// The same for those who do not want to see the levels between.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const whole_levels<Scheme>& whole,
                           connect last = connect::everything)
