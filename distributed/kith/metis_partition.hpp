@@ -9,6 +9,7 @@
 #include <concepts>
 #include <limits>
 #include <new>
+#include <string>
 
 namespace kith {
 

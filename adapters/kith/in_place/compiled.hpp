@@ -7,6 +7,8 @@
 #include <kith/presets.hpp>
 
 #include <array>
+#include <functional>
+#include <optional>
 
 /// How meshes with properties are refined for the dialects, by all schemes; kith::compiled_dialects has it, which is
 /// linked with kith::compiled_cgal and kith::compiled_openmesh and defines KITH_COMPILED_DIALECTS.
