@@ -77,7 +77,7 @@ template <level Level>
 using level_by_corners = level_elements<walk_by_corners<Level>>;
 
 /// Values at the corners of a level, for masks over the vertices of level_by_corners.
-template <class T, level Level>
+template <affine_value T, level Level>
 class corner_values : public fine_values<T> {
 public:
     /// Both must outlive this.

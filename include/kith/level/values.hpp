@@ -16,7 +16,7 @@ namespace kith {
 
 /// What masks are evaluated over: the values at the vertices of the coarse level, read by the derived class, and those
 /// of the fine level, which are being made.
-template <class T>
+template <affine_value T>
 class fine_values {
 public:
     using value_type = T;
@@ -86,7 +86,7 @@ public:
 };
 
 /// Any other values with an `affine`, one per vertex.
-template <class T>
+template <affine_value T>
 class attribute_values : public fine_values<T> {
 public:
     explicit attribute_values(std::span<const T> coarse) : coarse_(coarse) {}

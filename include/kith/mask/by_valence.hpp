@@ -14,7 +14,7 @@
 namespace kith {
 
 /// Weights by valence, computed once per step for the valences that meshes have, on the spot for the rare others.
-template <class Scalar>
+template <weight_number Scalar>
 class weights_by_valence {
 public:
     explicit weights_by_valence(std::function<double(std::size_t)> weight) : weight_(std::move(weight))
@@ -49,7 +49,7 @@ template <has_scalar Refinement>
 
 /// Rows of weights by valence, for masks whose weights differ around a ring: each is computed when it is asked for
 /// first.
-template <class Scalar>
+template <weight_number Scalar>
 class rows_by_valence {
 public:
     using row_function = std::function<std::vector<double>(std::size_t)>;

@@ -53,9 +53,10 @@ struct mask_of_values : mask_base {
 };
 
 /// A ring of operands as its sum and its first waves, sum p_j cos(k t_j) and sum p_j sin(k t_j) with t_j = 2 pi j/n and
-/// k = 1 to Waves (at most 2): what all masks with a wave_kernel over the ring have in common. Cost: O(n), each mask
+/// k = 1 to Waves: what all masks with a wave_kernel over the ring have in common. Cost: O(n), each mask
 /// O(1).
 template <mask_evaluator Space, std::size_t Waves>
+    requires(Waves <= 2) // a wave_kernel has no more
 class ring_waves {
 public:
     using sum_type = typename Space::sum;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/mask/mask.hpp>
+
 namespace kith {
 
 /// What a boundary vertex with a single face is. OpenSubdiv calls the choices EDGE_AND_CORNER and EDGE_ONLY.
@@ -18,14 +20,14 @@ enum class boundary_curve : unsigned char {
 
 /// The vertex rule of the uniform cubic B-spline curve, 1/8 3/4 1/8, along a boundary or a crease.
 /// DeRose, Kass & Truong 1998, section 3.
-template <class V>
+template <mask V>
 auto cubic_curve_vertex(const V& v, const V& before, const V& after)
 {
     return 3. / 4 * v + 1. / 8 * (before + after);
 }
 
 /// That of boundary_curve::thirds.
-template <class V>
+template <mask V>
 auto thirds_curve_vertex(const V& v, const V& before, const V& after)
 {
     return (4. * v + (before + after)) / 6;

@@ -15,7 +15,7 @@ namespace kith {
 
 /// Weights around faces, for rules that make a point of each corner of a face: rows for the degrees that occur, waves
 /// for larger ones.
-template <mask_evaluator Space, class Real>
+template <mask_evaluator Space, weight_number Real>
 class face_masks {
     using waves = ring_waves<Space, 1>;
 

@@ -30,7 +30,7 @@ std::vector<fan_kind> fan_kinds(const Level& coarse, std::size_t regular, fan_ki
 
 /// The neighbours of irregular vertices, summed with weights that go around the ring: by a row of weights, or by the
 /// waves of a large ring, whose weights are those of a wave_kernel.
-template <mask_evaluator Space, class Scalar>
+template <mask_evaluator Space, weight_number Scalar>
 class irregular_rings {
     using waves = ring_waves<Space, 2>;
 

@@ -13,7 +13,7 @@ namespace kith {
 /// The points that continue the lines of a quad mesh beyond their vertices, for rules along four points of a line.
 /// Beyond a regular vertex that is the next vertex, beyond an extraordinary one Kobbelt's virtual point, in which
 /// `gamma` weighs the vertices opposite it, and beyond a boundary a reflection. Kobbelt 1996; docs/schemes.md.
-template <mask_evaluator Space, class Scalar>
+template <mask_evaluator Space, weight_number Scalar>
 class virtual_points {
     using waves = ring_waves<Space, 0>;
 

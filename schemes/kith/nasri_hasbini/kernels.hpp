@@ -133,7 +133,7 @@ inline double polygon_weight(ternary_point point, std::size_t k, std::size_t m)
 }
 
 /// The ring weights of (v,e) and (v,f) by valence, up to longest_row.
-template <class Scalar>
+template <weight_number Scalar>
 class ternary_weights {
 public:
     struct of_valence {
