@@ -4,7 +4,6 @@
 #include <kith/base/for_parts.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh/foreign_level.hpp>
-#include <kith/mesh/match.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -77,13 +77,8 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
         surface.mesh = {storage<Point>(surface.mesh.points()), surface.mesh.topology(), generation};
     };
     const int degree = surface.mesh.topology().degree;
-    if (degree == 3) {
-        try {
-            bisection_split::require_marks(elements());
-            return;
-        } catch (const mesh_error&) { // triangles without marks are cut like other faces
-        }
-    }
+    if (degree == 3 and bisection_split::has_marks(elements()))
+        return; // triangles without marks are cut like other faces
     if (degree == 4) {
         const auto is_odd = detail::choose_diagonals(
             level_elements<native_level<Point, std::uint32_t, 4>>(surface.mesh));

@@ -41,7 +41,7 @@ global_id last_where(global_id begin, global_id end, const Holds& holds)
 class told_tuples {
 public:
     told_tuples() = default;
-    /// By marks: how many are picked before a tuple, and the inverse, see picks_by_marks.
+    /// By marks: how many are picked before a tuple, and the inverse, see numbers_by_marks.
     using count_by_marks = global_id (*)(global_id, global_id);
     told_tuples(count_by_marks before, count_by_marks picked, global_id tuples, global_id marked)
         : count_(before(tuples, marked)), tuples_(tuples), marked_edges_(marked), before_(before), picked_(picked)
@@ -138,7 +138,7 @@ template <tuple_kind Kind, class Where, class Degree>
 consteval void require_closed_form(const column<Kind, Where, Degree>*)
 {
     constexpr bool of_many_degrees = has_degree<Degree> and fixed_degree_of<Degree> == 0;
-    static_assert(not has_condition<Where> or picks_at_boundary<Where> or picks_by_marks<Where>,
+    static_assert(not has_condition<Where> or picks_at_boundary<Where> or numbers_by_marks<Where>,
                   "columns that pick tuples anywhere have no ids in closed form unless they say how many");
     static_assert(not of_many_degrees or Kind == tuple_kind::f or Kind == tuple_kind::v,
                   "new faces of unknown degree need a face or a vertex that tells it");
@@ -173,7 +173,7 @@ public:
             columns.list,
             [&]<tuple_kind Kind, class Where, class Degree>(
                 std::size_t i, const column<Kind, Where, Degree>&, global_id tuples) {
-                if constexpr (detail::picks_by_marks<Where>)
+                if constexpr (detail::numbers_by_marks<Where>)
                     return detail::told_tuples(
                         &decltype(Where::keep)::before, &decltype(Where::keep)::picked, tuples, whole.marked_edges);
                 else
@@ -280,7 +280,7 @@ struct whole_numbering {
 
     [[nodiscard]] whole_counts counts() const
     {
-        constexpr bool marks = detail::column_facts<decltype(Columns::vertices)>::any_by_marks;
+        constexpr bool marks = detail::affine_columns<decltype(Columns::vertices)>::by_marks;
         return {vertices.total(), edges.total(), faces.total(), faces.total_corners(), marks ? edges.count(0) : 0};
     }
 };

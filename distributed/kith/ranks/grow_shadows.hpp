@@ -248,10 +248,7 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
 template <class Point, std::unsigned_integral Index>
 void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>>> tiles, int rings)
 {
-    struct no_state { // a scheme that makes nothing
-        static constexpr auto columns() { return kith::columns(new_vertices(), new_faces()); }
-    };
-    std::vector<no_state> none(tiles.size());
+    std::vector<kith::detail::no_scheme> none(tiles.size());
     grow_shadows(comm, tiles, std::span(none), rings);
 }
 

@@ -161,9 +161,7 @@ template <class Point, std::unsigned_integral Index>
 std::vector<numbered_tile<tile<Point, Index>>>
 repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> tiles, std::span<const int> rank_of)
 {
-    struct no_scheme { // tiles move without one
-        static constexpr auto columns() { return kith::columns(new_vertices(), new_faces()); }
-    };
+    using kith::detail::no_scheme;
     using moving = numbered_tile<tile<Point, Index>>;
     return detail::move_to_ranks(
         comm,

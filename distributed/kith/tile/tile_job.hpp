@@ -31,6 +31,11 @@ struct kept_tile {
 
 namespace detail {
 
+/// A scheme that makes nothing, of tiles that are moved without one.
+struct no_scheme {
+    static constexpr auto columns() { return kith::columns(new_vertices(), new_faces()); }
+};
+
 /// The scheme of a tile of level 0: the same, with its state, which is that of the whole mesh, for the part.
 template <scheme Scheme, tile_like Tile>
 Scheme scheme_of_tile(const Scheme& scheme, const Tile& part)

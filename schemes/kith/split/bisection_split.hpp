@@ -82,18 +82,32 @@ struct bisection_split {
                              new_faces(triangles(per_corner).only(corner_at_marked_edge{})));
     }
 
-    /// Throws mesh_error unless the triangles agree on their marked edges.
+    /// Whether a triangle and the one behind its marked edge agree on it.
+    template <face_element Face>
+    static bool agrees_on_mark(const Face& f)
+    {
+        const auto c = f.first_corner();
+        return c.is_boundary() or is_first(c.across());
+    }
+    /// Whether the triangles agree on their marked edges. Cost: O(faces).
+    template <level Level>
+    static bool has_marks(const Level& coarse)
+    {
+        for (const auto f : coarse.faces())
+            if (not agrees_on_mark(f))
+                return false;
+        return true;
+    }
+    /// Throws mesh_error unless it has.
     template <level Level>
     static void require_marks(const Level& coarse)
     {
-        for (const auto f : coarse.faces()) {
-            const auto c = f.first_corner();
-            if (not c.is_boundary() and not(c.across() == c.across().f().first_corner()))
+        for (const auto f : coarse.faces())
+            if (const auto c = f.first_corner(); not agrees_on_mark(f))
                 throw mesh_error(
                     "4-8: faces " + std::to_string(number_in_mesh(coarse, f)) + " and " +
                     std::to_string(number_in_mesh(coarse, c.across().f())) +
                     " do not both start with the edge between them; make a tri-quad mesh first (tri_quad)");
-        }
     }
 
     template <running_step R>
