@@ -52,7 +52,8 @@ public:
 
     /// A directory that belongs to it: made now, removed like the file, left alone by `commit`. Errors: file_error.
     void make_directory(const std::string& directory);
-    /// Gives the file its name. Precondition: what was to be written is in it. Errors: file_error; nothing is left then.
+    /// Gives the file its name. Precondition: what was to be written is in it. Errors: file_error; nothing is left
+    /// then.
     void commit();
 
 private:

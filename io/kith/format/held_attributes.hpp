@@ -27,8 +27,8 @@ struct held_attributes {
 };
 
 /// OBJ: normals and texture coordinates of corners, or of vertices, colours of vertices, words. OFF: normals, colours
-/// and texture coordinates of vertices, colours of faces. PLY: all numbers of vertices and faces, words of faces, texture
-/// coordinates of corners. STL: nothing.
+/// and texture coordinates of vertices, colours of faces. PLY: all numbers of vertices and faces, words of faces,
+/// texture coordinates of corners. STL: nothing.
 held_attributes held_by(mesh_format format, const mesh_attributes& attributes);
 
 /// The topics (topics_of) of the attributes for which a format has no room.
