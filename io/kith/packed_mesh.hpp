@@ -7,19 +7,11 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 namespace kith::io {
 
 namespace detail {
-
-template <class Topology, class F>
-void for_each_array(Topology& t, const F& f)
-{
-    f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner), f(t.vertex_corner), f(t.face_corner),
-        f(t.corner_face);
-}
 
 /// Whether the arrays of a mesh from elsewhere fit each other, so that walking on them stays inside and ends.
 template <std::unsigned_integral Index>
@@ -75,11 +67,7 @@ bool is_consistent(const connectivity<Index>& t, std::size_t points)
 template <class Point, std::unsigned_integral Index>
 void pack_mesh(packer& out, const basic_mesh<Point, Index>& mesh)
 {
-    static_assert(std::is_trivially_copyable_v<Point>, "points that are plain bytes can be written, others not");
-    const auto& t = mesh.topology();
-    out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(mesh.generation());
-    out.add_array(mesh.points());
-    detail::for_each_array(t, [&](const auto& array) { out.add_array(array); });
+    kith::detail::pack_mesh(out, mesh);
 }
 
 /// The inverse. Errors: pack_error for a message that ends too early, and for arrays that do not fit each other.
@@ -87,16 +75,10 @@ void pack_mesh(packer& out, const basic_mesh<Point, Index>& mesh)
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> unpack_mesh(unpacker& in)
 {
-    connectivity<Index> t;
-    t.vertices = in.get<std::uint64_t>();
-    t.faces = in.get<std::uint64_t>();
-    t.degree = in.get<int>();
-    const int generation = in.get<int>();
-    auto points = in.get_array<storage<Point>>();
-    detail::for_each_array(t, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
-    if (not detail::is_consistent(t, points.size()))
+    auto told = kith::detail::unpack_mesh<Point, Index>(in);
+    if (not detail::is_consistent(told.topology, told.points.size()))
         throw pack_error("the arrays of the control mesh do not fit each other; who wrote them is at fault");
-    return {std::move(points), std::move(t), generation};
+    return {std::move(told.points), std::move(told.topology), told.generation};
 }
 
 } // namespace kith::io

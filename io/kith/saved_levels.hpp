@@ -24,11 +24,7 @@ namespace kith::io {
 namespace detail {
 
 template <class Point, std::unsigned_integral Index>
-constexpr std::uint64_t kind_of_levels()
-{
-    constexpr std::uint64_t version = 2;
-    return 0x6b69746c'00000000U | version << 16 | sizeof(Point) << 8 | sizeof(Index); // turned round elsewhere
-}
+inline constexpr std::uint64_t kind_of_levels = kith::detail::kind_of_bytes<Point, Index>(0x6b69746c, 2);
 
 template <level Level>
 auto points_of(const Level& level)
@@ -90,7 +86,7 @@ void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
     using point = typename mesh_traits<M>::point;
     const auto control = detail::native(levels[0]);
     packer bytes;
-    bytes.add(detail::kind_of_levels<point, typename hierarchy<M, Scheme>::index_type>());
+    bytes.add(detail::kind_of_levels<point, typename hierarchy<M, Scheme>::index_type>);
     bytes.add_array(scheme_name<Scheme>());
     bytes.add(levels.depth()).add(levels.kept_levels());
     pack_mesh(bytes, control);
@@ -126,7 +122,7 @@ try {
     if (sum != kith::detail::checksum_of_bytes(all))
         throw file_error("saved levels: the checksum is wrong; they were damaged or cut, save them again");
     unpacker bytes(all);
-    if (bytes.get<std::uint64_t>() != detail::kind_of_levels<point, index>())
+    if (bytes.get<std::uint64_t>() != detail::kind_of_levels<point, index>)
         throw file_error("saved levels: they are of another type of mesh, version or kind of machine");
     const auto letters = bytes.get_array<std::vector<char>>();
     const std::string name(letters.begin(), letters.end());

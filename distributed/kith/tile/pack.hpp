@@ -110,12 +110,14 @@ private:
 
 namespace detail {
 
+/// What messages of one format, version and kind of machine begin with; turned round elsewhere.
 template <class Point, std::unsigned_integral Index>
-constexpr std::uint64_t kind_of_message()
+constexpr std::uint64_t kind_of_bytes(std::uint64_t format, std::uint64_t version)
 {
-    constexpr std::uint64_t version = 4;
-    return 0x6b697468'00000000U | version << 16 | sizeof(Point) << 8 | sizeof(Index); // turned round elsewhere
+    return format << 32 | version << 16 | sizeof(Point) << 8 | sizeof(Index);
 }
+template <class Point, std::unsigned_integral Index>
+inline constexpr std::uint64_t kind_of_message = kind_of_bytes<Point, Index>(0x6b697468, 4);
 
 template <class State>
 constexpr bool can_be_packed()
@@ -159,13 +161,51 @@ inline std::uint64_t checksum_of_bytes(std::span<const std::byte> bytes)
     return sum;
 }
 
-/// All arrays of a tile but its points, in the order of a message. `t` is the topology of its mesh.
-template <class Topology, tile_like Tile, class F>
-void for_each_array(Topology& t, Tile& part, const F& f)
+/// What a message says of a mesh: it may be damaged.
+template <class Point, std::unsigned_integral Index>
+struct told_mesh {
+    storage<Point> points;
+    connectivity<Index> topology;
+    int generation;
+};
+
+/// The arrays of a mesh but its points, in the order of a message.
+template <class Topology, class F>
+void for_each_array(Topology& t, const F& f)
 {
     f(t.corner_vertex), f(t.corner_halfedge), f(t.halfedge_corner), f(t.vertex_corner);
-    f(t.face_corner), f(t.corner_face), f(part.root_of);
-    f(part.vertex_ids), f(part.edge_ids), f(part.face_ids);
+    f(t.face_corner), f(t.corner_face);
+}
+
+template <class Point, std::unsigned_integral Index>
+void pack_mesh(packer& out, const basic_mesh<Point, Index>& mesh)
+{
+    static_assert(std::is_trivially_copyable_v<Point>, "points that are plain bytes can be sent, others not");
+    const auto& t = mesh.topology();
+    out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(mesh.generation());
+    out.add_array(mesh.points());
+    for_each_array(t, [&](const auto& array) { out.add_array(array); });
+}
+
+/// The inverse. Errors: pack_error for a message that ends too early.
+template <class Point, std::unsigned_integral Index>
+told_mesh<Point, Index> unpack_mesh(unpacker& in)
+{
+    connectivity<Index> t;
+    t.vertices = in.get<std::uint64_t>();
+    t.faces = in.get<std::uint64_t>();
+    t.degree = in.get<int>();
+    const int generation = in.get<int>();
+    auto points = in.get_array<storage<Point>>();
+    for_each_array(t, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
+    return {std::move(points), std::move(t), generation};
+}
+
+/// The arrays of a tile beside its mesh, in the order of a message.
+template <tile_like Tile, class F>
+void for_each_array_of_tile(Tile& part, const F& f)
+{
+    f(part.root_of), f(part.vertex_ids), f(part.edge_ids), f(part.face_ids);
     f(part.first_corner_ids), f(part.corners_before), f(part.marked_before), f(part.roots);
     f(part.vertex_marks), f(part.edge_marks), f(part.face_marks), f(part.normals);
 }
@@ -176,14 +216,10 @@ void for_each_array(Topology& t, Tile& part, const F& f)
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::vector<std::byte> pack(const tile_job<tile<Point, Index>, Scheme>& job)
 {
-    static_assert(std::is_trivially_copyable_v<Point>, "points that are plain bytes can be sent, others not");
-    const auto& part = job.part;
-    const auto& t = part.mesh.topology();
     packer out;
-    out.add(detail::kind_of_message<Point, Index>());
-    out.add(std::uint64_t(t.vertices)).add(std::uint64_t(t.faces)).add(t.degree).add(part.mesh.generation());
-    out.add_array(part.mesh.points());
-    detail::for_each_array(t, part, [&](const auto& array) { out.add_array(array); });
+    out.add(detail::kind_of_message<Point, Index>);
+    detail::pack_mesh(out, job.part.mesh);
+    detail::for_each_array_of_tile(job.part, [&](const auto& array) { out.add_array(array); });
     detail::pack_state(out, job.scheme);
     auto bytes = out.take();
     const std::uint64_t sum = detail::checksum_of_bytes(bytes);
@@ -206,25 +242,20 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
     if (sum != detail::checksum_of_bytes(bytes))
         throw pack_error("a message was damaged on its way; its checksum is wrong");
     unpacker in(bytes);
-    if (in.get<std::uint64_t>() != detail::kind_of_message<Point, Index>())
+    if (in.get<std::uint64_t>() != detail::kind_of_message<Point, Index>)
         throw pack_error("a message is of another program, version or kind of machine");
+    auto mesh = detail::unpack_mesh<Point, Index>(in);
     tile<Point, Index> part;
-    connectivity<Index> t;
-    t.vertices = in.get<std::uint64_t>();
-    t.faces = in.get<std::uint64_t>();
-    t.degree = in.get<int>();
-    const int generation = in.get<int>();
-    auto points = in.get_array<storage<Point>>();
-    detail::for_each_array(t, part, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
+    detail::for_each_array_of_tile(part, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
     detail::unpack_state(in, scheme);
     if (not in.is_at_end())
         throw pack_error("a message is longer than what it holds");
-    const char* fault = detail::fault_of_tile(t, points.size(), part);
-    if (fault == nullptr and not part.normals.empty() and part.normals.size() != points.size())
+    const char* fault = detail::fault_of_tile(mesh.topology, mesh.points.size(), part);
+    if (fault == nullptr and not part.normals.empty() and part.normals.size() != mesh.points.size())
         fault = "has normals of another number of vertices";
     if (fault != nullptr)
         throw pack_error(std::string("a message holds a tile that ") + fault + "; its sender is at fault");
-    part.mesh = {std::move(points), std::move(t), generation};
+    part.mesh = {std::move(mesh.points), std::move(mesh.topology), mesh.generation};
     return {std::move(part), std::move(scheme)};
 }
 
