@@ -101,8 +101,9 @@ public:
     template <class Pick>
     column_numbers(const element_counts& coarse, const std::tuple<Columns...>& list, const Pick& pick)
     {
-        std::size_t i = 0;
-        std::apply([&](const auto&... column) { (append(i++, coarse, column, pick), ...); }, list);
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (append(I, coarse, std::get<I>(list), pick), ...);
+        }(std::make_index_sequence<size>());
     }
 
     /// The number of new elements, of those in column i, and of those before it.

@@ -141,7 +141,7 @@ private:
                 return true;
             }
         const std::string& to_name = is_standard and keeps_type ? one.standard_name : one.name;
-        if (is_free<T>(one.name, to_name)) {
+        if (is_free(one.name, to_name, bool(to_access::template find<ToHandle, T>(to_, to_name)))) {
             auto to = to_access::template add<ToHandle, T>(to_, to_name);
             for (std::size_t i = 0; i < from_handles_.size(); ++i)
                 to[to_handles_[i]] = from[from_handles_[i]];
@@ -161,7 +161,8 @@ private:
     template <class Own>
     void write(const numbers_of_values<number>& values, const one_property& one)
     {
-        if (not is_free<Own>(one.name, one.standard_name))
+        if (not is_free(
+                one.name, one.standard_name, bool(to_access::template find<ToHandle, Own>(to_, one.standard_name))))
             return;
         const number_conversion<number> rule{
             one.which == standard_property::color, values.round, numbers_of_values<number>::template rounded<Own>};
@@ -180,11 +181,9 @@ private:
     {
     }
     /// Whether the new mesh has room for a property of this name, which it then has; else it is left out.
-    template <class T>
-    bool is_free(const std::string& name, const std::string& to_name)
+    bool is_free(const std::string& name, const std::string& to_name, bool is_there_in_its_type)
     {
         const auto there = to_access::template names<ToHandle>(to_);
-        const bool is_there_in_its_type = bool(to_access::template find<ToHandle, T>(to_, to_name));
         const auto made = std::ranges::find(made_, to_name, &made_property::name);
         const bool is_shared = made != made_.end() and made->from == name and not is_there_in_its_type and
                                requires { requires to_access::types_share_names; };

@@ -108,54 +108,54 @@ private:
             if ((not native and all_smooth_) or is_smooth(x))
                 assoc(x, targets::V) = smooth(x);
             else
-                rarely([this, &assoc, &smooth](auto y) { this->make(y, assoc(y, targets::V), smooth); }, x);
+                rarely([this, &assoc, &smooth](
+                           auto y) { assoc(y, targets::V) = mask_of_sum(this->sum_at(y, assoc, smooth)); },
+                       x);
         });
     }
 
-    /// Assigns the point of an edge that is not smooth: its midpoint, or between that and the smooth mask.
-    template <class Association, class Smooth>
-    void make(edge<Level> e, const Association& target, const Smooth& smooth) const
+    /// An edge that is not smooth has its midpoint, or a place between that and the smooth mask. What each comes to is a
+    /// sum, so that no formula is compiled for each pair of masks.
+    template <mask_evaluator Space, class Smooth>
+    typename Space::sum sum_at(edge<Level> e, const Space& assoc, const Smooth& smooth) const
     {
         const double s = sharp_->sharpness(e);
         const bool stays_sharp = sharp_->method == crease_method::chaikin and
                                  sharp_->child_sharpness(e.org(), e, large_fans_) > 0 and
                                  sharp_->child_sharpness(e.dst(), e, large_fans_) > 0;
-        if (s >= 1 or stays_sharp)
-            target = average(e.org(), e.dst());
-        else
-            target = s * average(e.org(), e.dst()) + (1 - s) * smooth(e);
+        const typename Space::sum middle = assoc.evaluate(average(e.org(), e.dst()));
+        return s >= 1 or stays_sharp ? middle : between(s, middle, assoc.evaluate(smooth(e)), assoc);
     }
 
-    /// Assigns the point of a vertex that is not smooth.
-    template <class Association, class Smooth>
-    void make(vertex<Level> v, const Association& target, const Smooth& smooth) const
+    /// The same of a vertex.
+    template <mask_evaluator Space, class Smooth>
+    typename Space::sum sum_at(vertex<Level> v, const Space& assoc, const Smooth& smooth) const
     {
-        if (near_sharp_.empty() or not near_sharp_[v.index()]) { // on the boundary, far from all creases
-            if (is_kept_corner(v))
-                target = v;
-            else if (curve_ == boundary_curve::thirds)
-                target = thirds_curve_vertex(v, v.first_rim(), v.last_rim());
-            else
-                target = cubic_curve_vertex(v, v.first_rim(), v.last_rim());
-            return;
-        }
+        if (near_sharp_.empty() or not near_sharp_[v.index()]) // on the boundary, far from all creases
+            return is_kept_corner(v) ? assoc.evaluate(v) : sum_on_curve(v, {v.first_rim(), v.last_rim()}, assoc);
         const auto [parent, child, weight] = classify(v);
-        const auto rule = [&](const auto& r, const auto& use) {
-            if (r.kind == rule_kind::corner)
-                use(sum(v));
-            else if (r.kind == rule_kind::crease and v.is_boundary() and curve_ == boundary_curve::thirds)
-                use(thirds_curve_vertex(v, r.ends[0], r.ends[1]));
-            else if (r.kind == rule_kind::crease)
-                use(cubic_curve_vertex(v, r.ends[0], r.ends[1]));
-            else
-                use(smooth(v));
+        const auto by_rule = [&](const vertex_rule& rule) {
+            return rule.kind == rule_kind::corner   ? assoc.evaluate(v)
+                   : rule.kind == rule_kind::crease ? sum_on_curve(v, rule.ends, assoc)
+                                                    : assoc.evaluate(smooth(v));
         };
         if (parent.kind == rule_kind::smooth or parent.kind == child.kind)
-            rule(parent, [&](const auto& mask) { target = mask; });
-        else
-            rule(parent, [&, w = weight](const auto& now) {
-                rule(child, [&](const auto& later) { target = w * now + (1 - w) * later; });
-            });
+            return by_rule(parent);
+        return between(weight, by_rule(parent), by_rule(child), assoc);
+    }
+    template <mask_evaluator Space>
+    typename Space::sum sum_on_curve(const vertex<Level>& v, const std::array<vertex<Level>, 2>& ends,
+                                     const Space& assoc) const
+    {
+        return v.is_boundary() and curve_ == boundary_curve::thirds
+                   ? assoc.evaluate(thirds_curve_vertex(v, ends[0], ends[1]))
+                   : assoc.evaluate(cubic_curve_vertex(v, ends[0], ends[1]));
+    }
+    template <mask_evaluator Space>
+    static typename Space::sum between(double weight, const typename Space::sum& now, const typename Space::sum& later,
+                                       const Space& assoc)
+    {
+        return assoc.evaluate(weight * mask_of_sum(now) + (1 - weight) * mask_of_sum(later));
     }
 
     enum class rule_kind : unsigned char { smooth, crease, corner };
