@@ -59,7 +59,7 @@ concept mask_evaluator = requires(const S& space, const refused::any_mask& mask)
 template <mask A, mask B>
 [[nodiscard]] auto operator+(const A& a, const B& b)
 {
-    return mask_sum<A, B>{{}, a, b};
+    return mask_sum<A, B>(a, b);
 }
 
 /// The weight, a number or what becomes one in the scalar type of the values, stands on the left.
@@ -67,7 +67,7 @@ template <class Weight, mask A>
     requires(not mask<Weight>)
 [[nodiscard]] auto operator*(const Weight& weight, const A& a)
 {
-    return mask_scaled<A, Weight>{{}, a, weight};
+    return mask_scaled<A, Weight>(a, weight);
 }
 
 /// Refused: no product of masks is affine, and a weight on the right is to stand on the left.
@@ -82,7 +82,7 @@ template <mask A, class B>
 template <mask A>
 [[nodiscard]] auto operator/(const A& a, double n)
 {
-    return mask_scaled<A, one_over>{{}, a, {n}};
+    return mask_scaled<A, one_over>(a, one_over{n});
 }
 
 /// a + (-1) b.
@@ -106,7 +106,7 @@ template <mask A, mask B, mask... More>
 template <mask_range Range>
 [[nodiscard]] auto sum(const Range& range)
 {
-    return mask_range_sum<Range>{{}, range};
+    return mask_range_sum<Range>(range);
 }
 
 /// The i-th operand times weights[i]; the weights must outlive the mask.
@@ -114,13 +114,13 @@ template <mask_range Range, class Weight>
 [[nodiscard]] auto sum(const Range& range, const Weight* weights)
 {
     const auto weight_of = [weights](std::size_t i) { return weights[i]; };
-    return mask_weighted_sum<Range, decltype(weight_of)>{{}, range, weight_of};
+    return mask_weighted_sum<Range, decltype(weight_of)>(range, weight_of);
 }
 /// The i-th operand times weight_of(i).
 template <mask_range Range, std::invocable<std::size_t> WeightOf>
 [[nodiscard]] auto sum(const Range& range, const WeightOf& weight_of)
 {
-    return mask_weighted_sum<Range, WeightOf>{{}, range, weight_of};
+    return mask_weighted_sum<Range, WeightOf>(range, weight_of);
 }
 /// The sum over a list of pairs (operand, weight); the list must outlive the mask.
 template <class List>
@@ -138,14 +138,14 @@ template <class List>
 template <mask Center, mask_range Range, class Formula>
 [[nodiscard]] auto around(const Center& center, const Range& ring, const Formula& formula)
 {
-    return mask_ring<Center, Range, no_weights, Formula>{{}, center, {{}, ring}, nullptr, formula};
+    return mask_ring<Center, Range, no_weights, Formula>(center, ring, nullptr, formula);
 }
 /// The same for formulas with a weight that depends on n: formula(n, w, center, sum) where w is weights(n), such as
 /// those of by_valence. They must outlive the mask.
 template <mask Center, mask_range Range, std::invocable<std::size_t> Weights, class Formula>
 [[nodiscard]] auto around(const Center& center, const Range& ring, const Weights& weights, const Formula& formula)
 {
-    return mask_ring<Center, Range, Weights, Formula>{{}, center, {{}, ring}, &weights, formula};
+    return mask_ring<Center, Range, Weights, Formula>(center, ring, &weights, formula);
 }
 
 /// The mean of the operands, with weight 1/n each.
@@ -157,7 +157,7 @@ template <mask A, mask B, mask... More>
 template <mask_range Range>
 [[nodiscard]] auto average(const Range& range)
 {
-    return mask_average<Range>{{}, {{}, range}};
+    return mask_average<Range>(range);
 }
 
 // Mistakes, each told in one sentence.
