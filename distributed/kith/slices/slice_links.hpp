@@ -10,6 +10,7 @@
 #include <kith/tile/known_faces.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -52,7 +53,7 @@ private:
 };
 
 /// Lets each face start at its smallest vertex, as make_mesh does. Errors: mesh_error for a face that comes to a vertex
-/// twice. Local.
+/// twice, and for places that are no numbers. Local.
 template <class Point>
 void start_at_smallest(mesh_slice<Point>& slice)
 {
@@ -67,6 +68,10 @@ void start_at_smallest(mesh_slice<Point>& slice)
                 std::to_string(slice.first_face + global_id(face - slice.corners.begin()) / global_id(degree)) +
                 " comes to a vertex twice; remove the repeated corner or the face");
     }
+    for (std::size_t v = 0; v < slice.points.size(); ++v)
+        if (not std::ranges::all_of(slice.points[v], [](double x) { return std::isfinite(x); }))
+            throw mesh_error("vertex " + std::to_string(slice.first_vertex + v) +
+                             ": a coordinate is not a finite number; give it a place");
 }
 
 namespace detail {
