@@ -114,8 +114,8 @@ private:
         });
     }
 
-    /// An edge that is not smooth has its midpoint, or a place between that and the smooth mask. What each comes to is a
-    /// sum, so that no formula is compiled for each pair of masks.
+    /// An edge that is not smooth has its midpoint, or a place between that and the smooth mask. What each comes to is
+    /// a sum, so that no formula is compiled for each pair of masks.
     template <mask_evaluator Space, class Smooth>
     typename Space::sum sum_at(edge<Level> e, const Space& assoc, const Smooth& smooth) const
     {
