@@ -67,10 +67,9 @@ public:
             for (int k = 0; k < degree_; ++k) {
                 const auto v = value<std::uint32_t>(record + 1 + 4 * k);
                 if (v >= vertices())
-                    require(false,
-                            "has face " + std::to_string(f) + " at vertex " +
-                                (is_signed ? std::to_string(std::int32_t(v)) : std::to_string(v)) + " of " +
-                                std::to_string(vertices()));
+                    refuse("has face " + std::to_string(f) + " at vertex " +
+                           (is_signed ? std::to_string(std::int32_t(v)) : std::to_string(v)) + " of " +
+                           std::to_string(vertices()));
                 result.corners.push_back(v);
             }
         }
@@ -83,9 +82,8 @@ public:
                 point[x] = places_[x].is_double ? value<double>(record + places_[x].at)
                                                 : double(value<float>(record + places_[x].at));
                 if (not std::isfinite(point[x]))
-                    require(false,
-                            "has vertex " + std::to_string(first_vertex + i) +
-                                " at a coordinate that is not a finite number; give it a place");
+                    refuse("has vertex " + std::to_string(first_vertex + i) +
+                           " at a coordinate that is not a finite number; give it a place");
             }
         }
         return result;
@@ -108,10 +106,11 @@ private:
         bool is_double;
     };
 
+    [[noreturn]] void refuse(const std::string& problem) const { throw mesh_error(path_ + ": " + problem); }
     void require(bool condition, const std::string& problem) const
     {
         if (not condition)
-            throw mesh_error(path_ + ": " + problem);
+            refuse(problem);
     }
     template <class T>
     static T value(const char* bytes)
@@ -254,7 +253,7 @@ private:
     void require_degree(global_id face, int degree) const
     {
         if (degree != degree_)
-            require(false, "has face " + std::to_string(face) + " of another degree than face 0; read it on one rank");
+            refuse("has face " + std::to_string(face) + " of another degree than face 0; read it on one rank");
     }
     /// Goes behind the elements of a kind that nobody reads.
     void skip(const ply_element& element, std::uint64_t& left)
