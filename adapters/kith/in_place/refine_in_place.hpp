@@ -77,8 +77,9 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
         surface.mesh = {storage<Point>(surface.mesh.points()), surface.mesh.topology(), generation};
     };
     const int degree = surface.mesh.topology().degree;
+    // Triangles without marks are cut like other faces.
     if (degree == 3 and bisection_split::has_marks(elements()))
-        return; // triangles without marks are cut like other faces
+        return;
     if (degree == 4) {
         const auto is_odd = detail::choose_diagonals(
             level_elements<native_level<Point, std::uint32_t, 4>>(surface.mesh));

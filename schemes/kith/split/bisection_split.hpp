@@ -98,7 +98,7 @@ struct bisection_split {
                 return false;
         return true;
     }
-    /// Throws mesh_error unless it has.
+    /// Errors: mesh_error unless they do. Cost: as above.
     template <level Level>
     static void require_marks(const Level& coarse)
     {
