@@ -93,14 +93,17 @@ private:
     connectivity<Index> topology_;
 };
 
-/// A level as one mesh on rank 0, of these tiles. `state_bytes` more are needed there for what `pack(out, i)` says of
-/// tile i beside the mesh, which `add(in, corners)` takes, told the corners of the faces that came.
-template <class Point, std::unsigned_integral Index, std::invocable<packer&, std::size_t> Pack, class Add>
-    requires std::invocable<const Add&, unpacker&,
-                            const std::vector<typename gathered_mesh<Point, Index>::face_corners>&>
-basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<const tile<Point, Index>*>& tiles,
-                                      const whole_counts& counts, std::uint64_t memory_limit, std::uint64_t state_bytes,
-                                      const Pack& pack, const Add& add)
+/// What all ranks know together of the tiles of a level.
+struct gathered_facts {
+    int generation;
+    int degree;             ///< of all faces, or 0
+    std::uint64_t vertices; ///< that tiles own
+    std::uint64_t faces;
+};
+
+/// Collective.
+template <class Point, std::unsigned_integral Index>
+gathered_facts facts_of(communicator& comm, const std::vector<const tile<Point, Index>*>& tiles)
 {
     // The generation, and the most and the fewest corners of a face, known where a tile is: one of quads alone does not
     // say that all are.
@@ -118,28 +121,61 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
         owned[1] += owned_count(part->face_marks);
     }
     const auto [generation, most, fewest] = comm.maximum(form);
-    const int degree = most == -fewest ? int(most) : 0;
     owned = comm.sum(owned);
-    basic_mesh<Point, Index> result;
-    in_agreement(comm, [&] {
-        const std::uint64_t mixed = degree == 0 ? counts.faces + 1 + counts.corners : 0;
-        const std::uint64_t bytes = counts.vertices * sizeof(Point) + (counts.corners + mixed) * sizeof(Index) +
-                                    state_bytes;
-        const std::string what = "the level has " + std::to_string(counts.vertices) + " vertices and " +
-                                 std::to_string(counts.faces) + " faces";
-        const std::string remedy = "; gather a coarser level, or write the tiles into one file";
-        if (bytes > memory_limit)
-            throw mesh_error(what + ", " + std::to_string(bytes) + " bytes on one rank, and the limit is " +
-                             std::to_string(memory_limit) + remedy);
-        if (std::max({counts.vertices, counts.faces, counts.corners}) >= std::numeric_limits<Index>::max())
-            throw mesh_error(what + ", more than a " + std::to_string(8 * sizeof(Index)) + "-bit index can number" +
-                             remedy);
-        if (owned != std::array<std::uint64_t, 2>{counts.vertices, counts.faces})
-            throw mesh_error(what + ", the tiles own " + std::to_string(owned[0]) + " and " + std::to_string(owned[1]) +
-                             "; give all tiles of the level, each once");
-    });
+    return {int(generation), most == -fewest ? int(most) : 0, owned[0], owned[1]};
+}
+
+/// Refuses a level that one rank cannot have, or that is not all there.
+template <class Point, std::unsigned_integral Index>
+void require_gatherable(const whole_counts& counts, const gathered_facts& facts, std::uint64_t state_bytes,
+                        std::uint64_t memory_limit)
+{
+    const std::uint64_t mixed = facts.degree == 0 ? counts.faces + 1 + counts.corners : 0;
+    const std::uint64_t bytes = counts.vertices * sizeof(Point) + (counts.corners + mixed) * sizeof(Index) +
+                                state_bytes;
+    const std::string what = "the level has " + std::to_string(counts.vertices) + " vertices and " +
+                             std::to_string(counts.faces) + " faces";
+    const std::string remedy = "; gather a coarser level, or write the tiles into one file";
+    if (bytes > memory_limit)
+        throw mesh_error(what + ", " + std::to_string(bytes) + " bytes on one rank, and the limit is " +
+                         std::to_string(memory_limit) + remedy);
+    if (std::max({counts.vertices, counts.faces, counts.corners}) >= std::numeric_limits<Index>::max())
+        throw mesh_error(what + ", more than a " + std::to_string(8 * sizeof(Index)) + "-bit index can number" +
+                         remedy);
+    if (facts.vertices != counts.vertices or facts.faces != counts.faces)
+        throw mesh_error(what + ", the tiles own " + std::to_string(facts.vertices) + " and " +
+                         std::to_string(facts.faces) + "; give all tiles of the level, each once");
+}
+
+/// Collective: rank 0 takes a message of each of so many tiles of all ranks, one after the other; packed(i) makes that
+/// of tile i of this rank. An empty one says that its rank has failed.
+template <std::invocable<std::size_t> Packed, std::invocable<const std::vector<std::byte>&> Take>
+void send_to_root(communicator& comm, std::size_t tiles, const Packed& packed, const Take& take)
+{
+    if (not comm.is_root())
+        comm.send(packer().add(std::uint64_t(tiles)).take(), 0);
+    for (std::size_t i = 0; i < tiles; ++i)
+        comm.is_root() ? take(packed(i)) : comm.send(packed(i), 0);
+    for (int rank = 1; comm.is_root() and rank < comm.size(); ++rank) {
+        const auto count = comm.receive(rank);
+        for (auto left = unpacker(count).get<std::uint64_t>(); left > 0; --left)
+            take(comm.receive(rank));
+    }
+}
+
+/// A level as one mesh on rank 0, of these tiles. `state_bytes` more are needed there for what `pack(out, i)` says of
+/// tile i beside the mesh, which `add(in, corners)` takes, told the corners of the faces that came.
+template <class Point, std::unsigned_integral Index, std::invocable<packer&, std::size_t> Pack, class Add>
+    requires std::invocable<const Add&, unpacker&,
+                            const std::vector<typename gathered_mesh<Point, Index>::face_corners>&>
+basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<const tile<Point, Index>*>& tiles,
+                                      const whole_counts& counts, std::uint64_t memory_limit, std::uint64_t state_bytes,
+                                      const Pack& pack, const Add& add)
+{
+    const gathered_facts facts = facts_of(comm, tiles);
+    in_agreement(comm, [&] { require_gatherable<Point, Index>(counts, facts, state_bytes, memory_limit); });
     std::optional<gathered_mesh<Point, Index>> whole;
-    in_agreement(comm, [&] { comm.is_root() ? void(whole.emplace(counts, degree)) : void(); });
+    in_agreement(comm, [&] { comm.is_root() ? void(whole.emplace(counts, facts.degree)) : void(); });
     in_agreement(comm, [&] {
         std::string problem; // nobody may leave while others wait for a message
         const auto packed = [&](std::size_t i) {
@@ -165,21 +201,11 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
                     },
                     "there is not enough memory to gather a tile");
         };
-        if (not comm.is_root())
-            comm.send(packer().add(std::uint64_t(tiles.size())).take(), 0);
-        for (std::size_t i = 0; i < tiles.size(); ++i)
-            comm.is_root() ? take(packed(i)) : comm.send(packed(i), 0);
-        for (int rank = 1; comm.is_root() and rank < comm.size(); ++rank) {
-            const auto count = comm.receive(rank);
-            for (auto left = unpacker(count).get<std::uint64_t>(); left > 0; --left)
-                take(comm.receive(rank));
-        }
+        send_to_root(comm, tiles.size(), packed, take);
         if (not problem.empty())
             throw std::runtime_error(problem);
     });
-    if (comm.is_root())
-        result = whole->take(int(generation));
-    return result;
+    return comm.is_root() ? whole->take(facts.generation) : basic_mesh<Point, Index>();
 }
 
 } // namespace detail

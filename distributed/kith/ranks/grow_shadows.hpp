@@ -164,6 +164,91 @@ fetch_faces(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std:
     return result;
 }
 
+/// Collective: of each tile the faces that it lacks at its outermost vertices, in their order, each once.
+template <tile_like Tile>
+std::vector<std::vector<faces_at_vertices::place>> lacking_faces(faces_at_vertices& directory, std::size_t ranks,
+                                                                 std::span<const numbered_tile<Tile>> tiles)
+{
+    std::vector<std::vector<global_id>> questions(ranks);
+    std::vector<std::vector<std::size_t>> asking(ranks); // the tile that has each of the questions
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        const auto& part = tiles[t].part;
+        const auto incomplete = incomplete_vertices(part);
+        for (std::size_t v = 0; v < incomplete.size(); ++v)
+            if (incomplete[v] != 0) {
+                questions[part.vertex_ids[v] % ranks].push_back(part.vertex_ids[v]);
+                asking[part.vertex_ids[v] % ranks].push_back(t);
+            }
+    }
+    std::vector<std::vector<faces_at_vertices::place>> lacking(tiles.size());
+    const auto answers = directory.ask(questions);
+    for (std::size_t rank = 0; rank < ranks; ++rank)
+        for (const auto& [question, where] : answers[rank])
+            if (const std::size_t t = asking[rank][question];
+                not std::ranges::binary_search(tiles[t].part.face_ids, where.face))
+                lacking[t].push_back(where);
+    for (auto& faces : lacking) {
+        std::ranges::sort(faces, {}, &faces_at_vertices::place::face);
+        const auto twice = std::ranges::unique(faces, {}, &faces_at_vertices::place::face);
+        faces.erase(twice.begin(), twice.end());
+    }
+    return lacking;
+}
+
+/// The faces that the tiles of this rank lacked, from their owners.
+template <tile_like Tile, scheme Scheme>
+class faces_from_owners {
+public:
+    using known = known_faces<typename Tile::point_type>;
+
+    /// Collective.
+    faces_from_owners(communicator& comm, std::span<const numbered_tile<Tile>> tiles, std::span<const Scheme> schemes,
+                      const std::vector<std::vector<faces_at_vertices::place>>& lacking)
+        : asking_(std::size_t(comm.size())), of_tile_(tiles.size())
+    {
+        std::vector<std::vector<faces_at_vertices::place>> wanted(asking_.size());
+        for (std::size_t t = 0; t < lacking.size(); ++t)
+            for (const auto& where : lacking[t]) {
+                wanted[where.rank].push_back(where);
+                asking_[where.rank].push_back(t);
+            }
+        came_ = fetch_faces(comm, tiles, schemes, wanted);
+        for (std::size_t rank = 0; rank < came_.size(); ++rank)
+            for (std::size_t f = 0, corner = 0; f < came_[rank].known.faces.size(); ++f) {
+                of_tile_[asking_[rank][f]].append_face(came_[rank].known, f, corner);
+                corner += came_[rank].known.faces[f].degree;
+            }
+    }
+    [[nodiscard]] const known& of_tile(std::size_t t) const { return of_tile_[t]; }
+    /// f(state) with what the schemes of all ranks say that tile t has asked.
+    template <class F>
+    void for_states(std::size_t t, const F& f) const
+    {
+        for (std::size_t rank = 0; rank < came_.size(); ++rank)
+            if (std::ranges::find(asking_[rank], t) != asking_[rank].end())
+                std::ranges::for_each(came_[rank].states, f);
+    }
+
+private:
+    std::vector<std::vector<std::size_t>> asking_; // by rank: the tile that has asked for each face
+    std::vector<fetched_faces<typename Tile::point_type, Scheme>> came_; // from each rank
+    std::vector<known> of_tile_;
+};
+
+/// A tile that has these faces, too.
+template <class Point, std::unsigned_integral Index>
+tile<Point, Index> with_faces(const tile<Point, Index>& part, const known_faces<Point>& more)
+{
+    std::vector<Index> all(part.mesh.face_count());
+    std::iota(all.begin(), all.end(), Index(0));
+    auto known = known_faces_of(part, std::span<const Index>(all));
+    known.append(more);
+    auto grown = tile_of_faces<Index>(
+        std::move(known), not part.first_corner_ids.empty(), part.mesh.generation(), not part.corners_before.empty());
+    keep_owned(part, grown);
+    return grown;
+}
+
 } // namespace detail
 
 /// Collective: lets the shadows of all tiles of a level grow from one ring to `rings`, by asking ring after ring who
@@ -180,65 +265,19 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
     using tile_type = tile<Point, Index>;
     const std::span<const numbered_tile<tile_type>> all_tiles(tiles);
     detail::faces_at_vertices directory(comm, all_tiles, rings + 1);
-    const auto ranks = std::size_t(comm.size());
     for (int ring = 2; ring <= rings; ++ring) {
-        std::vector<std::vector<global_id>> questions(ranks);
-        std::vector<std::vector<std::size_t>> asking(ranks);
-        for (std::size_t t = 0; t < tiles.size(); ++t) {
-            const auto& part = tiles[t].part;
-            const auto incomplete = incomplete_vertices(part);
-            for (std::size_t v = 0; v < incomplete.size(); ++v)
-                if (incomplete[v] != 0) {
-                    questions[part.vertex_ids[v] % ranks].push_back(part.vertex_ids[v]);
-                    asking[part.vertex_ids[v] % ranks].push_back(t);
-                }
-        }
-        std::vector<std::vector<detail::faces_at_vertices::answer>> missing(tiles.size());
-        const auto answers = directory.ask(questions);
-        for (std::size_t rank = 0; rank < ranks; ++rank)
-            for (const auto& found : answers[rank]) {
-                const std::size_t t = asking[rank][found.question];
-                if (not std::ranges::binary_search(tiles[t].part.face_ids, found.where.face))
-                    missing[t].push_back(found);
-            }
-        std::vector<std::vector<detail::faces_at_vertices::place>> wanted(ranks);
-        std::vector<std::vector<std::size_t>> wanting(ranks);
-        for (std::size_t t = 0; t < tiles.size(); ++t) {
-            const auto face = [](const auto& found) { return found.where.face; };
-            std::ranges::sort(missing[t], {}, face);
-            const auto twice = std::ranges::unique(missing[t], {}, face);
-            missing[t].erase(twice.begin(), twice.end());
-            for (const auto& found : missing[t]) {
-                wanted[found.where.rank].push_back(found.where);
-                wanting[found.where.rank].push_back(t);
-            }
-        }
-        const auto came = detail::fetch_faces(comm, all_tiles, std::span<const Scheme>(schemes), wanted);
-        std::vector<known_faces<Point>> more(tiles.size());
-        for (std::size_t rank = 0; rank < ranks; ++rank)
-            for (std::size_t f = 0, corner = 0; f < came[rank].known.faces.size(); ++f) {
-                more[wanting[rank][f]].append_face(came[rank].known, f, corner);
-                corner += came[rank].known.faces[f].degree;
-            }
+        const auto lacking = detail::lacking_faces(directory, std::size_t(comm.size()), all_tiles);
+        const detail::faces_from_owners came(comm, all_tiles, std::span<const Scheme>(schemes), lacking);
         for (std::size_t t = 0; t < tiles.size(); ++t) {
             auto& part = tiles[t].part;
-            std::vector<Index> all(part.mesh.face_count());
-            std::iota(all.begin(), all.end(), Index(0));
-            auto known = known_faces_of(part, std::span<const Index>(all));
-            known.append(more[t]);
-            auto grown = tile_of_faces<Index>(std::move(known),
-                                              not part.first_corner_ids.empty(),
-                                              part.mesh.generation(),
-                                              not part.corners_before.empty());
-            detail::keep_owned(part, grown);
+            auto grown = detail::with_faces(part, came.of_tile(t));
             if constexpr (has_state<Scheme>) {
                 const Scheme before = schemes[t];
                 kith::detail::take_part(schemes[t], before, part_numbers<Index>());
                 kith::detail::take_over(schemes[t], grown, before, kith::detail::elements_of(part));
-                for (std::size_t rank = 0; rank < ranks; ++rank)
-                    if (std::ranges::find(wanting[rank], t) != wanting[rank].end())
-                        for (const auto& known : came[rank].states)
-                            kith::detail::take_over(schemes[t], grown, known.scheme, known.elements);
+                came.for_states(t, [&](const auto& known) {
+                    kith::detail::take_over(schemes[t], grown, known.scheme, known.elements);
+                });
             }
             part = std::move(grown);
         }
