@@ -197,6 +197,35 @@ TEST(broken_mesh, a_vertex_that_starts_at_no_half_edge_of_the_mesh)
               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
 }
 
+TEST(broken_mesh, a_vertex_that_starts_at_a_half_edge_of_another)
+{
+    auto open = shapes::tetrahedron();
+    open.faces.pop_back();
+    for (const auto& shape : {shapes::tetrahedron(), open}) {
+        const auto says = [](std::size_t h, std::size_t of) {
+            return "vertex 2: its half-edge " + std::to_string(h) + " leaves vertex " + std::to_string(of) +
+                   "; give it one that leaves it in a face";
+        };
+        for (const int other : {0, 1, 3}) {
+            auto ours = openmesh(shape);
+            const auto leaving = ours.halfedge_handle(OpenMesh::VertexHandle(other));
+            ours.set_halfedge_handle(OpenMesh::VertexHandle(2), leaving);
+            const auto text = says(std::size_t(leaving.idx()), std::size_t(other));
+            expect_all(refusals_of(ours), text);
+            EXPECT_EQ(refusal([&] { kith::creases_by_angle(ours, 30); }), text);
+
+            auto theirs = cgal(shape);
+            const auto coming = theirs.halfedge(vertex(cgal_mesh::size_type(other)));
+            theirs.set_halfedge(vertex(2), coming);
+            expect_all(refusals_of(theirs), says(std::size_t(theirs.opposite(coming)), std::size_t(other)));
+        }
+    }
+    auto ours = openmesh(open); // at the boundary, too
+    ours.set_halfedge_handle(OpenMesh::VertexHandle(2), OpenMesh::HalfedgeHandle(40));
+    expect_all(refusals_of(ours),
+               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
+}
+
 const std::string unjoined =
     ": its half-edges do not all name it as their face and come before their next; join them anew or "
     "remove the face";

@@ -51,10 +51,10 @@ protected:
     static void store(Index& place, Index value) { std::atomic_ref(place).store(value, std::memory_order_relaxed); }
 
     connectivity<Index> t_;
+    bool is_closed_ = false;
 
 private:
     bool parallel_;
-    bool is_closed_ = false;
 };
 
 template <std::unsigned_integral Index>
@@ -147,7 +147,8 @@ public:
     {
         t_.vertices = vertices_.size();
         t_.faces = faces_.size();
-        if (not(read_faces() and sides_are_joined(edges_.size()) and each_vertex_has_one_fan() and read_points()))
+        if (not(read_faces() and sides_are_joined(edges_.size()) and boundary_is_said() and
+                each_vertex_has_one_fan() and read_points()))
             return std::nullopt;
         return basic_mesh<Point, index>(std::move(points_), std::move(t_), generation);
     }
@@ -215,6 +216,13 @@ private:
         const auto directs = traits::halfedge_of(mesh_, e);
         const bool is_first = (directs == h) != traits::is_boundary(mesh_, directs);
         return is_first ? 0 : 1;
+    }
+    /// What no corner tells: vertices whose half-edge lies in no face have one that leaves them all the same.
+    [[nodiscard]] bool boundary_is_said() const
+    {
+        return is_closed_ or all(t_.vertices, [this](std::size_t i) {
+                   return t_.vertex_corner[i] != t_.none or starts_at_its_own(mesh_, vertices_[i]);
+               });
     }
     bool read_points()
     {

@@ -69,6 +69,8 @@ public:
     void add_several_fans(std::size_t vertex, std::size_t faces);
     /// Of a vertex whose half-edges lead to none of its faces.
     void add_lost_fan(std::size_t vertex);
+    /// Of a vertex that starts at a half-edge of another one.
+    void add_foreign_start(std::size_t vertex, std::size_t halfedge, std::size_t other);
     void add_few_corners(std::size_t face, std::size_t corners);
     void add_repeated_corner(std::size_t face, std::size_t vertex);
 
@@ -172,6 +174,13 @@ KITH_IN_LIBRARY void mesh_report::add_lost_fan(std::size_t vertex)
     add(problem::nonmanifold_vertex, [&] {
         return named("vertex", vertex) +
                "its half-edge leads to none of its faces; give it one that leaves it in a face";
+    });
+}
+KITH_IN_LIBRARY void mesh_report::add_foreign_start(std::size_t vertex, std::size_t halfedge, std::size_t other)
+{
+    add(problem::nonmanifold_vertex, [&] {
+        return named("vertex", vertex) + "its half-edge " + std::to_string(halfedge) + " leaves vertex " +
+               number(other) + "; give it one that leaves it in a face";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_several_fans(std::size_t vertex, std::size_t faces)
