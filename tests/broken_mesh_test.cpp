@@ -292,3 +292,102 @@ TEST(broken_mesh, half_edges_of_a_removed_face_lie_at_the_boundary)
         EXPECT_TRUE(user_mesh<cgal_mesh>::complaints(mesh).empty());
     }
 }
+
+namespace {
+
+std::string lost_side(std::size_t halfedge, std::size_t of)
+{
+    return "half-edge " + std::to_string(halfedge) + ": names face " + std::to_string(of) +
+           ", which has been removed or does not come to it; let it have no face, as the library's own function that "
+           "removes a face does";
+}
+
+} // namespace
+
+TEST(broken_mesh, a_half_edge_of_the_boundary_that_names_a_face)
+{
+    auto open = shapes::tetrahedron();
+    open.faces.pop_back();
+    const auto good = openmesh(open);
+    for (const auto h : good.halfedges()) {
+        if (not good.is_boundary(h))
+            continue;
+        for (const int named : {0, 1, 7}) {
+            auto ours = good;
+            ours.set_face_handle(h, OpenMesh::FaceHandle(named));
+            expect_all(refusals_of(ours), lost_side(std::size_t(h.idx()), std::size_t(named)));
+        }
+    }
+    const auto other = cgal(open);
+    for (const auto h : other.halfedges()) {
+        if (not other.is_border(h))
+            continue;
+        auto theirs = other;
+        theirs.set_face(h, face(1));
+        expect_all(refusals_of(theirs), lost_side(std::size_t(h), 1));
+    }
+}
+
+TEST(broken_mesh, elements_of_openmesh_that_are_marked_as_deleted_by_hand)
+{
+    const auto with_status = [](const shapes::shape& s) {
+        auto mesh = openmesh(s);
+        mesh.request_vertex_status();
+        mesh.request_halfedge_status();
+        mesh.request_edge_status();
+        mesh.request_face_status();
+        return mesh;
+    };
+    const auto good = with_status(shapes::tetrahedron());
+    for (const auto f : good.faces()) { // its half-edges name it still
+        auto mesh = good;
+        mesh.status(f).set_deleted(true);
+        std::string text;
+        for (const auto h : good.halfedges())
+            if (good.face_handle(h) == f)
+                text += (text.empty() ? "" : "\n") + lost_side(std::size_t(h.idx()), std::size_t(f.idx()));
+        expect_all(refusals_of(mesh), text);
+
+        mesh = good;
+        mesh.delete_face(f);
+        EXPECT_EQ(kith::refine(mesh, kith::loop(), 1).n_faces(), 12U);
+        kith::hierarchy<tri_mesh, kith::loop> levels(mesh, kith::loop());
+        levels.refine(1);
+        EXPECT_EQ(levels[1].n_faces(), 12U);
+    }
+    for (const auto e : good.edges()) {
+        auto mesh = good;
+        mesh.status(e).set_deleted(true);
+        const auto faces = {good.face_handle(good.halfedge_handle(e, 0)).idx(),
+                            good.face_handle(good.halfedge_handle(e, 1)).idx()};
+        const auto text = "face " + std::to_string(std::min(faces)) +
+                          ": one of its edges has been removed; repair the mesh";
+        const auto told = refusals_of(mesh);
+        EXPECT_EQ(told.refine, text);
+        EXPECT_EQ(told.hierarchy, text);
+        EXPECT_EQ(told.dialect, text);
+    }
+    for (const auto v : good.vertices()) {
+        auto mesh = good;
+        mesh.status(v).set_deleted(true);
+        const auto told = refusals_of(mesh);
+        EXPECT_NE(told.refine.find(": one of its vertices has been removed; repair the mesh"), std::string::npos);
+        EXPECT_EQ(told.hierarchy, told.refine);
+        EXPECT_EQ(told.dialect, told.refine);
+    }
+    // A component that is marked as a whole has gone, however that was said.
+    auto mesh = with_status(shapes::both(shapes::tetrahedron(), shapes::tetrahedron()));
+    for (int i = 0; i < 4; ++i) {
+        mesh.status(OpenMesh::FaceHandle(i)).set_deleted(true);
+        mesh.status(OpenMesh::VertexHandle(i)).set_deleted(true);
+    }
+    for (int i = 0; i < 6; ++i)
+        mesh.status(OpenMesh::EdgeHandle(i)).set_deleted(true);
+    const auto fine = kith::refine(mesh, kith::loop(), 2);
+    kith::hierarchy<tri_mesh, kith::loop> levels(mesh, kith::loop());
+    levels.refine(2);
+    EXPECT_EQ(fine.n_faces(), 64U);
+    ASSERT_EQ(fine.n_vertices(), levels[2].n_vertices());
+    for (const auto v : fine.vertices())
+        EXPECT_EQ(fine.point(v), levels[2].point(v));
+}

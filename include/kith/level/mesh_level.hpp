@@ -15,6 +15,18 @@ namespace kith {
 
 namespace detail {
 
+/// Whether a half-edge lies in a face or at the boundary; otherwise it is told.
+template <mesh M>
+bool check_side(const M& mesh, typename mesh_traits<M>::halfedge h, bool is_in_face, mesh_report& report)
+{
+    using traits = mesh_traits<M>;
+    if (is_in_face or traits::is_boundary(mesh, h))
+        return true;
+    report.add_lost_side(std::size_t(traits::index(mesh, h)),
+                         std::size_t(traits::index(mesh, traits::face_of(mesh, h))));
+    return false;
+}
+
 /// Whether a vertex, which has an edge, starts at a half-edge that leaves it; otherwise it is told.
 template <mesh M>
 bool check_start(const M& mesh, typename mesh_traits<M>::vertex v, mesh_report& report)
@@ -87,8 +99,14 @@ public:
                 detail::refuse_shared_halfedge(number);
             face_corner_.push_back(index_type(corners_.size()));
         }
-        fan_start_.reserve(vertices_.size());
         mesh_report report;
+        for (std::size_t i = 0; i < edges_.size() and not is_closed(); ++i) {
+            const auto h = traits::halfedge_of(mesh, edges_[i]);
+            for (const auto side : {h, typename traits::halfedge(traits::opposite(mesh, h))})
+                detail::check_side(mesh, side, corner_number_[traits::index(mesh, side)] != none, report);
+        }
+        report.require_ok();
+        fan_start_.reserve(vertices_.size());
         std::size_t turns = corners_.size() + vertices_.size();
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const auto v = vertices_[i];

@@ -51,14 +51,16 @@ template <mesh M>
     mesh_report report;
     const auto number = [&](const auto& handle) { return std::size_t(traits::index(mesh, handle)); };
     std::vector<std::size_t> faces_at(traits::vertex_bound(mesh), 0);
+    std::vector<bool> is_in_face(traits::halfedge_bound(mesh));
     std::vector<std::size_t> corners; // of a face, by number
-    bool empty = true, all_are_closed = true;
+    bool empty = true, all_are_closed = true, boundary_is_said = true;
     for (const auto f : traits::faces(mesh)) {
         empty = false;
         corners.clear();
         bool is_joined = true;
         const bool comes_back = detail::for_each_side(mesh, f, [&](const auto& h) {
             is_joined = is_joined and detail::is_side_of(mesh, h, f);
+            is_in_face[number(h)] = true;
             corners.push_back(number(traits::source(mesh, h)));
             if (corners.back() < faces_at.size()) // else it has been removed
                 ++faces_at[corners.back()];
@@ -75,9 +77,12 @@ template <mesh M>
     if (empty)
         report.add_no_faces();
     for (const auto e : traits::edges(mesh)) {
-        const auto h = traits::halfedge_of(mesh, e);
-        if (traits::is_boundary(mesh, h) and traits::is_boundary(mesh, traits::opposite(mesh, h)))
+        const typename traits::halfedge h = traits::halfedge_of(mesh, e), o = traits::opposite(mesh, h);
+        if (traits::is_boundary(mesh, h) and traits::is_boundary(mesh, o))
             report.add_edge_without_face(number(e));
+        for (const auto side : {h, o})
+            if (all_are_closed and not detail::check_side(mesh, side, is_in_face[number(side)], report))
+                boundary_is_said = false;
     }
     for (const auto v : traits::vertices(mesh)) {
         if (not detail::point_is_finite(typename traits::point(traits::point_of(mesh, v))))
@@ -86,8 +91,8 @@ template <mesh M>
             report.add_isolated(number(v));
             continue;
         }
-        if (not detail::check_start(mesh, v, report) or
-            not all_are_closed) // half-edges lead anywhere, so that nobody knows which fans there are
+        // Where half-edges lead anywhere nobody knows which fans there are.
+        if (not detail::check_start(mesh, v, report) or not all_are_closed or not boundary_is_said)
             continue;
         if (const std::size_t all = faces_at[number(v)]; detail::faces_in_fan(mesh, v, all) != all)
             report.add_several_fans(number(v), all);

@@ -217,11 +217,19 @@ private:
         const bool is_first = (directs == h) != traits::is_boundary(mesh_, directs);
         return is_first ? 0 : 1;
     }
-    /// What no corner tells: vertices whose half-edge lies in no face have one that leaves them all the same.
+    /// What no corner tells: a side of an edge that lies in no face says so, and a vertex whose half-edge lies in none
+    /// has one that leaves it all the same.
     [[nodiscard]] bool boundary_is_said() const
     {
-        return is_closed_ or all(t_.vertices, [this](std::size_t i) {
-                   return t_.vertex_corner[i] != t_.none or starts_at_its_own(mesh_, vertices_[i]);
+        if (is_closed_)
+            return true;
+        const auto side_is_said = [this](std::size_t e) {
+            const auto h = traits::halfedge_of(mesh_, edges_[e]);
+            return t_.halfedge_corner[2 * e + 1] != t_.none or traits::is_boundary(mesh_, h) or
+                   traits::is_boundary(mesh_, traits::opposite(mesh_, h));
+        };
+        return all(edges_.size(), side_is_said) and all(t_.vertices, [this](std::size_t v) {
+                   return t_.vertex_corner[v] != t_.none or starts_at_its_own(mesh_, vertices_[v]);
                });
     }
     bool read_points()

@@ -66,6 +66,8 @@ public:
     void add_open_face(std::size_t face);
     /// Of a face one of whose half-edges names another face, or does not come before its next.
     void add_unjoined_face(std::size_t face);
+    /// Of a half-edge that names a face whose half-edges it is none of.
+    void add_lost_side(std::size_t halfedge, std::size_t face);
     void add_several_fans(std::size_t vertex, std::size_t faces);
     /// Of a vertex whose half-edges lead to none of its faces.
     void add_lost_fan(std::size_t vertex);
@@ -167,6 +169,14 @@ KITH_IN_LIBRARY void mesh_report::add_unjoined_face(std::size_t face)
     add(problem::degenerate_face, [&] {
         return named("face", face) + "its half-edges do not all name it as their face and come before their next; join "
                                      "them anew or remove the face";
+    });
+}
+KITH_IN_LIBRARY void mesh_report::add_lost_side(std::size_t halfedge, std::size_t face)
+{
+    add(problem::degenerate_face, [&] {
+        return named("half-edge", halfedge) + "names face " + number(face) +
+               ", which has been removed or does not come to it; let it have no face, as the library's own function "
+               "that removes a face does";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_lost_fan(std::size_t vertex)
