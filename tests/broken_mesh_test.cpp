@@ -197,6 +197,35 @@ TEST(broken_mesh, a_vertex_that_starts_at_no_half_edge_of_the_mesh)
               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
 }
 
+TEST(broken_mesh, a_vertex_that_starts_at_a_half_edge_of_another)
+{
+    auto open = shapes::tetrahedron();
+    open.faces.pop_back();
+    for (const auto& shape : {shapes::tetrahedron(), open}) {
+        const auto says = [](std::size_t h, std::size_t of) {
+            return "vertex 2: its half-edge " + std::to_string(h) + " leaves vertex " + std::to_string(of) +
+                   "; give it one that leaves it in a face";
+        };
+        for (const int other : {0, 1, 3}) {
+            auto ours = openmesh(shape);
+            const auto leaving = ours.halfedge_handle(OpenMesh::VertexHandle(other));
+            ours.set_halfedge_handle(OpenMesh::VertexHandle(2), leaving);
+            const auto text = says(std::size_t(leaving.idx()), std::size_t(other));
+            expect_all(refusals_of(ours), text);
+            EXPECT_EQ(refusal([&] { kith::creases_by_angle(ours, 30); }), text);
+
+            auto theirs = cgal(shape);
+            const auto coming = theirs.halfedge(vertex(cgal_mesh::size_type(other)));
+            theirs.set_halfedge(vertex(2), coming);
+            expect_all(refusals_of(theirs), says(std::size_t(theirs.opposite(coming)), std::size_t(other)));
+        }
+    }
+    auto ours = openmesh(open); // at the boundary, too
+    ours.set_halfedge_handle(OpenMesh::VertexHandle(2), OpenMesh::HalfedgeHandle(40));
+    expect_all(refusals_of(ours),
+               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
+}
+
 const std::string unjoined =
     ": its half-edges do not all name it as their face and come before their next; join them anew or "
     "remove the face";
@@ -262,4 +291,103 @@ TEST(broken_mesh, half_edges_of_a_removed_face_lie_at_the_boundary)
         EXPECT_EQ(mesh.number_of_faces(), 12U);
         EXPECT_TRUE(user_mesh<cgal_mesh>::complaints(mesh).empty());
     }
+}
+
+namespace {
+
+std::string lost_side(std::size_t halfedge, std::size_t of)
+{
+    return "half-edge " + std::to_string(halfedge) + ": names face " + std::to_string(of) +
+           ", which has been removed or does not come to it; let it have no face, as the library's own function that "
+           "removes a face does";
+}
+
+} // namespace
+
+TEST(broken_mesh, a_half_edge_of_the_boundary_that_names_a_face)
+{
+    auto open = shapes::tetrahedron();
+    open.faces.pop_back();
+    const auto good = openmesh(open);
+    for (const auto h : good.halfedges()) {
+        if (not good.is_boundary(h))
+            continue;
+        for (const int named : {0, 1, 7}) {
+            auto ours = good;
+            ours.set_face_handle(h, OpenMesh::FaceHandle(named));
+            expect_all(refusals_of(ours), lost_side(std::size_t(h.idx()), std::size_t(named)));
+        }
+    }
+    const auto other = cgal(open);
+    for (const auto h : other.halfedges()) {
+        if (not other.is_border(h))
+            continue;
+        auto theirs = other;
+        theirs.set_face(h, face(1));
+        expect_all(refusals_of(theirs), lost_side(std::size_t(h), 1));
+    }
+}
+
+TEST(broken_mesh, elements_of_openmesh_that_are_marked_as_deleted_by_hand)
+{
+    const auto with_status = [](const shapes::shape& s) {
+        auto mesh = openmesh(s);
+        mesh.request_vertex_status();
+        mesh.request_halfedge_status();
+        mesh.request_edge_status();
+        mesh.request_face_status();
+        return mesh;
+    };
+    const auto good = with_status(shapes::tetrahedron());
+    for (const auto f : good.faces()) { // its half-edges name it still
+        auto mesh = good;
+        mesh.status(f).set_deleted(true);
+        std::string text;
+        for (const auto h : good.halfedges())
+            if (good.face_handle(h) == f)
+                text += (text.empty() ? "" : "\n") + lost_side(std::size_t(h.idx()), std::size_t(f.idx()));
+        expect_all(refusals_of(mesh), text);
+
+        mesh = good;
+        mesh.delete_face(f);
+        EXPECT_EQ(kith::refine(mesh, kith::loop(), 1).n_faces(), 12U);
+        kith::hierarchy<tri_mesh, kith::loop> levels(mesh, kith::loop());
+        levels.refine(1);
+        EXPECT_EQ(levels[1].n_faces(), 12U);
+    }
+    for (const auto e : good.edges()) {
+        auto mesh = good;
+        mesh.status(e).set_deleted(true);
+        const auto faces = {good.face_handle(good.halfedge_handle(e, 0)).idx(),
+                            good.face_handle(good.halfedge_handle(e, 1)).idx()};
+        const auto text = "face " + std::to_string(std::min(faces)) +
+                          ": one of its edges has been removed; repair the mesh";
+        const auto told = refusals_of(mesh);
+        EXPECT_EQ(told.refine, text);
+        EXPECT_EQ(told.hierarchy, text);
+        EXPECT_EQ(told.dialect, text);
+    }
+    for (const auto v : good.vertices()) {
+        auto mesh = good;
+        mesh.status(v).set_deleted(true);
+        const auto told = refusals_of(mesh);
+        EXPECT_NE(told.refine.find(": one of its vertices has been removed; repair the mesh"), std::string::npos);
+        EXPECT_EQ(told.hierarchy, told.refine);
+        EXPECT_EQ(told.dialect, told.refine);
+    }
+    // A component that is marked as a whole has gone, however that was said.
+    auto mesh = with_status(shapes::both(shapes::tetrahedron(), shapes::tetrahedron()));
+    for (int i = 0; i < 4; ++i) {
+        mesh.status(OpenMesh::FaceHandle(i)).set_deleted(true);
+        mesh.status(OpenMesh::VertexHandle(i)).set_deleted(true);
+    }
+    for (int i = 0; i < 6; ++i)
+        mesh.status(OpenMesh::EdgeHandle(i)).set_deleted(true);
+    const auto fine = kith::refine(mesh, kith::loop(), 2);
+    kith::hierarchy<tri_mesh, kith::loop> levels(mesh, kith::loop());
+    levels.refine(2);
+    EXPECT_EQ(fine.n_faces(), 64U);
+    ASSERT_EQ(fine.n_vertices(), levels[2].n_vertices());
+    for (const auto v : fine.vertices())
+        EXPECT_EQ(fine.point(v), levels[2].point(v));
 }

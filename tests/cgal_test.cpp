@@ -6,6 +6,7 @@
 #include <kith/crease/make_creases.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/four_eight.hpp>
+#include <kith/refine_with_fields.hpp>
 #include <kith/unified.hpp>
 
 #include <CGAL/Cartesian.h>
@@ -124,6 +125,8 @@ TEST(cgal, errors_count_removed_elements)
     const auto cube = cube_after_removed_tetrahedron();
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::hierarchy(cube, kith::loop()); }),
               "loop: face 4 has 4 vertices; triangulate the mesh first");
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(cube, kith::loop(), 1); }),
+              "loop: face 4 has 4 vertices; triangulate the mesh first");
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::make_creases(cube, [](auto) { return -1; }); }),
               "edge 6: its sharpness is -1.000000; give 0 or more, infinitely_sharp for ever");
     EXPECT_EQ(error_text<kith::mesh_error>(
@@ -144,11 +147,16 @@ TEST(cgal, errors_count_removed_elements)
                                      closed_only.starts_with(start + b + " and " + a + " ");
     }
     EXPECT_TRUE(names_a_boundary_edge) << closed_only;
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(open_cube, kith::unified(), 1); }), closed_only);
+    kith::unified with_state;
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine_with_fields(open_cube, with_state, 1); }), closed_only);
 
     const auto tetrahedra = make(shapes::both(shapes::tetrahedron(), shapes::tetrahedron()));
     auto unmarked = tetrahedra;
     CGAL::Euler::remove_face(unmarked.halfedge(mesh::Face_index(0)), unmarked);
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::hierarchy(unmarked, kith::four_eight()); }),
+              "4-8: faces 1 and 2 do not both start with the edge between them; make a tri-quad mesh first (tri_quad)");
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(unmarked, kith::four_eight(), 1); }),
               "4-8: faces 1 and 2 do not both start with the edge between them; make a tri-quad mesh first (tri_quad)");
 }
 

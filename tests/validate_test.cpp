@@ -2,12 +2,20 @@
 #include <kith/level/validate.hpp>
 
 #include "all_shapes.hpp"
+#include "error_text.hpp"
 #include "native_shape.hpp"
+
+#include <kith/catmull_clark.hpp>
+#include <kith/hierarchy.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
 
 // Meshes of other libraries: cgal_test.cpp, openmesh_test.cpp. Lists of faces: make_mesh_test.cpp.
 
@@ -26,6 +34,45 @@ TEST(validate, finds_points_that_are_not_finite)
     const auto report = kith::validate(mesh);
     EXPECT_EQ(report.count(kith::problem::not_finite), 1U);
     EXPECT_EQ(report.text(), "vertex 2: a coordinate is not a finite number; give it a place");
+}
+
+namespace {
+
+/// What is said of a native mesh, by all that reads one.
+void expect_refusal(const mesh3d& mesh, const std::string& text)
+{
+    EXPECT_EQ(kith::validate(mesh).text(), text);
+    const auto refusal = [&](const auto& f) { return error_text<kith::mesh_error>(f); };
+    EXPECT_EQ(refusal([&] { kith::refine(mesh, kith::catmull_clark(), 1); }), text);
+    EXPECT_EQ(refusal([&] { kith::hierarchy<mesh3d, kith::catmull_clark>(mesh, kith::catmull_clark()); }), text);
+}
+
+} // namespace
+
+TEST(validate, finds_vertices_that_start_elsewhere)
+{
+    auto open = shapes::cube();
+    open.faces.pop_back();
+    for (const auto& shape : {shapes::cube(), open}) {
+        const auto good = native(shape);
+        const auto with_start = [&](std::size_t vertex, std::uint32_t corner) {
+            auto topology = good.topology();
+            topology.vertex_corner[vertex] = corner;
+            return mesh3d(kith::storage<shapes::point>(good.points()), std::move(topology));
+        };
+        for (std::size_t v = 0; v < good.vertex_count(); ++v) {
+            const std::size_t other = (v + 3) % good.vertex_count();
+            const auto corner = good.topology().vertex_corner[other];
+            expect_refusal(with_start(v, corner),
+                           "vertex " + std::to_string(v) + ": its half-edge " +
+                               std::to_string(good.topology().corner_halfedge[corner]) + " leaves vertex " +
+                               std::to_string(other) + "; give it one that leaves it in a face");
+        }
+        expect_refusal(with_start(2, 24),
+                       "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
+        expect_refusal(with_start(2, kith::connectivity<std::uint32_t>::none),
+                       "vertex 2: belongs to no face; remove it or give it a face");
+    }
 }
 
 TEST(validate, finds_an_empty_mesh)

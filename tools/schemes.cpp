@@ -46,14 +46,17 @@ Scheme scheme_like(const std::string& preset)
     }
 }
 
-/// Kobbelt 1996: the curves and surfaces are smooth for 0 < tension < 2 (sqrt 5 - 1).
+/// Other weights follow from the tension; which ones a scheme takes, it says itself.
 template <class Scheme>
 void set_tension(Scheme& scheme, double tension)
 {
     if constexpr (requires { scheme.tension; }) {
-        if (not(tension > 0 and tension < 2.4721))
-            throw usage_error("--tension: " + std::to_string(tension) + " is not between 0 and 2.472");
         scheme = Scheme{.tension = tension};
+        try {
+            scheme.require_weights();
+        } catch (const mesh_error& error) {
+            throw usage_error(std::string("--tension: ") + error.what());
+        }
     } else {
         throw usage_error("--tension: " + std::string(scheme_name<Scheme>()) + " has no such choice");
     }

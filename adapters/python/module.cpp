@@ -154,9 +154,8 @@ Scheme configured(const scheme_options& options, const mesh& control)
     }
     if (options.tension) {
         if constexpr (requires { scheme.tension; }) {
-            if (not(*options.tension > 0 and *options.tension < 2.4721))
-                throw kith::mesh_error("tension: " + std::to_string(*options.tension) + " is not between 0 and 2.472");
             scheme = Scheme{.tension = *options.tension}; // other weights follow from it
+            scheme.require_weights();
         } else {
             throw has_no<Scheme>("tension");
         }

@@ -82,6 +82,19 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
     return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
+/// What f returns, which refines the lifted mesh. Where it is refused for its faces, the mesh itself is asked, whose
+/// handles have other numbers beside removed elements. Cost: that of f; where it throws, of a level of the mesh, too.
+template <scheme Scheme, mesh M, class F>
+auto with_numbers_of(const M& mesh, const F& f)
+{
+    try {
+        return f();
+    } catch (const mesh_error&) {
+        require_input<Scheme>(level_of<M>(mesh), generation_of(mesh));
+        throw;
+    }
+}
+
 /// Refines with all connectivity but that of the last level, which has what is asked for.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> refine_levels(basic_mesh<Point, Index> control, Scheme scheme, int levels, connect last_level)
@@ -167,14 +180,17 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
 template <refinable_mesh M, scheme Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
-    if constexpr (fillable_mesh<M>) {
-        return detail::made_like<typename lifted_point<M>::type>(
-            mesh, [&](auto& fine) { detail::refine_levels_into(fine, lift_valid(mesh), scheme, levels, options); });
-    } else {
-        auto control = lift_valid(mesh);
-        detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
-        return build_like(mesh, detail::refine_levels(std::move(control), scheme, levels, connect::everything));
-    }
+    auto control = lift_valid(mesh);
+    return detail::with_numbers_of<Scheme>(mesh, [&] {
+        if constexpr (fillable_mesh<M>) {
+            return detail::made_like<typename lifted_point<M>::type>(mesh, [&](auto& fine) {
+                detail::refine_levels_into(fine, std::move(control), scheme, levels, options);
+            });
+        } else {
+            detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
+            return build_like(mesh, detail::refine_levels(std::move(control), scheme, levels, connect::everything));
+        }
+    });
 }
 
 /// Takes what the others do not, to say in one sentence what the type lacks.

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/error.hpp>
 #include <kith/kernel/virtual_points.hpp>
 #include <kith/split/quad_split.hpp>
 #include <kith/step/rules.hpp>
 #include <kith/step/scheme_traits.hpp>
+
+#include <cmath>
+#include <string>
 
 namespace kith {
 
@@ -12,10 +16,11 @@ namespace kith {
 /// Every new point is the four-point rule along a line of the mesh; where no line goes on beyond a vertex, a virtual
 /// point does. `gamma` weighs the vertices opposite an extraordinary vertex in its virtual points: the default makes
 /// the two directions of a face at such a vertex agree (docs/schemes.md). Boundary: four-point curve, corners kept.
-/// Cost: O(corners), those of large fans times their logarithm.
+/// Errors: mesh_error for a tension outside its range. Cost: O(corners), those of large fans times their logarithm.
 struct kobbelt {
-    double tension = 1; ///< w, 0 < w < 2 (sqrt 5 - 1)
+    double tension = 1; ///< w, 0 < w < max_tension
     double gamma = tension / (8 + tension);
+    static constexpr double max_tension = 2.472135954999579; ///< 2 (sqrt 5 - 1), up to which curves are smooth
     friend bool operator==(const kobbelt&, const kobbelt&) = default;
 
     static constexpr auto traits()
@@ -28,11 +33,22 @@ struct kobbelt {
     }
     static constexpr auto columns() { return quad_split::columns(); }
 
+    /// Errors: mesh_error for weights with which no step can be made.
+    void require_weights() const
+    {
+        if (not(tension > 0 and tension < max_tension)) // NaN is neither
+            throw mesh_error("kobbelt: a tension of " + std::to_string(tension) +
+                             " was asked for; ask for one between 0 and 2.472");
+        if (not std::isfinite(gamma))
+            throw mesh_error("kobbelt: gamma is " + std::to_string(gamma) + "; give it a finite number");
+    }
+
     template <running_step R>
     void operator()(const R& r) const
     {
         using namespace targets;
         using real = scalar_type<R>;
+        require_weights();
         const auto& [coarse, assoc, generation] = r;
         const auto outer = real(-tension / 16);
         const auto inner = real((8 + tension) / 16);

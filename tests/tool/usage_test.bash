@@ -61,8 +61,8 @@ wrong 'does not have it' refine cube.off -s catmull-clark -n 1 -o out.off --pres
 wrong 'catmull-clark has no such choice' refine cube.off -s catmull-clark -n 1 -o out.off --weights warren
 wrong 'sqrt3 has no such choice' refine cube.off -s sqrt3 -n 1 -o out.off --boundary-corners kept
 wrong 'loop has no such choice' refine cube.off -s loop -n 1 -o out.off --tension 1
-wrong 'not between' refine cube.off -s kobbelt -n 1 -o out.off --tension 2.5
-wrong 'not between' refine cube.off -s kobbelt -n 1 -o out.off --tension nan
+wrong 'between 0 and 2.472' refine cube.off -s kobbelt -n 1 -o out.off --tension 2.5
+wrong 'between 0 and 2.472' refine cube.off -s kobbelt -n 1 -o out.off --tension nan
 wrong 'not between 1 and 9' refine cube.off -s unified -n 1 -o out.off --degree 10
 wrong 'degree' refine cube.off -s unified -n 1 -o out.off --degree three
 wrong 'kobbelt has no such choice' refine cube.off -s kobbelt -n 1 -o out.off --degree 3

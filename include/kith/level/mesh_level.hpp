@@ -13,6 +13,39 @@
 
 namespace kith {
 
+namespace detail {
+
+/// Whether a half-edge lies in a face or at the boundary; otherwise it is told.
+template <mesh M>
+bool check_side(const M& mesh, typename mesh_traits<M>::halfedge h, bool is_in_face, mesh_report& report)
+{
+    using traits = mesh_traits<M>;
+    if (is_in_face or traits::is_boundary(mesh, h))
+        return true;
+    report.add_lost_side(std::size_t(traits::index(mesh, h)),
+                         std::size_t(traits::index(mesh, traits::face_of(mesh, h))));
+    return false;
+}
+
+/// Whether a vertex, which has an edge, starts at a half-edge that leaves it; otherwise it is told.
+template <mesh M>
+bool check_start(const M& mesh, typename mesh_traits<M>::vertex v, mesh_report& report)
+{
+    using traits = mesh_traits<M>;
+    if (starts_at_its_own(mesh, v))
+        return true;
+    const auto number = std::size_t(traits::index(mesh, v));
+    if (const auto start = traits::halfedge_of(mesh, v); has_halfedge(mesh, start))
+        report.add_foreign_start(number,
+                                 std::size_t(traits::index(mesh, start)),
+                                 std::size_t(traits::index(mesh, traits::source(mesh, start))));
+    else
+        report.add_lost_fan(number);
+    return false;
+}
+
+} // namespace detail
+
 /// Any mesh as a scheme sees it: the walk goes through mesh_traits on the user's own handles. What a half-edge library
 /// does not know is numbered here once per level: dense numbers for elements (meshes may hold removed ones), the
 /// position of each corner in its face, and where the fan of each vertex starts.
@@ -66,15 +99,22 @@ public:
                 detail::refuse_shared_halfedge(number);
             face_corner_.push_back(index_type(corners_.size()));
         }
-        fan_start_.reserve(vertices_.size());
         mesh_report report;
+        for (std::size_t i = 0; i < edges_.size() and not is_closed(); ++i) {
+            const auto h = traits::halfedge_of(mesh, edges_[i]);
+            for (const auto side : {h, typename traits::halfedge(traits::opposite(mesh, h))})
+                detail::check_side(mesh, side, corner_number_[traits::index(mesh, side)] != none, report);
+        }
+        report.require_ok();
+        fan_start_.reserve(vertices_.size());
         std::size_t turns = corners_.size() + vertices_.size();
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const auto v = vertices_[i];
             fan_start_.emplace_back();
             if (traits::is_isolated(mesh, v))
                 report.add_isolated(std::size_t(traits::index(mesh, v)));
-            else if (not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
+            else if (detail::check_start(mesh, v, report) and
+                     not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
                 report.add_lost_fan(std::size_t(traits::index(mesh, v)));
         }
         report.require_ok();
@@ -158,18 +198,14 @@ private:
     static constexpr index_type none = std::numeric_limits<index_type>::max();
 
     /// At the boundary a fan starts at the half-edge whose opposite has no face; inside, where the mesh says. Returns
-    /// whether the half-edges lead there, in no more turns than are left for all vertices.
+    /// whether the half-edges lead there, in no more turns than are left for all vertices. Precondition: `out` is one
+    /// of the mesh.
     bool find_start_of_fan(typename traits::halfedge out, typename traits::halfedge& start, std::size_t& left) const
     {
-        const auto is_here = [this](const auto& h) {
-            return std::size_t(traits::index(*mesh_, h)) < corner_number_.size();
-        };
         start = out;
-        if (not is_here(out))
-            return false;
         do {
             const auto o = traits::opposite(*mesh_, start);
-            if (left == 0 or not is_here(o))
+            if (left == 0 or not detail::has_halfedge(*mesh_, o))
                 return false;
             --left;
             if (traits::is_boundary(*mesh_, o))

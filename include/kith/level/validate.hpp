@@ -23,9 +23,7 @@ template <mesh M>
 std::size_t faces_in_fan(const M& mesh, typename mesh_traits<M>::vertex v, std::size_t most)
 {
     using traits = mesh_traits<M>;
-    const auto is_inside = [&](const auto& h) {
-        return std::size_t(traits::index(mesh, h)) < traits::halfedge_bound(mesh) and not traits::is_boundary(mesh, h);
-    };
+    const auto is_inside = [&](const auto& h) { return has_halfedge(mesh, h) and not traits::is_boundary(mesh, h); };
     const auto start = traits::halfedge_of(mesh, v);
     std::size_t faces = is_inside(start) ? 1 : 0;
     auto in = traits::opposite(mesh, start);
@@ -53,14 +51,16 @@ template <mesh M>
     mesh_report report;
     const auto number = [&](const auto& handle) { return std::size_t(traits::index(mesh, handle)); };
     std::vector<std::size_t> faces_at(traits::vertex_bound(mesh), 0);
+    std::vector<bool> is_in_face(traits::halfedge_bound(mesh));
     std::vector<std::size_t> corners; // of a face, by number
-    bool empty = true, all_are_closed = true;
+    bool empty = true, all_are_closed = true, boundary_is_said = true;
     for (const auto f : traits::faces(mesh)) {
         empty = false;
         corners.clear();
         bool is_joined = true;
         const bool comes_back = detail::for_each_side(mesh, f, [&](const auto& h) {
             is_joined = is_joined and detail::is_side_of(mesh, h, f);
+            is_in_face[number(h)] = true;
             corners.push_back(number(traits::source(mesh, h)));
             if (corners.back() < faces_at.size()) // else it has been removed
                 ++faces_at[corners.back()];
@@ -77,9 +77,12 @@ template <mesh M>
     if (empty)
         report.add_no_faces();
     for (const auto e : traits::edges(mesh)) {
-        const auto h = traits::halfedge_of(mesh, e);
-        if (traits::is_boundary(mesh, h) and traits::is_boundary(mesh, traits::opposite(mesh, h)))
+        const typename traits::halfedge h = traits::halfedge_of(mesh, e), o = traits::opposite(mesh, h);
+        if (traits::is_boundary(mesh, h) and traits::is_boundary(mesh, o))
             report.add_edge_without_face(number(e));
+        for (const auto side : {h, o})
+            if (all_are_closed and not detail::check_side(mesh, side, is_in_face[number(side)], report))
+                boundary_is_said = false;
     }
     for (const auto v : traits::vertices(mesh)) {
         if (not detail::point_is_finite(typename traits::point(traits::point_of(mesh, v))))
@@ -88,7 +91,8 @@ template <mesh M>
             report.add_isolated(number(v));
             continue;
         }
-        if (not all_are_closed) // half-edges lead anywhere, so that nobody knows which fans there are
+        // Where half-edges lead anywhere nobody knows which fans there are.
+        if (not detail::check_start(mesh, v, report) or not all_are_closed or not boundary_is_said)
             continue;
         if (const std::size_t all = faces_at[number(v)]; detail::faces_in_fan(mesh, v, all) != all)
             report.add_several_fans(number(v), all);
@@ -149,12 +153,35 @@ basic_mesh<Point, std::uint32_t> lift_valid(const M& mesh)
         return detail::lift_here<M, Point>(mesh);
 }
 
-/// The native mesh cannot be made with bad connectivity, so only its points are looked at, and that it has faces.
+namespace detail {
+
+/// Looks at where the vertices of a native mesh start. Cost: O(vertices).
+template <std::unsigned_integral Index>
+void check_starts(const connectivity<Index>& mesh, mesh_report& report)
+{
+    for (std::size_t v = 0; v < mesh.vertex_corner.size(); ++v) {
+        const Index start = mesh.vertex_corner[v];
+        if (start < mesh.corners() and mesh.corner_vertex[start] == v)
+            continue;
+        if (start == mesh.none)
+            report.add_isolated(v);
+        else if (start < mesh.corners())
+            report.add_foreign_start(v, mesh.corner_halfedge[start], mesh.corner_vertex[start]);
+        else
+            report.add_lost_fan(v);
+    }
+}
+
+} // namespace detail
+
+/// The native mesh is made with good connectivity, so only its points are looked at, that it has faces, and where its
+/// vertices start, which those who move corners by hand forget. Cost: O(vertices).
 template <class Point, std::unsigned_integral Index>
 mesh_report validate(const basic_mesh<Point, Index>& mesh)
 {
     mesh_report report;
     detail::check_points(mesh.points(), report);
+    detail::check_starts(mesh.topology(), report);
     if (mesh.face_count() == 0)
         report.add_no_faces();
     return report;

@@ -51,10 +51,10 @@ protected:
     static void store(Index& place, Index value) { std::atomic_ref(place).store(value, std::memory_order_relaxed); }
 
     connectivity<Index> t_;
+    bool is_closed_ = false;
 
 private:
     bool parallel_;
-    bool is_closed_ = false;
 };
 
 template <std::unsigned_integral Index>
@@ -147,7 +147,8 @@ public:
     {
         t_.vertices = vertices_.size();
         t_.faces = faces_.size();
-        if (not(read_faces() and sides_are_joined(edges_.size()) and each_vertex_has_one_fan() and read_points()))
+        if (not(read_faces() and sides_are_joined(edges_.size()) and boundary_is_said() and
+                each_vertex_has_one_fan() and read_points()))
             return std::nullopt;
         return basic_mesh<Point, index>(std::move(points_), std::move(t_), generation);
     }
@@ -215,6 +216,21 @@ private:
         const auto directs = traits::halfedge_of(mesh_, e);
         const bool is_first = (directs == h) != traits::is_boundary(mesh_, directs);
         return is_first ? 0 : 1;
+    }
+    /// What no corner tells: a side of an edge that lies in no face says so, and a vertex whose half-edge lies in none
+    /// has one that leaves it all the same.
+    [[nodiscard]] bool boundary_is_said() const
+    {
+        if (is_closed_)
+            return true;
+        const auto side_is_said = [this](std::size_t e) {
+            const auto h = traits::halfedge_of(mesh_, edges_[e]);
+            return t_.halfedge_corner[2 * e + 1] != t_.none or traits::is_boundary(mesh_, h) or
+                   traits::is_boundary(mesh_, traits::opposite(mesh_, h));
+        };
+        return all(edges_.size(), side_is_said) and all(t_.vertices, [this](std::size_t v) {
+                   return t_.vertex_corner[v] != t_.none or starts_at_its_own(mesh_, vertices_[v]);
+               });
     }
     bool read_points()
     {

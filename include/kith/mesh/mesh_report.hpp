@@ -66,9 +66,13 @@ public:
     void add_open_face(std::size_t face);
     /// Of a face one of whose half-edges names another face, or does not come before its next.
     void add_unjoined_face(std::size_t face);
+    /// Of a half-edge that names a face whose half-edges it is none of.
+    void add_lost_side(std::size_t halfedge, std::size_t face);
     void add_several_fans(std::size_t vertex, std::size_t faces);
     /// Of a vertex whose half-edges lead to none of its faces.
     void add_lost_fan(std::size_t vertex);
+    /// Of a vertex that starts at a half-edge of another one.
+    void add_foreign_start(std::size_t vertex, std::size_t halfedge, std::size_t other);
     void add_few_corners(std::size_t face, std::size_t corners);
     void add_repeated_corner(std::size_t face, std::size_t vertex);
 
@@ -167,11 +171,26 @@ KITH_IN_LIBRARY void mesh_report::add_unjoined_face(std::size_t face)
                                      "them anew or remove the face";
     });
 }
+KITH_IN_LIBRARY void mesh_report::add_lost_side(std::size_t halfedge, std::size_t face)
+{
+    add(problem::degenerate_face, [&] {
+        return named("half-edge", halfedge) + "names face " + number(face) +
+               ", which has been removed or does not come to it; let it have no face, as the library's own function "
+               "that removes a face does";
+    });
+}
 KITH_IN_LIBRARY void mesh_report::add_lost_fan(std::size_t vertex)
 {
     add(problem::nonmanifold_vertex, [&] {
         return named("vertex", vertex) +
                "its half-edge leads to none of its faces; give it one that leaves it in a face";
+    });
+}
+KITH_IN_LIBRARY void mesh_report::add_foreign_start(std::size_t vertex, std::size_t halfedge, std::size_t other)
+{
+    add(problem::nonmanifold_vertex, [&] {
+        return named("vertex", vertex) + "its half-edge " + std::to_string(halfedge) + " leaves vertex " +
+               number(other) + "; give it one that leaves it in a face";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_several_fans(std::size_t vertex, std::size_t faces)

@@ -193,6 +193,22 @@ bool for_each_side(const M& mesh, typename mesh_traits<M>::face face, const F& f
     return false;
 }
 
+/// Whether a half-edge is one of the mesh.
+template <mesh M>
+bool has_halfedge(const M& mesh, typename mesh_traits<M>::halfedge h)
+{
+    return std::size_t(mesh_traits<M>::index(mesh, h)) < mesh_traits<M>::halfedge_bound(mesh);
+}
+
+/// Whether the half-edge at which a vertex starts is one that leaves it.
+template <mesh M>
+bool starts_at_its_own(const M& mesh, typename mesh_traits<M>::vertex v)
+{
+    using traits = mesh_traits<M>;
+    const auto start = traits::halfedge_of(mesh, v);
+    return has_halfedge(mesh, start) and traits::index(mesh, traits::source(mesh, start)) == traits::index(mesh, v);
+}
+
 /// Whether a half-edge in a face names that face and is the one before its next.
 template <mesh M>
 bool is_side_of(const M& mesh, typename mesh_traits<M>::halfedge h, typename mesh_traits<M>::face face)
@@ -200,8 +216,7 @@ bool is_side_of(const M& mesh, typename mesh_traits<M>::halfedge h, typename mes
     using traits = mesh_traits<M>;
     const auto next = traits::next(mesh, h);
     return not traits::is_boundary(mesh, h) and
-           traits::index(mesh, traits::face_of(mesh, h)) == traits::index(mesh, face) and
-           std::size_t(traits::index(mesh, next)) < traits::halfedge_bound(mesh) and
+           traits::index(mesh, traits::face_of(mesh, h)) == traits::index(mesh, face) and has_halfedge(mesh, next) and
            traits::index(mesh, traits::prev(mesh, next)) == traits::index(mesh, h);
 }
 
