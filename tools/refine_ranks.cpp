@@ -188,16 +188,11 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
                                  .process = number_on_root(comm, std::uint64_t(getpid()))};
     std::optional<tile_output> made;
     mpi::in_agreement(comm, [&] {
-        made.emplace(output_request{.path = what.output,
-                                    .journal = request.journal,
-                                    .arrays = tile_attributes(what.kinds).arrays(),
-                                    .file_lines = what.kinds.file_lines,
-                                    .levels = what.levels,
-                                    .with_origin = what.with_origin,
-                                    .with_normals = what.limit,
-                                    .with_checksum = with_checksum,
-                                    .verify = request.verify},
-                     surface);
+        output_request output = output_of(what);
+        output.journal = request.journal;
+        output.with_checksum = with_checksum;
+        output.verify = request.verify;
+        made.emplace(output, surface);
     });
     const memory_limit memory = memory_of_ranks(comm, request);
     mpi::in_agreement(comm, [&] {

@@ -83,15 +83,11 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     auto& refinement = *made;
     const bool with_checksum = how.with_checksum or how.verify;
     tiled_result result{refinement.whole().counts(request.levels), refinement.tiles(), 0, std::nullopt, {}};
-    tile_output file({.path = request.output,
-                      .journal = how.journal,
-                      .arrays = tile_attributes(request.kinds).arrays(),
-                      .file_lines = request.kinds.file_lines,
-                      .levels = request.levels,
-                      .with_origin = request.with_origin,
-                      .with_normals = request.limit,
-                      .with_checksum = with_checksum,
-                      .verify = how.verify},
+    output_request output = output_of(request);
+    output.journal = how.journal;
+    output.with_checksum = with_checksum;
+    output.verify = how.verify;
+    tile_output file(output,
                      {.counts = result.counts,
                       .tiles = result.tiles,
                       .recipe = how.journal.empty() ? 0 : checksum_of(kept.value),

@@ -3,6 +3,7 @@
 
 #include "errors.hpp"
 #include "mesh_format.hpp"
+#include "tile_attributes.hpp"
 
 #include <kith/output/vtu_pieces.hpp>
 #include <kith/part/checksum.hpp>
@@ -81,6 +82,16 @@ std::string file_number(const std::string& path)
 }
 
 } // namespace
+
+output_request output_of(const tile_request& request)
+{
+    return {.path = request.output,
+            .arrays = tile_attributes(request.kinds).arrays(),
+            .file_lines = request.kinds.file_lines,
+            .levels = request.levels,
+            .with_origin = request.with_origin,
+            .with_normals = request.limit};
+}
 
 void require_tile_format(const std::string& path)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "journal.hpp"
+#include "tile_request.hpp"
 
 #include <kith/output/ply_file.hpp>
 #include <kith/output/tile_journal.hpp>
@@ -25,7 +26,7 @@ void require_tile_format(const std::string& path);
 /// What is written, and how.
 struct output_request {
     std::string path;
-    std::string journal;              ///< the directory, or nothing
+    std::string journal{};            ///< the directory, or nothing
     std::vector<file_array> arrays{}; ///< of attributes
     std::vector<std::string> file_lines{};
     int levels = 0;
@@ -34,6 +35,9 @@ struct output_request {
     bool with_checksum = false;
     bool verify = false; ///< read back what has been written
 };
+
+/// What is written of a request; the rest is left as it is above.
+[[nodiscard]] output_request output_of(const tile_request& request);
 
 /// What the whole surface is: the same on all ranks.
 struct output_surface {
