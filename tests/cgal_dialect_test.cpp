@@ -262,6 +262,19 @@ TEST(cgal_dialect, masks_write_points_to_another_map_and_leave_those_of_new_vert
     }
 }
 
+TEST(cgal_dialect, faces_that_a_scheme_does_not_take_have_the_numbers_of_their_handles)
+{
+    auto m = make_graph<mesh>(shapes::both(shapes::tetrahedron(), shapes::cube()));
+    for (std::uint32_t f = 0; f < 4; ++f)
+        CGAL::Euler::remove_face(m.halfedge(mesh::Face_index(f)), m);
+    const lifting_mask<mesh> mask{&m};
+    const std::string triangles_only = "face 4 has 4 vertices; triangulate the mesh first";
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { ours::Loop_subdivision(m); }), "loop: " + triangles_only);
+    EXPECT_NE(error_text<kith::mesh_error>([&] { ours::PTQ(m, mask); }).find(triangles_only), std::string::npos);
+    EXPECT_NE(error_text<kith::mesh_error>([&] { ours::Sqrt3(m, mask); }).find(triangles_only), std::string::npos);
+    EXPECT_EQ(m.number_of_faces(), 6U);
+}
+
 TEST(cgal_dialect, refuses_fewer_steps_than_none)
 {
     auto m = make_graph<surface_mesh<kernel>>(shapes::cube());

@@ -338,3 +338,18 @@ TEST(openmesh_dialect, can_be_stopped_and_refuses)
     EXPECT_NE(error_text<kith::mesh_error>([&] { ours::InterpolatingSqrt3LGT<tri_mesh>()(open, 1); }), "no error");
     EXPECT_TRUE(same_bits(open, control));
 }
+
+TEST(openmesh_dialect, faces_that_a_scheme_does_not_take_have_the_numbers_of_their_handles)
+{
+    using mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+    auto m = make<mesh>(shapes::both(shapes::tetrahedron(), shapes::cube()));
+    m.request_vertex_status();
+    m.request_edge_status();
+    m.request_face_status();
+    for (int f = 0; f < 4; ++f)
+        m.delete_face(FaceHandle(f));
+    const mesh before = m;
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { ours::LoopT<mesh>()(m, 1); }),
+              "loop: face 4 has 4 vertices; triangulate the mesh first");
+    EXPECT_TRUE(same_bits(m, before));
+}

@@ -27,6 +27,7 @@ void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation
     auto control = lift_valid(view); // before all else, as it looks whether this is a mesh
     typename in_place::properties_of<Graph>::type carried(g);
     control = {storage<typename view_type::point>(control.points()), control.topology(), generation};
+    in_place::require_faces(view, control, scheme);
     in_place::refined<typename view_type::point> surface{std::move(control), true};
     kith::detail::require_refinable(surface.mesh, scheme, 1, {});
     std::vector<typename view_type::graph_point> made;

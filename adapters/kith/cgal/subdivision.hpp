@@ -176,6 +176,7 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
     auto control = [&] {
         const face_graph view(std::as_const(g), points);
         auto lifted = lift_valid(view); // before all else, as it looks whether this is a mesh
+        in_place::require_faces(view, lifted, scheme);
         if constexpr (sharp_scheme<Scheme> and has_sharp_elements<Np>)
             read_creases(view, np, scheme.sharpness);
         return lifted;

@@ -8,6 +8,7 @@
 #include <kith/step/level_state.hpp>
 #include <kith/step/step.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -87,6 +88,16 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
     } else {
         split(detail::centroid_split{}, 1);
     }
+}
+
+/// Refuses faces of a mesh that a scheme does not take, by the numbers of its handles; `control` has been lifted from
+/// it. 4-8 takes any. Errors: mesh_error.
+template <mesh M, class Point, scheme Scheme>
+void require_faces(const M& mesh, const native_mesh<Point>& control, const Scheme&)
+{
+    if constexpr (not std::same_as<Scheme, four_eight>)
+        detail::with_numbers_of<Scheme>(
+            mesh, [&] { require_input<Scheme>(level_of<native_mesh<Point>>(control), control.generation()); });
 }
 
 /// Refines, and makes scheme and values those of the last level. After each level go_on(share of the work) may say no;

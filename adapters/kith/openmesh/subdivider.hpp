@@ -101,6 +101,7 @@ private:
         if (n > std::size_t(std::numeric_limits<int>::max()))
             throw mesh_error("OpenMesh's meshes cannot hold so many levels; refine fewer times");
         auto control = read(mesh, generation); // before its properties, as it looks whether this is a mesh
+        in_place::require_faces(mesh, control, used);
         in_place::carried_properties<Mesh> carried(mesh);
         Used next = used;
         const auto go_on = [&](double done) { return not progress_ or progress_(done); };
