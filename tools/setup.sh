@@ -22,6 +22,13 @@ install_packages() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# Makes a locale that writes a comma in numbers, for the test that files are the same there; it is skipped where none can be had.
+make_locale() {
+    if ! locale -a | grep -qi '^de_DE\.utf-\?8$'; then
+        as_root localedef -i de_DE -f UTF-8 de_DE.UTF-8 || echo "A locale with a decimal comma cannot be made; going on without it"
+    fi
+}
+
 # Puts the meshes that CGAL's documentation comes with into build/data/meshes, and its examples of subdivision into
 # build/data/examples. They are in a documentation package whose files many machines leave out when it is installed, so it
 # is unpacked here instead. What needs them is skipped where they cannot be had.
