@@ -75,6 +75,28 @@ TEST(validate, finds_vertices_that_start_elsewhere)
     }
 }
 
+TEST(validate, finds_vertices_at_the_boundary_that_start_within_their_fan)
+{
+    auto open = shapes::cube();
+    open.faces.pop_back();
+    const auto good = native(open);
+    const auto& t = good.topology();
+    std::size_t found = 0;
+    for (std::uint32_t c = 0; c < t.corners(); ++c) {
+        const auto v = t.corner_vertex[c], start = t.vertex_corner[v];
+        if (c == start or t.halfedge_corner[t.corner_halfedge[start] ^ 1U] != t.none)
+            continue;
+        auto topology = t;
+        topology.vertex_corner[v] = c;
+        expect_refusal(mesh3d(kith::storage<shapes::point>(good.points()), std::move(topology)),
+                       "vertex " + std::to_string(v) + ": its half-edge " + std::to_string(t.corner_halfedge[c]) +
+                           " has faces on both sides, half-edge " + std::to_string(t.corner_halfedge[start]) +
+                           " lies at the boundary; give it that one");
+        ++found;
+    }
+    EXPECT_EQ(found, 4U);
+}
+
 TEST(validate, finds_an_empty_mesh)
 {
     EXPECT_TRUE(kith::validate(mesh3d()).has(kith::problem::empty_mesh));

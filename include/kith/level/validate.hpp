@@ -155,10 +155,12 @@ basic_mesh<Point, std::uint32_t> lift_valid(const M& mesh)
 
 namespace detail {
 
-/// Looks at where the vertices of a native mesh start. Cost: O(vertices).
+/// Looks at where the vertices of a native mesh start. Cost: O(vertices + edges).
 template <std::unsigned_integral Index>
 void check_starts(const connectivity<Index>& mesh, mesh_report& report)
 {
+    if (mesh.faces_only())
+        return;
     for (std::size_t v = 0; v < mesh.vertex_corner.size(); ++v) {
         const Index start = mesh.vertex_corner[v];
         if (start < mesh.corners() and mesh.corner_vertex[start] == v)
@@ -170,12 +172,19 @@ void check_starts(const connectivity<Index>& mesh, mesh_report& report)
         else
             report.add_lost_fan(v);
     }
+    for (std::size_t h = 0; h < mesh.halfedge_corner.size(); ++h)
+        if (mesh.halfedge_corner[h] == mesh.none and mesh.halfedge_corner[h ^ 1] < mesh.corners()) {
+            const Index first = mesh.halfedge_corner[h ^ 1], v = mesh.corner_vertex[first];
+            if (const Index start = mesh.vertex_corner[v];
+                start != first and start < mesh.corners() and mesh.corner_vertex[start] == v)
+                report.add_late_start(v, mesh.corner_halfedge[start], mesh.corner_halfedge[first]);
+        }
 }
 
 } // namespace detail
 
 /// The native mesh is made with good connectivity, so only its points are looked at, that it has faces, and where its
-/// vertices start, which those who move corners by hand forget. Cost: O(vertices).
+/// vertices start, which those who move corners by hand forget. Cost: O(vertices + edges).
 template <class Point, std::unsigned_integral Index>
 mesh_report validate(const basic_mesh<Point, Index>& mesh)
 {

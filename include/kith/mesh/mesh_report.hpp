@@ -73,6 +73,8 @@ public:
     void add_lost_fan(std::size_t vertex);
     /// Of a vertex that starts at a half-edge of another one.
     void add_foreign_start(std::size_t vertex, std::size_t halfedge, std::size_t other);
+    /// Of a vertex at the boundary that starts within its fan.
+    void add_late_start(std::size_t vertex, std::size_t halfedge, std::size_t first);
     void add_few_corners(std::size_t face, std::size_t corners);
     void add_repeated_corner(std::size_t face, std::size_t vertex);
 
@@ -191,6 +193,14 @@ KITH_IN_LIBRARY void mesh_report::add_foreign_start(std::size_t vertex, std::siz
     add(problem::nonmanifold_vertex, [&] {
         return named("vertex", vertex) + "its half-edge " + std::to_string(halfedge) + " leaves vertex " +
                number(other) + "; give it one that leaves it in a face";
+    });
+}
+KITH_IN_LIBRARY void mesh_report::add_late_start(std::size_t vertex, std::size_t halfedge, std::size_t first)
+{
+    add(problem::nonmanifold_vertex, [&] {
+        return named("vertex", vertex) + "its half-edge " + std::to_string(halfedge) +
+               " has faces on both sides, half-edge " + std::to_string(first) +
+               " lies at the boundary; give it that one";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_several_fans(std::size_t vertex, std::size_t faces)
