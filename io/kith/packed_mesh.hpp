@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 
 namespace kith::io {
@@ -70,14 +71,18 @@ void pack_mesh(packer& out, const basic_mesh<Point, Index>& mesh)
     kith::detail::pack_mesh(out, mesh);
 }
 
-/// The inverse. Errors: pack_error for a message that ends too early, and for arrays that do not fit each other.
-/// Cost: O(corners).
+/// The inverse. Errors: pack_error for a message that ends too early, for arrays that do not fit each other, and for a
+/// generation that no mesh has. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> unpack_mesh(unpacker& in)
 {
     auto told = kith::detail::unpack_mesh<Point, Index>(in);
     if (not detail::is_consistent(told.topology, told.points.size()))
         throw pack_error("the arrays of the control mesh do not fit each other; who wrote them is at fault");
+    constexpr int most_generations = 1 << 30; // some are counted on from there
+    if (told.generation < 0 or told.generation > most_generations)
+        throw pack_error("the control mesh is said to have been refined " + std::to_string(told.generation) +
+                         " times; who wrote that is at fault");
     return {std::move(told.points), std::move(told.topology), told.generation};
 }
 

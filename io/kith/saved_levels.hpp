@@ -16,6 +16,7 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,7 @@ namespace kith::io {
 namespace detail {
 
 template <class Point, std::unsigned_integral Index>
-inline constexpr std::uint64_t kind_of_levels = kith::detail::kind_of_bytes<Point, Index>(0x6b69746c, 2);
+inline constexpr std::uint64_t kind_of_levels = kith::detail::kind_of_bytes<Point, Index>(0x6b69746c, 3);
 
 template <level Level>
 auto points_of(const Level& level)
@@ -38,6 +39,39 @@ template <class Point>
 std::uint64_t checksum_of(const storage<Point>& points)
 {
     return kith::detail::checksum_of_bytes(std::as_bytes(std::span(points.data(), points.size())));
+}
+
+/// On which elements a state has values, and of which type, as far as numbers go; 0 for what is no field.
+template <class State>
+constexpr std::uint64_t kind_of_state()
+{
+    if constexpr (requires {
+                      typename State::value_type;
+                      State::where;
+                  }) {
+        using value = typename State::value_type;
+        const auto kind = []<class Number>(const Number*) {
+            return std::uint64_t(std::is_arithmetic_v<Number>) << 2 |
+                   std::uint64_t(std::is_floating_point_v<Number>) << 1 | std::uint64_t(std::is_signed_v<Number>);
+        };
+        std::uint64_t numbers = 0;
+        if constexpr (requires { typename value::value_type; })
+            numbers = kind(static_cast<const typename value::value_type*>(nullptr)) << 3 |
+                      sizeof(typename value::value_type) << 8;
+        else
+            numbers = kind(static_cast<const value*>(nullptr));
+        return std::uint64_t(sizeof(value)) << 32 | numbers << 8 | std::uint64_t(State::where) << 1 | 1;
+    } else {
+        return 0;
+    }
+}
+/// The same of all that a scheme keeps of a level.
+template <scheme Scheme>
+std::vector<std::uint64_t> kinds_of_state(const Scheme& scheme)
+{
+    std::vector<std::uint64_t> result;
+    kith::detail::for_each_state(scheme, [&]<class State>(const State&) { result.push_back(kind_of_state<State>()); });
+    return result;
 }
 
 /// Adds a level, of a scheme that refines the faces that are chosen with those that were.
@@ -88,6 +122,7 @@ void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
     packer bytes;
     bytes.add(detail::kind_of_levels<point, typename hierarchy<M, Scheme>::index_type>);
     bytes.add_array(scheme_name<Scheme>());
+    bytes.add_array(detail::kinds_of_state(levels.scheme(0)));
     bytes.add(levels.depth()).add(levels.kept_levels());
     pack_mesh(bytes, control);
     kith::detail::pack_state(bytes, detail::control_scheme(levels));
@@ -106,8 +141,9 @@ void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
 }
 
 /// The hierarchy that `write_levels` has written, with all its levels, the same bits. `scheme` has the options that it
-/// had then; its state is read. Errors: file_error for bytes that are damaged, of other types or of another scheme, and
-/// where the options make other levels; mesh_error if it does not fit into the memory limit. Cost: that of refining.
+/// had then and as many fields, of the same types; what they hold is read. Errors: file_error for bytes that are
+/// damaged, of other types or of another scheme, and where the options make other levels; mesh_error if it does not fit
+/// into the memory limit. Cost: that of refining.
 template <mesh M, scheme Scheme>
 hierarchy<M, Scheme> read_levels(std::istream& in, Scheme scheme = {}, refine_options options = {})
 try {
@@ -129,7 +165,14 @@ try {
     if (name != scheme_name<Scheme>())
         throw file_error("saved levels: they are of the scheme " + name + ", not of " +
                          std::string(scheme_name<Scheme>()));
+    if (bytes.get_array<std::vector<std::uint64_t>>() != detail::kinds_of_state(scheme))
+        throw file_error(
+            "saved levels: their scheme has other fields; give it those that it had, of the same types and "
+            "in the same order");
     const int depth = bytes.get<int>(), kept = bytes.get<int>();
+    if (depth < 0 or kept < 1)
+        throw file_error("saved levels: they are said to be " + std::to_string(depth) + ", of which the last " +
+                         std::to_string(kept) + " are kept; save them again");
     auto control = unpack_mesh<point, index>(bytes);
     kith::detail::unpack_state(bytes, scheme);
     hierarchy<M, Scheme> levels(
@@ -152,6 +195,8 @@ try {
     }
     if (bytes.get<std::uint64_t>() != detail::checksum_of(detail::points_of(levels.elements(depth))))
         throw file_error("saved levels: the scheme makes other points of them; give it the options that it had");
+    if (not bytes.is_at_end())
+        throw file_error("saved levels: there is more than they need; give the scheme the state that it had");
     return levels;
 } catch (const pack_error& error) {
     throw file_error(std::string("saved levels: ") + error.what());

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -55,6 +56,21 @@ TEST(packed_mesh, is_refused_when_its_arrays_do_not_fit_each_other)
     unpacker in(bytes);
     EXPECT_EQ(error_text<pack_error>([&] { io::unpack_mesh<std::array<double, 3>, std::uint32_t>(in); }),
               "the arrays of the control mesh do not fit each other; who wrote them is at fault");
+}
+
+TEST(packed_mesh, is_refused_when_it_is_of_a_generation_that_none_has)
+{
+    const auto mesh = native(shapes::house());
+    for (const int generation : {-1, std::numeric_limits<int>::max()}) {
+        auto t = mesh.topology();
+        packer out;
+        io::pack_mesh(out, mesh3d(storage<std::array<double, 3>>(mesh.points()), std::move(t), generation));
+        const auto bytes = out.take();
+        unpacker in(bytes);
+        EXPECT_EQ(error_text<pack_error>([&] { io::unpack_mesh<std::array<double, 3>, std::uint32_t>(in); }),
+                  "the control mesh is said to have been refined " + std::to_string(generation) +
+                      " times; who wrote that is at fault");
+    }
 }
 
 TEST(packed_mesh, refuse_arrays_that_do_not_fit_each_other)

@@ -183,6 +183,33 @@ TEST(saved_levels, refuse_other_schemes_options_and_types)
               "saved levels: there are 4 bytes, too few to hold any");
 }
 
+TEST(saved_levels, refuse_other_fields)
+{
+    const auto mesh = native(shapes::grid(3, 3));
+    const std::vector<int> labels(mesh.face_count(), 7);
+    const std::vector<float> weights(mesh.face_count(), 1.5F);
+    const std::vector<std::array<int, 2>> pairs(mesh.face_count());
+    const std::vector<std::array<float, 2>> places(mesh.face_count());
+    const auto refused = [&](const auto& written, const auto& read) {
+        hierarchy levels(mesh, written);
+        levels.refine(1);
+        const auto bytes = saved(levels);
+        EXPECT_NO_THROW(loaded(bytes, written));
+        EXPECT_EQ(
+            error_text<io::file_error>([&] { loaded(bytes, read); }),
+            "saved levels: their scheme has other fields; give it those that it had, of the same types and in the "
+            "same order");
+    };
+    const auto one = with_fields(catmull_clark(), on_faces(labels));
+    refused(one, with_fields(catmull_clark(), on_faces(weights)));
+    const std::vector<double> at_corners(mesh.corner_count());
+    refused(one, with_fields(catmull_clark(), on_corners(at_corners)));
+    refused(one, catmull_clark());
+    refused(catmull_clark(), one);
+    refused(with_fields(catmull_clark(), on_faces(labels), on_faces(weights)), one);
+    refused(with_fields(catmull_clark(), on_faces(pairs)), with_fields(catmull_clark(), on_faces(places)));
+}
+
 TEST(saved_levels, refuse_damage_anywhere)
 {
     hierarchy levels(native(shapes::tetrahedron()), loop());
