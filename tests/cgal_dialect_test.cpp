@@ -167,6 +167,16 @@ TEST(cgal_dialect, makes_the_bits_of_kith_on_every_graph)
     expect_native_bits<polyhedron>();
 }
 
+TEST(cgal_dialect, keeps_the_doubles_of_openmesh)
+{
+    using mesh_of_doubles = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
+    auto g = make_graph<mesh_of_doubles>(shapes::open_house());
+    const auto control = kith::lift(view_of(std::as_const(g)));
+    ours::CatmullClark_subdivision(g, 2);
+    const auto expected = kith::refine(control, kith::like<kith::catmull_clark>(kith::library::cgal), 2);
+    EXPECT_TRUE(same_bits(kith::lift(view_of(std::as_const(g))), expected));
+}
+
 TEST(cgal_dialect, takes_openmesh_through_cgals_wrapper)
 {
     // Its points are floats, CGAL's wrapper reads them as doubles.

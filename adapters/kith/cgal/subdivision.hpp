@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace kith::cgal {
@@ -151,6 +152,17 @@ void clear_own_points(CGAL::Surface_mesh<Point>& m, const VertexPointMap& points
             m.point(vertex(typename mesh::size_type(v))) = Point(CGAL::ORIGIN);
 }
 
+/// Puts a point into a map; CGAL's own map of the points of OpenMesh would round it to floats.
+template <class Graph, class VertexPointMap, class Vertex, class Point>
+void put_point(Graph& g, const VertexPointMap& points, Vertex v, const Point& p)
+{
+    using own_points = decltype(CGAL::get_property_map(CGAL::vertex_point, g));
+    if constexpr (has_arrays<Graph> and std::same_as<VertexPointMap, std::remove_cvref_t<own_points>>)
+        g.set_point(v, typename Graph::Point(p[0], p[1], p[2]));
+    else
+        put(points, v, p);
+}
+
 /// Overwrites the graph with a refined mesh; point_of(i) is the point of vertex i.
 template <class Graph, class VertexPointMap, class Point, class Carried, class PointOf>
 void write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, const Carried& carried,
@@ -162,7 +174,7 @@ void write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine
     carried.write(g);
     std::size_t i = 0;
     for (const auto v : graph_calls::all_vertices(g))
-        put(points, v, point_of(i++));
+        put_point(g, points, v, point_of(i++));
 }
 
 template <class Graph, scheme Scheme, class Np>
