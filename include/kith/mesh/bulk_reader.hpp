@@ -229,7 +229,8 @@ private:
                    traits::is_boundary(mesh_, traits::opposite(mesh_, h));
         };
         return all(edges_.size(), side_is_said) and all(t_.vertices, [this](std::size_t v) {
-                   return t_.vertex_corner[v] != t_.none or starts_at_its_own(mesh_, vertices_[v]);
+                   return t_.vertex_corner[v] != t_.none or
+                          (not traits::is_isolated(mesh_, vertices_[v]) and starts_at_its_own(mesh_, vertices_[v]));
                });
     }
     bool read_points()
