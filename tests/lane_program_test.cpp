@@ -63,14 +63,18 @@ private:
 template <std::size_t Bytes>
 using pack = typename kith::lanes<double, Bytes>::type;
 
-KITH_LANES void run(const kith::lane_program<double>& program, double* slots)
+KITH_LANES_OF_16_BYTES void run_16(const kith::lane_program<double>& program, double* slots)
 {
-    program.run<1>(reinterpret_cast<pack<kith::lane_bytes>*>(slots));
+    program.run<1, 16>(reinterpret_cast<pack<16>*>(slots));
 }
-#if defined(KITH_WIDE_LANES)
-KITH_WIDE_LANES void run_wide(const kith::lane_program<double>& program, double* slots)
+#if defined(__x86_64__)
+KITH_LANES_OF_32_BYTES void run_32(const kith::lane_program<double>& program, double* slots)
 {
-    program.run<1, kith::wide_lane_bytes>(reinterpret_cast<pack<kith::wide_lane_bytes>*>(slots));
+    program.run<1, 32>(reinterpret_cast<pack<32>*>(slots));
+}
+KITH_LANES_OF_64_BYTES void run_64(const kith::lane_program<double>& program, double* slots)
+{
+    program.run<1, 64>(reinterpret_cast<pack<64>*>(slots));
 }
 #endif
 
@@ -94,12 +98,12 @@ void expect_outputs_in_lanes(const twins& t, const std::vector<std::uint32_t>& o
 
 void expect_outputs(const twins& t, const std::vector<std::uint32_t>& outputs)
 {
-    if (not kith::has_lanes())
-        GTEST_SKIP() << "this processor has no lanes";
-    expect_outputs_in_lanes<kith::lanes<double>::count>(t, outputs, run);
-#if defined(KITH_WIDE_LANES)
-    if (kith::has_wide_lanes())
-        expect_outputs_in_lanes<kith::lanes<double, kith::wide_lane_bytes>::count>(t, outputs, run_wide);
+    expect_outputs_in_lanes<kith::lanes<double, 16>::count>(t, outputs, run_16);
+#if defined(__x86_64__)
+    if (kith::lane_bytes() >= 32)
+        expect_outputs_in_lanes<kith::lanes<double, 32>::count>(t, outputs, run_32);
+    if (kith::lane_bytes() >= 64)
+        expect_outputs_in_lanes<kith::lanes<double, 64>::count>(t, outputs, run_64);
 #endif
 }
 

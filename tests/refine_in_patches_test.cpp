@@ -113,6 +113,55 @@ TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
             EXPECT_TRUE(compare(kith::tri_quad(mesh), kith::four_eight{}, levels));
 }
 
+/// The last level, filled by registers of so many bytes.
+template <class Point, class Index, class Scheme>
+kith::basic_mesh<Point, Index> filled_by_lanes(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
+                                               std::size_t lane_bytes)
+{
+    const int last_generation = mesh.generation() + levels;
+    const auto plan = kith::plan_patches(
+        kith::count(mesh.topology()), mesh.topology().degree, scheme, levels, mesh.generation());
+    mesh = kith::detail::refine_on(std::move(mesh), scheme, plan->begin);
+    const kith::face_classes<Index> classes(
+        mesh.topology(), plan->rings, kith::state_marks<Index>(mesh.topology(), scheme));
+    const auto made = kith::patched_level<Point, Index, Scheme>::make(
+        mesh, classes, scheme, *plan, all_templates, true);
+    kith::storage<Point> points(plan->last().vertices);
+    kith::connectivity<Index> fine;
+    fine.vertices = points.size();
+    kith::allocate_faces(fine, mesh.topology(), plan->bases);
+    fine.corner_halfedge = kith::storage<Index>(fine.corners());
+    fine.halfedge_corner = kith::storage<Index>(2 * plan->last().edges);
+    fine.vertex_corner = kith::storage<Index>(fine.vertices);
+    made->fill(mesh,
+               {.points = points.data(),
+                .corner_vertex = fine.corner_vertex.data(),
+                .corner_halfedge = fine.corner_halfedge.data(),
+                .halfedge_corner = fine.halfedge_corner.data(),
+                .vertex_corner = fine.vertex_corner.data(),
+                .lane_bytes = lane_bytes});
+    return {std::move(points), std::move(fine), last_generation};
+}
+
+TEST(refine_in_patches, makes_the_same_bits_with_registers_of_any_width)
+{
+    const auto compare_widths = [](const auto& mesh, const auto& scheme, int levels) {
+        const auto expected = level_by_level(mesh, scheme, levels, connect::everything);
+        for (const std::size_t bytes : {16, 32, 64}) {
+            if (bytes <= kith::lane_bytes())
+                EXPECT_TRUE(same_level(filled_by_lanes(mesh, scheme, levels, bytes), expected)) << bytes << " bytes";
+        }
+    };
+    const auto open = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(9, 8)), 7)));
+    compare_widths(native(shapes::shaken(shapes::torus(7, 9))), kith::catmull_clark{}, 3);
+    compare_widths(open, kith::loop{}, 3);
+    compare_widths(open, kith::catmull_clark{}, 3);
+    kith::storage<std::array<float, 3>> points(open.vertex_count());
+    for (std::size_t v = 0; v < points.size(); ++v)
+        points[v] = {float(open.point(v)[0]), float(open.point(v)[1]), float(open.point(v)[2])};
+    compare_widths(kith::basic_mesh<std::array<float, 3>>(std::move(points), open.topology()), kith::loop{}, 3);
+}
+
 /// What lies together on the surface lies far apart in these meshes.
 mesh3d scattered_triangles()
 {

@@ -81,8 +81,6 @@ private:
     void make_patches()
     {
         if constexpr (patchable_scheme<Scheme, Point, Index>) {
-            if (not has_lanes())
-                return;
             const connectivity<Index>& control = levels_[0].topology();
             auto plan = plan_patches(count(control), control.degree, levels_.scheme(0), count_, generation_);
             if (not plan)

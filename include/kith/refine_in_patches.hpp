@@ -41,7 +41,7 @@ public:
     /// Whether there are so many faces that it may be worth while. Cost: O(1).
     [[nodiscard]] bool is_worth_looking() const
     {
-        return has_lanes() and plan_ and double(plan_->last().faces) * plan_->faces_of_patch() >= costs_.least_faces and
+        return plan_ and double(plan_->last().faces) * plan_->faces_of_patch() >= costs_.least_faces and
                costs_.of_look * plan_->rings <= costs_.most_of_looks * plan_->faces_of_patch();
     }
 

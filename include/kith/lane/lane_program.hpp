@@ -38,7 +38,7 @@ public:
 
 #ifdef KITH_HAS_LANES
     /// Makes all outputs; slot s is Size registers of so many bytes from slots[s * Size] on.
-    template <std::size_t Size, std::size_t Bytes = lane_bytes>
+    template <std::size_t Size, std::size_t Bytes>
     [[gnu::always_inline]] void run(typename lanes<Scalar, Bytes>::type* slots) const
     {
         using pack = typename lanes<Scalar, Bytes>::type;

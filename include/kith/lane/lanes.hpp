@@ -7,8 +7,8 @@
 #include <cstddef>
 
 /// As many numbers as a register of the processor holds, added and scaled side by side: each lane is what one number
-/// would be, to the bit. Vectors are those of g++ and clang. On x86-64 functions marked KITH_LANES use registers that
-/// most, not all processors have, those marked KITH_WIDE_LANES wider ones; has_lanes() and has_wide_lanes() look.
+/// would be, to the bit. Vectors are those of g++ and clang. Every processor has registers of 16 bytes; on x86-64 most
+/// have wider ones, which functions marked KITH_LANES_OF_32_BYTES and KITH_LANES_OF_64_BYTES use: lane_bytes() looks.
 
 namespace kith {
 
@@ -20,13 +20,14 @@ inline constexpr bool fits_lanes = false;
 
 #if defined(__GNUC__)
 #define KITH_HAS_LANES 1
+// Aligned, so that their loops are as fast in every program.
 #if defined(__x86_64__)
-// Nobody asks whether there is prfchw: a processor without it passes over that instruction. Aligned, so that their
-// loops are as fast in every program.
-#define KITH_LANES [[gnu::target("avx2,prfchw"), gnu::noinline, gnu::aligned(64)]]
-#define KITH_WIDE_LANES [[gnu::target("avx512f,avx512vl,prfchw"), gnu::noinline, gnu::aligned(64)]]
+// Nobody asks whether there is prfchw: a processor without it passes over that instruction.
+#define KITH_LANES_OF_16_BYTES [[gnu::target("prfchw"), gnu::noinline, gnu::aligned(64)]]
+#define KITH_LANES_OF_32_BYTES [[gnu::target("avx2,prfchw"), gnu::noinline, gnu::aligned(64)]]
+#define KITH_LANES_OF_64_BYTES [[gnu::target("avx512f,avx512vl,prfchw"), gnu::noinline, gnu::aligned(64)]]
 #else
-#define KITH_LANES
+#define KITH_LANES_OF_16_BYTES [[gnu::noinline, gnu::aligned(64)]]
 #endif
 
 namespace kith {
@@ -35,34 +36,23 @@ template <std::floating_point Scalar, std::size_t N>
     requires(N > 0 and N <= 4 and sizeof(Scalar) <= sizeof(double))
 inline constexpr bool fits_lanes<std::array<Scalar, N>> = true;
 
+/// The bytes of the widest registers that this processor can use at its usual clock: the first ones that had 64 slow
+/// down for them; VBMI2 came with those that do not. Cost: that of a look.
+inline std::size_t lane_bytes()
+{
 #if defined(__x86_64__)
-inline constexpr std::size_t lane_bytes = 32;
-inline constexpr std::size_t wide_lane_bytes = 64;
-
-/// Whether this processor can run what is marked KITH_LANES. Cost: that of a look.
-inline bool has_lanes()
-{
-    static const bool has = __builtin_cpu_supports("avx2");
-    return has;
-}
-/// Whether this processor can run what is marked KITH_WIDE_LANES, at its usual clock: the first ones that had such
-/// registers slow down for them; VBMI2 came with those that do not. Cost: that of a look.
-inline bool has_wide_lanes()
-{
-    static const bool has = __builtin_cpu_supports("avx512f") and __builtin_cpu_supports("avx512vl") and
-                            __builtin_cpu_supports("avx512vbmi2");
-    return has;
-}
+    static const bool has_64 = __builtin_cpu_supports("avx512f") and __builtin_cpu_supports("avx512vl") and
+                               __builtin_cpu_supports("avx512vbmi2");
+    static const bool has_32 = __builtin_cpu_supports("avx2");
+    return has_64 ? 64 : has_32 ? 32 : 16;
 #else
-inline constexpr std::size_t lane_bytes = 16;
-
-inline bool has_lanes()
-{
-    return true;
-}
+    return 16;
 #endif
+}
+/// No registers have more.
+inline constexpr std::size_t most_lane_bytes = 64;
 
-template <class Scalar, std::size_t Bytes = lane_bytes>
+template <class Scalar, std::size_t Bytes>
 struct lanes {
     static constexpr std::size_t count = Bytes / sizeof(Scalar);
     typedef Scalar type __attribute__((vector_size(Bytes), may_alias));
@@ -106,17 +96,6 @@ template <class T>
 #if defined(__x86_64__)
     __builtin_ia32_sfence();
 #endif
-}
-
-} // namespace kith
-
-#else
-
-namespace kith {
-
-inline bool has_lanes()
-{
-    return false;
 }
 
 } // namespace kith

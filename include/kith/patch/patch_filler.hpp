@@ -19,15 +19,13 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// Writes what some faces of a level own, after templates, as many faces at a time as two registers have lanes: of the
-/// wide ones, where the processor has them and there are so many faces.
+/// Writes what some faces of a level own, after templates, as many faces at a time as two registers have lanes.
 template <class Point, std::unsigned_integral Index, std::size_t Degree>
     requires fits_lanes<Point>
 class patch_filler {
     using scalar = scalar_of<Point>;
     using writer = patch_writer<Point, Index>;
     static constexpr std::size_t size = std::tuple_size_v<Point>;
-    static constexpr std::size_t width = writer::template width<lane_bytes>;
 
 public:
     using template_type = typename writer::template_type;
@@ -40,7 +38,11 @@ public:
     /// For faces of a mesh that all have this degree, as have those of the level that is written, or any, 0: past the
     /// caches if that level is too large to be in them when it is read.
     patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
-        : coarse_(&coarse), writer_(to, past_caches), finder_(coarse.topology()), numbers_(to.coarse_numbers)
+        : coarse_(&coarse)
+        , writer_(to, past_caches)
+        , finder_(coarse.topology())
+        , numbers_(to.coarse_numbers)
+        , lane_bytes_(to.lane_bytes)
     {
     }
 
@@ -70,36 +72,53 @@ public:
         for (const Index v : found.first(t.inputs.size() * at_once))
             __builtin_prefetch(&coarse_->point(v));
     }
-    /// `bases`: what is added to each multiple in this mesh. Preconditions: has_lanes(), and this is what `find` has
-    /// found for so many faces.
+    /// `bases`: what is added to each multiple in this mesh. Precondition: this is what `find` has found for so many
+    /// faces.
     /// Cost: that of the program.
     void fill(const template_type& t, std::span<const Index> bases, std::span<const Index> found, std::size_t count)
     {
-#if defined(KITH_WIDE_LANES)
-        if (count > width and has_wide_lanes())
-            return fill_wide_lanes(t, bases, found.data(), count);
+#if defined(__x86_64__)
+        if (lane_bytes_ == 64 and count > writer::template width<32>)
+            return fill_64_bytes(t, bases, found.data(), count);
+        if (lane_bytes_ >= 32)
+            return in_parts<32>(count, [&](std::size_t begin, std::size_t part) {
+                fill_32_bytes(t, bases, found.data() + begin, part);
+            });
 #endif
-        for (std::size_t begin = 0; begin < count; begin += width)
-            fill_lanes(t, bases, found.data() + begin, std::min(width, count - begin));
+        in_parts<16>(count,
+                     [&](std::size_t begin, std::size_t part) { fill_16_bytes(t, bases, found.data() + begin, part); });
     }
 
 private:
-    // Of some of these faces, at most as many as there are lanes. Functions of their own: in the loop g++ 12 makes
-    // slower code of them.
-
-    KITH_LANES void fill_lanes(const template_type& t, std::span<const Index> bases, const Index* found,
-                               std::size_t count)
+    /// f(begin, count) for as many of these faces at a time as there are lanes.
+    template <std::size_t Bytes, class F>
+    static void in_parts(std::size_t count, const F& f)
     {
-        fill_registers<lane_bytes>(t, bases, found, count);
+        constexpr std::size_t width = writer::template width<Bytes>;
+        for (std::size_t begin = 0; begin < count; begin += width)
+            f(begin, std::min(width, count - begin));
     }
-#if defined(KITH_WIDE_LANES)
-    KITH_WIDE_LANES void fill_wide_lanes(const template_type& t, std::span<const Index> bases, const Index* found,
-                                         std::size_t count)
+
+    // Functions of their own: in the loop g++ 12 makes slower code of them.
+
+    KITH_LANES_OF_16_BYTES void fill_16_bytes(const template_type& t, std::span<const Index> bases, const Index* found,
+                                              std::size_t count)
     {
-        static_assert(writer::template width<wide_lane_bytes> == at_once);
-        fill_registers<wide_lane_bytes>(t, bases, found, count);
+        fill_registers<16>(t, bases, found, count);
+    }
+#if defined(__x86_64__)
+    KITH_LANES_OF_32_BYTES void fill_32_bytes(const template_type& t, std::span<const Index> bases, const Index* found,
+                                              std::size_t count)
+    {
+        fill_registers<32>(t, bases, found, count);
+    }
+    KITH_LANES_OF_64_BYTES void fill_64_bytes(const template_type& t, std::span<const Index> bases, const Index* found,
+                                              std::size_t count)
+    {
+        fill_registers<64>(t, bases, found, count);
     }
 #endif
+    /// Of at most as many faces as there are lanes.
     template <std::size_t Bytes>
     [[gnu::always_inline]] void fill_registers(const template_type& t, std::span<const Index> bases, const Index* found,
                                                std::size_t count)
@@ -131,6 +150,7 @@ private:
     writer writer_;
     element_finder<Index, Degree, at_once> finder_;
     const element_numbers<Index>* numbers_; // in what is written, or nothing
+    std::size_t lane_bytes_;
     storage<scalar> slots_;
 };
 

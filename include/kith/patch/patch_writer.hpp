@@ -31,6 +31,7 @@ struct patch_output {
     /// From which the numbers in what is written follow, where they are others than those in the coarse mesh. Its faces
     /// have one degree then.
     const element_numbers<Index>* coarse_numbers = nullptr;
+    std::size_t lane_bytes = kith::lane_bytes(); ///< of the registers that fill it: fewer make the same bits
 
     [[nodiscard]] bool has_faces() const { return corner_vertex != nullptr; }
     [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
@@ -51,8 +52,8 @@ public:
     /// or a place is done once for all.
     template <std::size_t Bytes>
     static constexpr std::size_t width = 2 * lanes<scalar, Bytes>::count;
-    /// How many faces numbers are found for at once; of these all or half are written together.
-    static constexpr std::size_t at_once = 2 * width<lane_bytes>;
+    /// How many faces numbers are found for at once; of these as many are written together as fit.
+    static constexpr std::size_t at_once = width<most_lane_bytes>;
 
     patch_writer(const patch_output<Point, Index>& to, bool past_caches) : to_(to), past_caches_(past_caches) {}
 
