@@ -397,6 +397,17 @@ TEST(sparse_values, are_set_removed_cut_and_joined)
     EXPECT_EQ(joined.list(), sparse.list());
 }
 
+TEST(sparse_values, are_found_whatever_order_a_message_has_them_in)
+{
+    const auto bytes =
+        kith::packer().add(std::uint64_t(2)).add(std::uint64_t(7)).add(70).add(std::uint64_t(2)).add(20).take();
+    kith::unpacker in(bytes);
+    kith::sparse_values<int> sparse;
+    sparse.unpack(in);
+    EXPECT_EQ(sparse[2], 20);
+    EXPECT_EQ(sparse[7], 70);
+}
+
 TEST(field, can_be_assigned_where_what_its_rule_captures_cannot)
 {
     struct captured {

@@ -159,7 +159,8 @@ TEST(refine_in_patches, makes_the_same_bits_with_registers_of_any_width)
     kith::storage<std::array<float, 3>> points(open.vertex_count());
     for (std::size_t v = 0; v < points.size(); ++v)
         points[v] = {float(open.point(v)[0]), float(open.point(v)[1]), float(open.point(v)[2])};
-    compare_widths(kith::basic_mesh<std::array<float, 3>>(std::move(points), open.topology()), kith::loop{}, 3);
+    compare_widths(
+        kith::basic_mesh<std::array<float, 3>>(std::move(points), open.topology()), kith::catmull_clark{}, 3);
 }
 
 /// What lies together on the surface lies far apart in these meshes.

@@ -97,6 +97,15 @@ Scheme control_scheme(const hierarchy<M, Scheme>& levels)
     return result;
 }
 
+/// Errors: file_error for state of another level.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+void require_states_of(const basic_mesh<Point, Index>& control, const Scheme& scheme)
+try {
+    kith::detail::require_states_of(level_of<basic_mesh<Point, Index>>(control), scheme);
+} catch (const mesh_error& error) {
+    throw file_error(std::string("saved levels: their control mesh and its state do not fit: ") + error.what());
+}
+
 /// The native mesh with the elements of this one.
 template <mesh M>
 auto native(const M& mesh)
@@ -175,6 +184,7 @@ try {
                          std::to_string(kept) + " are kept; save them again");
     auto control = unpack_mesh<point, index>(bytes);
     kith::detail::unpack_state(bytes, scheme);
+    detail::require_states_of(control, scheme);
     hierarchy<M, Scheme> levels(
         [&] {
             if constexpr (std::same_as<M, basic_mesh<point, index>>)

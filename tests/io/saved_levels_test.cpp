@@ -13,6 +13,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -208,6 +210,48 @@ TEST(saved_levels, refuse_other_fields)
     refused(catmull_clark(), one);
     refused(with_fields(catmull_clark(), on_faces(labels), on_faces(weights)), one);
     refused(with_fields(catmull_clark(), on_faces(pairs)), with_fields(catmull_clark(), on_faces(places)));
+}
+
+/// A control mesh that nobody has refined, with the state of a scheme, be it of another mesh.
+template <class Scheme>
+std::string saved_with(const mesh3d& control, const Scheme& scheme)
+{
+    packer bytes;
+    bytes.add(io::detail::kind_of_levels<std::array<double, 3>, std::uint32_t>);
+    bytes.add_array(scheme_name<Scheme>());
+    bytes.add_array(io::detail::kinds_of_state(scheme));
+    bytes.add(0).add(1);
+    io::pack_mesh(bytes, control);
+    kith::detail::pack_state(bytes, scheme);
+    bytes.add(io::detail::checksum_of(io::detail::points_of(level_of<mesh3d>(control))));
+    const auto all = bytes.take();
+    const std::uint64_t sum = kith::detail::checksum_of_bytes(all);
+    std::string text(all.size() + sizeof sum, ' ');
+    std::memcpy(text.data(), all.data(), all.size());
+    std::memcpy(text.data() + all.size(), &sum, sizeof sum);
+    return text;
+}
+
+TEST(saved_levels, refuse_the_state_of_another_mesh)
+{
+    const auto house = native(shapes::house()), torus = native(shapes::torus(4, 5));
+    hierarchy levels(torus, selected(catmull_clark()));
+    levels.refine_if([](auto f) { return f.value % 3 == 0; });
+    const auto chosen = levels.scheme(0), with_green_faces = levels.scheme(1);
+    EXPECT_EQ(loaded(saved_with(torus, chosen), selected(catmull_clark())).depth(), 0);
+    EXPECT_EQ(loaded(saved_with(levels[1], with_green_faces), selected(catmull_clark())).depth(), 0);
+    for (const auto& text :
+         {saved_with(house, chosen), saved_with(torus, with_green_faces), saved_with(levels[1], chosen)})
+        EXPECT_NE(error_text<io::file_error>([&] {
+                      loaded(text, selected(catmull_clark()));
+                  }).find("select faces of this level"),
+                  std::string::npos);
+
+    catmull_clark creased;
+    creased.sharpness.sharpen_edge(39, 2);
+    EXPECT_EQ(error_text<io::file_error>([&] { loaded(saved_with(house, creased), catmull_clark()); }),
+              "saved levels: their control mesh and its state do not fit: creases: edge 39 does not exist, there are " +
+                  std::to_string(house.edge_count()) + "; make the creases for this mesh and level");
 }
 
 TEST(saved_levels, refuse_damage_anywhere)

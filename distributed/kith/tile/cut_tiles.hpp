@@ -49,10 +49,7 @@ public:
         }
         for (std::size_t p = 0; p < parts; ++p)
             first_[p + 1] += first_[p];
-        detail::for_each_state(std::as_const(scheme_), [&](const auto& state) {
-            if constexpr (requires { state.require_one_each(level_); })
-                state.require_one_each(level_);
-        });
+        detail::require_states_of(level_, scheme_);
         faces_.resize(part_of.size());
         auto next = first_;
         for (std::size_t f = 0; f < part_of.size(); ++f)

@@ -89,6 +89,7 @@ public:
             const auto element = in.template get<std::uint64_t>();
             append(element, in.template get<T>());
         }
+        sort(); // whoever wrote them
     }
 
 private:

@@ -186,6 +186,16 @@ void for_each_state(Scheme& scheme, const Scheme& other, const F& f)
     }(std::make_index_sequence<std::tuple_size_v<decltype(ours)>>());
 }
 
+/// Errors: those of each state that can tell that it is of another level.
+template <scheme Scheme, level Level>
+void require_states_of(const Level& level, const Scheme& scheme)
+{
+    for_each_state(scheme, [&](const auto& state) {
+        if constexpr (requires { state.require_one_each(level); })
+            state.require_one_each(level);
+    });
+}
+
 template <class State, finished_step Step>
 State next_state(const State& state, const Step& step)
 {

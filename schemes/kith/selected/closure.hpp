@@ -110,6 +110,27 @@ public:
         close(level);
     }
 
+    /// Errors: mesh_error unless it is a closure of this level. Cost: O(level).
+    template <level Level>
+    void require_one_each(const Level& level) const
+    {
+        const auto fits = [](const auto& flags, std::size_t count) { return flags.empty() or flags.size() == count; };
+        bool is_of_level = fits(chosen_, level.face_count()) and fits(sides_, level.corner_count());
+        if (is_of_level and not sides_.empty())
+            for (const auto& c : level.corners())
+                is_of_level = is_of_level and side(c) <= side_kind::inner and
+                              (side(c) != side_kind::inner or not c.next_edge().is_boundary());
+        if (is_of_level) {
+            closure again = *this;
+            again.close(level);
+            is_of_level = again.red_ == red_ and again.cut_ == cut_;
+        }
+        if (not is_of_level)
+            throw mesh_error("the selected faces and the green ones beside them are those of another level than this "
+                             "one with " +
+                             std::to_string(level.face_count()) + " faces; select faces of this level");
+    }
+
     /// That of the next level: its green faces; all faces are chosen.
     template <finished_step Step>
     [[nodiscard]] closure after(const Step& step) const
