@@ -109,6 +109,13 @@ TEST(limit, interpolating_schemes_stay)
     expect_stay(native(shapes::shaken(shapes::umbrella(9))), kith::linear_triangles());
 }
 
+TEST(limit, tangents_of_kobbelt_are_refused_with_the_tension_that_steps_refuse)
+{
+    const auto torus = native(shapes::torus(6, 6)); // regular, so no step is made
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { limit_surface_around(torus, kith::kobbelt{.tension = 9}, {}); }),
+              "kobbelt: a tension of 9.000000 was asked for; ask for one between 0 and 2.472");
+}
+
 TEST(limit, values_are_carried_by_the_masks_of_the_points)
 {
     const hierarchy levels(native(shapes::shaken(shapes::cube())), kith::catmull_clark());

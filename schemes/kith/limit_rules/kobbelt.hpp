@@ -8,12 +8,13 @@
 namespace kith {
 
 /// The tangents of the two four-point curves through v where v and its neighbours are regular and inside.
-/// docs/schemes.md.
+/// docs/schemes.md. Errors: mesh_error for a tension outside its range.
 template <>
 struct limit_rules<kobbelt> : interpolating_limits {
     template <level Level, class Use>
     static void tangents(const kobbelt& s, const vertex<Level>& v, const Use& use)
     {
+        s.require_weights();
         const auto is_regular = [](const vertex<Level>& x) { return not x.is_boundary() and x.has_valence(4); };
         if (not is_regular(v))
             return;
