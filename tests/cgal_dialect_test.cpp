@@ -10,12 +10,20 @@
 #include <kith/cgal_subdivision.hpp>
 #include <kith/compiled_schemes.hpp>
 
+#include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -222,6 +230,63 @@ TEST(cgal_dialect, leaves_no_values_of_openmesh_on_other_elements)
     };
     run([](auto& g) { ours::CatmullClark_subdivision(g, 1); }, true);
     run([](auto& g) { ours::DooSabin_subdivision(g, 1); }, false);
+}
+
+/// The faces as their points, each from its smallest one on, whatever order the mesh lists them in.
+std::multiset<std::vector<shapes::point>> faces_in_space(const surface& s)
+{
+    std::multiset<std::vector<shapes::point>> result;
+    for (const auto& face : s.faces) {
+        std::vector<shapes::point> points;
+        for (const std::size_t v : face)
+            points.push_back(s.points[v]);
+        std::rotate(points.begin(), std::ranges::min_element(points), points.end());
+        result.insert(std::move(points));
+    }
+    return result;
+}
+
+TEST(cgal_dialect, takes_graphs_that_make_new_elements_of_removed_ones)
+{
+    using graph = CGAL::
+        Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, kernel>>::type;
+    using vertex = boost::graph_traits<graph>::vertex_descriptor;
+    auto g = make_graph<graph>(shapes::shaken(shapes::grid(3, 4)));
+    for (int i = 0; i < 2; ++i) { // the one face at the lowest vertex, which lies at a corner of the grid
+        const auto at = [&](vertex v) { return get(CGAL::vertex_point, g, v); };
+        const auto all = vertices(g);
+        const vertex lowest = *std::min_element(
+            all.begin(), all.end(), [&](vertex a, vertex b) { return at(a) < at(b); });
+        const auto h = halfedge(lowest, g);
+        CGAL::Euler::remove_face(is_border(h, g) ? opposite(next(h, g), g) : h, g);
+    }
+    std::map<vertex, bool> is_corner;
+    const auto lifted = kith::lift(view_of(std::as_const(g)));
+    kith::catmull_clark scheme;
+    std::size_t number = 0;
+    for (const auto v : vertices(g)) {
+        is_corner[v] = number % 3 == 0;
+        if (is_corner[v])
+            scheme.sharpness.sharpen_vertex(number, kith::infinitely_sharp);
+        ++number;
+    }
+    const auto corners_before = is_corner;
+    std::map<vertex, kernel::Point_3> before;
+    for (const auto v : vertices(g))
+        before.emplace(v, get(CGAL::vertex_point, g, v));
+
+    const boost::associative_property_map<std::map<vertex, bool>> corner_map(is_corner);
+    ours::subdivision(g, kith::catmull_clark(), params::number_of_iterations(2).vertex_is_constrained_map(corner_map));
+    const auto fine = kith::refine(lifted, scheme, 2);
+    EXPECT_EQ(faces_in_space(surface_of(g)),
+              faces_in_space({{fine.points().begin(), fine.points().end()}, faces_of(fine)}));
+    for (const auto v : vertices(g)) {
+        const auto old = corners_before.find(v);
+        EXPECT_EQ(is_corner[v], old != corners_before.end() and old->second);
+        if (is_corner[v]) {
+            EXPECT_EQ(get(CGAL::vertex_point, g, v), before.at(v));
+        }
+    }
 }
 
 TEST(cgal_dialect, runs_masks_of_cgals_kind)

@@ -110,8 +110,8 @@ Value as_sharpness(double sharpness)
 }
 
 /// Lets the maps that can be written say how sharp the elements of the refined mesh are.
-template <class Graph, class Np>
-void write_creases(const Graph& g, const Np& np, const creases& sharp)
+template <class Vertices, class Edges, class Np>
+void write_creases(const written_elements<Vertices, Edges>& written, const Np& np, const creases& sharp)
 {
     namespace tags = CGAL::internal_np;
     const auto write = [](const auto& maps, const auto& elements, const auto& sharpness) {
@@ -126,10 +126,10 @@ void write_creases(const Graph& g, const Np& np, const creases& sharp)
         });
     };
     write([&](const auto& f) { for_each_map<tags::edge_is_constrained_t, parameters::edge_sharpness_t>(np, f); },
-          graph_calls::all_edges(g),
+          written.edges,
           [&](std::size_t e) { return sharp.of_edge(e); });
     write([&](const auto& f) { for_each_map<tags::vertex_is_constrained_t, parameters::vertex_sharpness_t>(np, f); },
-          graph_calls::all_vertices(g),
+          written.vertices,
           [&](std::size_t v) { return sharp.of_vertex(v); });
 }
 
@@ -163,18 +163,19 @@ void put_point(Graph& g, const VertexPointMap& points, Vertex v, const Point& p)
         put(points, v, p);
 }
 
-/// Overwrites the graph with a refined mesh; point_of(i) is the point of vertex i.
+/// Overwrites the graph with a refined mesh; point_of(i) is the point of vertex i. Returns its elements in that order.
 template <class Graph, class VertexPointMap, class Point, class Carried, class PointOf>
-void write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, const Carried& carried,
+auto write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, const Carried& carried,
            const PointOf& point_of)
 {
     const std::size_t first_new = fine.keeps_vertices ? num_vertices(g) : 0;
-    write_connectivity(g, fine.mesh.topology(), fine.keeps_vertices);
+    auto written = write_connectivity(g, fine.mesh.topology(), fine.keeps_vertices);
     clear_own_points(g, points, first_new);
     carried.write(g);
     std::size_t i = 0;
-    for (const auto v : graph_calls::all_vertices(g))
+    for (const auto v : written.vertices)
         put_point(g, points, v, point_of(i++));
+    return written;
 }
 
 template <class Graph, scheme Scheme, class Np>
@@ -204,18 +205,19 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
     const auto fine = in_place::refine(std::move(control), scheme, steps, carried.values(), false, go_on);
     if (not fine)
         return;
-    write(g, points, *fine, carried, [&](std::size_t v) {
+    [[maybe_unused]] const auto written = write(g, points, *fine, carried, [&](std::size_t v) {
         return face_graph<Graph, std::remove_const_t<decltype(points)>>::to_graph(fine->mesh.point(v));
     });
     if constexpr (sharp_scheme<Scheme> and has_sharp_elements<Np>)
-        write_creases(g, np, scheme.sharpness);
+        write_creases(written, np, scheme.sharpness);
 }
 
 } // namespace detail
 
 /// Subdivides a mesh in place by any scheme of kith's or of one's own: subdivision(pmesh, kith::kobbelt(), np).
 /// The graph is any model of CGAL's MutableFaceGraph and FaceListGraph. Old vertices keep their descriptors and come
-/// before the new ones, in schemes that have a vertex for each; edges and faces are others. Property maps of a
+/// before the new ones, in schemes that have a vertex for each (not in a graph that makes new vertices of removed ones,
+/// such as a Linear_cell_complex); edges and faces are others. Property maps of a
 /// Surface_mesh go along by the rules of `carry_properties`.
 ///
 ///   number_of_iterations(n)         1

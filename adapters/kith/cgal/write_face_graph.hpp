@@ -13,9 +13,18 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace kith::cgal {
+
+/// The elements of a graph in the order of the native mesh that was written into it. A graph need not list them so:
+/// one that makes new elements of removed ones, such as a Linear_cell_complex, has some before old ones.
+template <class Vertices, class Edges>
+struct written_elements {
+    Vertices vertices;
+    Edges edges;
+};
 
 namespace detail {
 
@@ -89,11 +98,11 @@ void take_back_removed(CGAL::Surface_mesh<Point>& m)
 } // namespace detail
 
 /// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their
-/// order, those of vertices, edges and faces from 0 on, and new ones come after them; where elements hold values, only
+/// order, those of vertices, edges and faces from 0 on, and new ones are added; where elements hold values, only
 /// those of vertices that are to keep them, and in a mesh of OpenMesh all other elements have T() or zero as new ones
 /// do, but that vectors in properties of the user's own may be open. Points are not written. Cost: O(elements).
 template <class Graph>
-void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool keeps_vertices)
+auto write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {
     using traits = boost::graph_traits<Graph>;
     using halfedge = typename traits::halfedge_descriptor;
@@ -154,12 +163,13 @@ void write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool kee
             set_next(halfedges[beyond], halfedges[leaving[t.corner_vertex[c]]], g);
     for (std::size_t v = 0; v < t.vertices; ++v) // CGAL's half-edge of a vertex comes in
         set_halfedge(vertices[v], halfedges[t.corner_halfedge[t.vertex_corner[v]] ^ 1], g);
+    return written_elements{std::move(vertices), std::move(edges)};
 }
 
 /// The same in bulk. Vertices keep their indices if they are to, and removed ones stay removed; edges and faces are
 /// numbered from 0 on. Property maps stay, with their defaults on all edges, half-edges, faces and new vertices.
 template <class Point>
-void write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
+auto write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {
     using mesh = CGAL::Surface_mesh<Point>;
     using vertex = typename mesh::Vertex_index;
@@ -181,6 +191,7 @@ void write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::ui
     in_place::join_elements(m, t, [&](std::size_t v) { return handles[v]; });
     if (has_garbage and removed.empty())
         m.collect_garbage(); // there is none any more, which it does not know yet
+    return written_elements{m.vertices(), m.edges()};
 }
 
 } // namespace kith::cgal
