@@ -353,3 +353,20 @@ TEST(openmesh_dialect, faces_that_a_scheme_does_not_take_have_the_numbers_of_the
               "loop: face 4 has 4 vertices; triangulate the mesh first");
     EXPECT_TRUE(same_bits(m, before));
 }
+
+TEST(openmesh_dialect, what_a_later_step_does_not_take_has_the_number_of_its_handle)
+{
+    using mesh = OpenMesh::TriMesh_ArrayKernelT<>;
+    auto m = make<mesh>(shapes::both(shapes::tetrahedron(), shapes::triangulated(shapes::grid(1, 1))));
+    m.request_vertex_status();
+    m.request_edge_status();
+    m.request_face_status();
+    ours::Sqrt3T<mesh> sqrt3;
+    sqrt3.attach(m);
+    sqrt3(1);
+    for (int f = 0; f < 12; ++f) // those of the tetrahedron
+        m.delete_face(FaceHandle(f));
+    m.delete_face(FaceHandle(17)); // then a neighbour has two sides at the boundary
+    const auto text = error_text<kith::mesh_error>([&] { sqrt3(1); });
+    EXPECT_NE(text.find("face 15 has 2 boundary edges"), std::string::npos) << text;
+}

@@ -83,14 +83,14 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
 }
 
 /// What f returns, which refines the lifted mesh. Where it is refused for its faces, the mesh itself is asked, whose
-/// handles have other numbers beside removed elements. Cost: that of f; where it throws, of a level of the mesh, too.
+/// handles have other numbers beside removed elements, as one of this generation. Cost: that of f; where it throws, of a level of the mesh, too.
 template <scheme Scheme, mesh M, class F>
-auto with_numbers_of(const M& mesh, const F& f)
+auto with_numbers_of(const M& mesh, int generation, const F& f)
 {
     try {
         return f();
     } catch (const mesh_error&) {
-        require_input<Scheme>(level_of<M>(mesh), generation_of(mesh));
+        require_input<Scheme>(level_of<M>(mesh), generation);
         throw;
     }
 }
@@ -181,7 +181,7 @@ template <refinable_mesh M, scheme Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
     auto control = lift_valid(mesh);
-    return detail::with_numbers_of<Scheme>(mesh, [&] {
+    return detail::with_numbers_of<Scheme>(mesh, generation_of(mesh), [&] {
         if constexpr (fillable_mesh<M>) {
             return detail::made_like<typename lifted_point<M>::type>(mesh, [&](auto& fine) {
                 detail::refine_levels_into(fine, std::move(control), scheme, levels, options);

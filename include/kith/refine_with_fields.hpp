@@ -62,8 +62,9 @@ template <mesh M, scheme Scheme, class Fields>
 M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const refine_options& options)
 {
     auto control = lift_valid(mesh);
-    with_numbers_of<Scheme>(
-        mesh, [&] { return require_refinable(control, scheme, levels, {connect::everything, options.memory_limit}); });
+    with_numbers_of<Scheme>(mesh, generation_of(mesh), [&] {
+        return require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
+    });
     require_fields(level_of<decltype(control)>(control), fields);
     if (levels == 0)
         return build_like(mesh, std::move(control));

@@ -96,8 +96,9 @@ template <mesh M, class Point, scheme Scheme>
 void require_faces(const M& mesh, const native_mesh<Point>& control, const Scheme&)
 {
     if constexpr (not std::same_as<Scheme, four_eight>)
-        detail::with_numbers_of<Scheme>(
-            mesh, [&] { require_input<Scheme>(level_of<native_mesh<Point>>(control), control.generation()); });
+        detail::with_numbers_of<Scheme>(mesh, control.generation(), [&] {
+            require_input<Scheme>(level_of<native_mesh<Point>>(control), control.generation());
+        });
 }
 
 /// Refines, and makes scheme and values those of the last level. After each level go_on(share of the work) may say no;
