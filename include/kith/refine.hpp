@@ -82,8 +82,9 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
     return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
-/// What f returns, which refines the lifted mesh. Where it is refused for its faces, the mesh itself is asked, whose
-/// handles have other numbers beside removed elements, as one of this generation. Cost: that of f; where it throws, of a level of the mesh, too.
+/// What f returns, which refines the lifted mesh. Where it is refused for its faces, the mesh itself is asked, as one
+/// of this generation, whose handles have other numbers beside removed elements. Cost: that of f; where it throws, of a
+/// level of the mesh, too.
 template <scheme Scheme, mesh M, class F>
 auto with_numbers_of(const M& mesh, int generation, const F& f)
 {
