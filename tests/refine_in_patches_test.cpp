@@ -147,10 +147,10 @@ TEST(refine_in_patches, makes_the_same_bits_with_registers_of_any_width)
 {
     const auto compare_widths = [](const auto& mesh, const auto& scheme, int levels) {
         const auto expected = level_by_level(mesh, scheme, levels, connect::everything);
-        for (const std::size_t bytes : {16, 32, 64}) {
-            if (bytes <= kith::lane_bytes())
+        for (const std::size_t bytes : {16, 32, 64})
+            if (bytes <= kith::lane_bytes()) {
                 EXPECT_TRUE(same_level(filled_by_lanes(mesh, scheme, levels, bytes), expected)) << bytes << " bytes";
-        }
+            }
     };
     const auto open = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::grid(9, 8)), 7)));
     compare_widths(native(shapes::shaken(shapes::torus(7, 9))), kith::catmull_clark{}, 3);
