@@ -160,6 +160,23 @@ TEST(cgal, errors_count_removed_elements)
               "4-8: faces 1 and 2 do not both start with the edge between them; make a tri-quad mesh first (tri_quad)");
 }
 
+TEST(cgal, what_the_options_of_a_scheme_refuse_has_the_numbers_of_handles)
+{
+    // A house whose front edge has a vertex in its middle, the last one, between two faces.
+    const shapes::shape house{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {.5, .5, 1}, {.5, 0, 0}},
+                              {{0, 5, 1, 2, 3}, {1, 5, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}}};
+    auto beside_removed = make(shapes::both(shapes::tetrahedron(), house));
+    for (unsigned f = 0; f < 4; ++f)
+        CGAL::Euler::remove_face(beside_removed.halfedge(mesh::Face_index(f)), beside_removed);
+    const kith::unified even{.degree = 2};
+    const std::string text =
+        "unified: vertex 9 lies between 2 faces only, the scheme needs three; join its edges to one "
+        "first";
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(beside_removed, even, 1); }), text);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::hierarchy(beside_removed, even); }), text);
+    EXPECT_NO_THROW(kith::hierarchy(beside_removed, kith::unified{.degree = 3}));
+}
+
 TEST(cgal, removed_elements_and_invalid_handles_are_refused)
 {
     using namespace kith::targets;

@@ -19,6 +19,16 @@ struct triangles_by_name : nameless {
 struct closed : nameless {
     static constexpr auto traits() { return scheme_traits{.closed_only = true}; }
 };
+struct for_few_faces : nameless {
+    std::size_t most = 0;
+    static constexpr auto traits()
+    {
+        return scheme_traits{.require = [](const for_few_faces& s, const auto& level, int) {
+            if (level.face_count() > s.most)
+                throw mesh_error("more faces than " + std::to_string(s.most));
+        }};
+    }
+};
 struct each_corner_cut {
     static constexpr auto columns()
     {
@@ -90,20 +100,31 @@ TEST(scheme, refuses_the_faces_it_does_not_take)
 {
     const auto mesh = native(shapes::house());
     const level_type level(mesh);
-    EXPECT_EQ(error_text<mesh_error>([&] { require_input<triangles_by_name>(level); }),
+    EXPECT_EQ(error_text<mesh_error>([&] { require_input(triangles_by_name(), level); }),
               "by-name: face 5 has 4 vertices; triangulate the mesh first");
-    EXPECT_NO_THROW(require_input<nameless>(level));
+    EXPECT_NO_THROW(require_input(nameless(), level));
+}
+
+TEST(scheme, refuses_what_its_options_do_not_take)
+{
+    const auto mesh = native(shapes::cube());
+    const level_type level(mesh);
+    for_few_faces scheme;
+    scheme.most = 5;
+    EXPECT_EQ(error_text<mesh_error>([&] { require_input(scheme, level); }), "more faces than 5");
+    scheme.most = 6;
+    EXPECT_NO_THROW(require_input(scheme, level));
 }
 
 TEST(scheme, refuses_the_boundary_it_does_not_take)
 {
     const auto open = native(shapes::grid());
     EXPECT_EQ(
-        error_text<mesh_error>([&] { require_input<closed>(level_type(open)); }),
+        error_text<mesh_error>([&] { require_input(closed(), level_type(open)); }),
         "scheme: edge 0 between vertices 0 and 1 is a boundary edge; close the mesh first, or take a scheme with a "
         "boundary rule");
     const auto house = native(shapes::house());
-    EXPECT_NO_THROW(require_input<closed>(level_type(house)));
+    EXPECT_NO_THROW(require_input(closed(), level_type(house)));
 }
 
 TEST(scheme, columns_may_depend_on_the_generation)

@@ -64,7 +64,7 @@ public:
             require_rings();
             if (not comm.is_root())
                 return;
-            kith::detail::require_control<Scheme>(mesh, 0);
+            kith::detail::require_control(mesh, scheme_, 0);
             cutter.emplace(mesh, scheme_, parts.part_of, parts.parts);
             runs_ = cutter->runs();
             setting = packer().add(cutter->counts()).add(std::uint64_t(parts.parts)).add(mesh.generation()).take();
@@ -96,7 +96,7 @@ public:
         static_assert(not marks_edges<Scheme>, "marks of edges are counted where tiles are cut");
         in_agreement(comm, [&] {
             require_rings();
-            require_tiles<Scheme>(tiles_);
+            require_tiles(tiles_, scheme_);
             for (const auto& [number, part] : tiles_) {
                 schemes_.push_back(kith::detail::scheme_of_tile(scheme_, part));
                 runs_.append(control_runs_of<Scheme>(part));

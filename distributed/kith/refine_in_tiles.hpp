@@ -78,9 +78,10 @@ private:
         const phase_timer timer(seconds[phase::cut]);
         return cutter_.cut(part, whole_.rings(0));
     }
-    static const basic_mesh<Point, Index>& checked(const basic_mesh<Point, Index>& mesh, const Scheme&, int levels)
+    static const basic_mesh<Point, Index>& checked(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                                                   int levels)
     {
-        detail::require_control<Scheme>(mesh, levels);
+        detail::require_control(mesh, scheme, levels);
         return mesh;
     }
     static whole_levels<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme, int levels,

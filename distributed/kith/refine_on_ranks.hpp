@@ -55,7 +55,7 @@ public:
         in_agreement(comm, [&] {
             if (not comm.is_root())
                 return;
-            kith::detail::require_control<Scheme>(mesh, levels);
+            kith::detail::require_control(mesh, scheme_, levels);
             const phase_timer timer(seconds_[phase::cut]);
             cutter_.emplace(mesh, scheme_, parts.part_of, parts.parts);
             packer out;
@@ -97,7 +97,7 @@ public:
             if (numbers_boundary<Scheme> and counts.corners != 2 * counts.edges)
                 throw mesh_error(name +
                                  ": its numbers depend on the boundary, and the mesh has one; cut it on one rank");
-            require_tiles<Scheme>(*held_);
+            require_tiles(*held_, scheme_);
             if constexpr (not marks_edges<Scheme>)
                 for (const auto& [number, part] : *held_)
                     runs_.append(control_runs_of<Scheme>(part));

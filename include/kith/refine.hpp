@@ -78,7 +78,7 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
                                 const refine_options& options)
 {
     require_levels<Scheme>(levels);
-    with_native_level<Scheme>(control, [&](const auto& level) { require_input<Scheme>(level, control.generation()); });
+    with_native_level<Scheme>(control, [&](const auto& level) { require_input(scheme, level, control.generation()); });
     return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
@@ -86,12 +86,12 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
 /// of this generation, whose handles have other numbers beside removed elements. Cost: that of f; where it throws, of a
 /// level of the mesh, too.
 template <scheme Scheme, mesh M, class F>
-auto with_numbers_of(const M& mesh, int generation, const F& f)
+auto with_numbers_of(const M& mesh, const Scheme& scheme, int generation, const F& f)
 {
     try {
         return f();
     } catch (const mesh_error&) {
-        require_input<Scheme>(level_of<M>(mesh), generation);
+        require_input(scheme, level_of<M>(mesh), generation);
         throw;
     }
 }
@@ -182,7 +182,7 @@ template <refinable_mesh M, scheme Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
     auto control = lift_valid(mesh);
-    return detail::with_numbers_of<Scheme>(mesh, generation_of(mesh), [&] {
+    return detail::with_numbers_of(mesh, scheme, generation_of(mesh), [&] {
         if constexpr (fillable_mesh<M>) {
             return detail::made_like<typename lifted_point<M>::type>(mesh, [&](auto& fine) {
                 detail::refine_levels_into(fine, std::move(control), scheme, levels, options);

@@ -62,7 +62,7 @@ template <mesh M, scheme Scheme, class Fields>
 M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const refine_options& options)
 {
     auto control = lift_valid(mesh);
-    with_numbers_of<Scheme>(mesh, generation_of(mesh), [&] {
+    with_numbers_of(mesh, scheme, generation_of(mesh), [&] {
         return require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
     });
     require_fields(level_of<decltype(control)>(control), fields);

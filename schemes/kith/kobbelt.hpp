@@ -28,6 +28,7 @@ struct kobbelt {
         return scheme_traits{.name = "kobbelt",
                              .faces = face_shape::quads,
                              .trusted = true,
+                             .require = [](const kobbelt& s, const auto&, int) { s.require_weights(); },
                              .reach = [](int rings) { return (rings + 1) / 2 + 2; },
                              .ignores_numbers = [] { return true; }};
     }

@@ -46,7 +46,9 @@ public:
             .faces = own.faces,
             .closed_only = own.closed_only,
             .trusted = own.trusted,
-            .require = own.require,
+            .require = [](const selected& s,
+                          const auto& level,
+                          int generation) { kith::detail::require_by_traits(s.scheme(), level, generation); },
             .state = [](auto& scheme) { return states(scheme); },
             .closure = [](const auto& scheme) -> const auto& { return closure_of(scheme); }};
     }

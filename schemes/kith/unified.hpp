@@ -18,7 +18,13 @@ namespace kith {
 struct unified {
     int degree = 3;
 
-    static constexpr auto traits() { return scheme_traits{.name = "unified", .closed_only = true, .trusted = true}; }
+    static constexpr auto traits()
+    {
+        return scheme_traits{.name = "unified",
+                             .closed_only = true,
+                             .trusted = true,
+                             .require = [](const unified& s, const auto& level, int) { s.require_input(level); }};
+    }
     static constexpr int max_degree = 9; ///< up to which the authors have proved smoothness
 
     [[nodiscard]] constexpr bool is_primal() const { return degree % 2 != 0; }
@@ -43,11 +49,6 @@ struct unified {
     {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
-        if (degree < 1 or degree > max_degree)
-            throw mesh_error("unified: degree " + std::to_string(degree) + " was asked for; ask for 1 to " +
-                             std::to_string(max_degree));
-        if (not is_primal())
-            require_three_faces<unified>(coarse);
 
         // The split copies each vertex into its corners, so the first averaging gives centroids, midpoints and the
         // vertices themselves: the mesh of the quad split. The vertices of its dual are the corners, and so on.
@@ -81,6 +82,17 @@ struct unified {
             is_primal() ? to_primal(dual, assoc) : to_dual(primal, assoc);
         }
         is_primal() ? quad_split::connect(r) : dual_split().connect(r);
+    }
+
+private:
+    template <level Level>
+    void require_input(const Level& control) const
+    {
+        if (degree < 1 or degree > max_degree)
+            throw mesh_error("unified: degree " + std::to_string(degree) + " was asked for; ask for 1 to " +
+                             std::to_string(max_degree));
+        if (not is_primal())
+            require_three_faces<unified>(control);
     }
 };
 

@@ -93,11 +93,11 @@ void prepare(refined<Point>& surface, const four_eight&, Carried& carried)
 /// Refuses faces of a mesh that a scheme does not take, by the numbers of its handles; `control` has been lifted from
 /// it. 4-8 takes any. Errors: mesh_error.
 template <mesh M, class Point, scheme Scheme>
-void require_faces(const M& mesh, const native_mesh<Point>& control, const Scheme&)
+void require_faces(const M& mesh, const native_mesh<Point>& control, const Scheme& scheme)
 {
     if constexpr (not std::same_as<Scheme, four_eight>)
-        detail::with_numbers_of<Scheme>(mesh, control.generation(), [&] {
-            require_input<Scheme>(level_of<native_mesh<Point>>(control), control.generation());
+        detail::with_numbers_of(mesh, scheme, control.generation(), [&] {
+            require_input(scheme, level_of<native_mesh<Point>>(control), control.generation());
         });
 }
 

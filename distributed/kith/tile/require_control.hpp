@@ -13,12 +13,12 @@ namespace kith::detail {
 /// What a control mesh must be before it is cut into tiles. Errors: mesh_error for everything that `refine` refuses,
 /// and for face-vertex lists only, since tiles have the numbers of its edges.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
-void require_control(const basic_mesh<Point, Index>& mesh, int levels)
+void require_control(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
 {
     require_levels<Scheme>(levels);
     validate(mesh).require_ok();
     require_edges(mesh);
-    require_input<Scheme>(level_of<basic_mesh<Point, Index>>(mesh), mesh.generation());
+    require_input(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation());
 }
 
 } // namespace kith::detail

@@ -108,9 +108,9 @@ template <class Scheme, class Index>
 concept orderable_scheme = separable_scheme<Scheme, Index> and numbering_of<Scheme, Index>::common_degree != 0 and
                            detail::is_free_of_order<Scheme>(true);
 
-/// Throws mesh_error when the scheme cannot take the faces of this level of a control mesh, or its boundary.
+/// Throws mesh_error when no scheme of this type can take the faces of this level of a control mesh, or its boundary.
 template <class S, level Level>
-void require_input(const Level& level, [[maybe_unused]] int generation = 0)
+void require_shape(const Level& level)
 {
     [[maybe_unused]] const auto number = [&level](const auto& x) { return std::to_string(number_in_mesh(level, x)); };
     if constexpr (needs_triangles<S> or needs_quads<S>)
@@ -126,12 +126,33 @@ void require_input(const Level& level, [[maybe_unused]] int generation = 0)
                 throw mesh_error(std::string(scheme_name<S>()) + ": edge " + number(e) + " between vertices " +
                                  number(e.org()) + " and " + number(e.dst()) +
                                  " is a boundary edge; close the mesh first, or take a scheme with a boundary rule");
-    if constexpr (detail::is_said<decltype(traits_of<S>.require)>) {
-        constexpr bool is_function = std::invocable<decltype(traits_of<S>.require), const Level&, int>;
-        static_assert(is_function, "traits().require of a scheme is a function of (const auto& level, int generation)");
+}
+
+namespace detail {
+
+/// Asks what the scheme says in its traits of levels that it cannot take.
+template <class S, level Level>
+void require_by_traits([[maybe_unused]] const S& scheme, const Level& level, int generation)
+{
+    if constexpr (is_said<decltype(traits_of<S>.require)>) {
+        constexpr bool is_function = fact_about<decltype(traits_of<S>.require), S, const Level&, int>;
+        static_assert(is_function,
+                      "traits().require of a scheme is a function of (const auto& level, int generation), or of (const "
+                      "the_scheme&, ...) and these");
         if constexpr (is_function)
-            traits_of<S>.require(level, generation);
+            ask(traits_of<S>.require, scheme, level, generation);
     }
+}
+
+} // namespace detail
+
+/// Throws mesh_error when the scheme cannot take this level of a control mesh, or has options with which it can take
+/// none.
+template <class S, level Level>
+void require_input(const S& scheme, const Level& level, int generation = 0)
+{
+    require_shape<S>(level);
+    detail::require_by_traits(scheme, level, generation);
 }
 
 } // namespace kith

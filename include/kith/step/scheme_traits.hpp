@@ -34,7 +34,8 @@ struct scheme_traits {
     bool trusted = false; ///< its text has been tested with every association checked: they need no check any more
     int valence = 0;      ///< of all inner vertices that a step has made, where it is the same everywhere; else 0
     Next next{};          ///< refused: counts of the next level follow from the columns, see next_counts
-    /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take.
+    /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take, and
+    /// for options with which it can take none.
     Require require{};
     /// int reach(int rings), or reach(int rings, int steps) where several steps together use up fewer than one after
     /// the other: the rings of faces around a tile that they use up; see reaching_scheme. Tiles, `evaluator` and

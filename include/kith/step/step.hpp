@@ -41,11 +41,11 @@ decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& 
     KITH_ASSERT(not mesh.topology().faces_only());
     if constexpr (needs_triangles<Scheme>) {
         if (mesh.topology().degree != 3)
-            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh));
+            require_shape<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh));
         return f(level_elements<native_level<Point, Index, 3>>(mesh));
     } else if constexpr (needs_quads<Scheme>) {
         if (mesh.topology().degree != 4)
-            require_input<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh));
+            require_shape<Scheme>(level_elements<native_level<Point, Index, 0>>(mesh));
         return f(level_elements<native_level<Point, Index, 4>>(mesh));
     } else {
         if (mesh.topology().degree == 4)
