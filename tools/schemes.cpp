@@ -243,9 +243,9 @@ void add_lost_boundary_rule(std::vector<std::string>& lost, const io::mesh_tags&
 void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control)
 {
     std::visit(
-        [&]<class Scheme>(const Scheme&) {
+        [&]<class Scheme>(const Scheme& one) {
             try {
-                require_input<Scheme>(level_of<basic_mesh<>>(control), control.generation());
+                require_input(one, level_of<basic_mesh<>>(control), control.generation());
             } catch (const mesh_error& error) {
                 const int degree = control.topology().degree;
                 const char* more = "";
@@ -306,7 +306,7 @@ std::vector<std::string_view> schemes_that_take(const control_mesh& control)
             attribute_fields none;
             const basic_mesh<> first = entry.prepare == nullptr ? basic_mesh<>() : entry.prepare(control.mesh, none);
             const basic_mesh<>& mesh = entry.prepare == nullptr ? control.mesh : first;
-            require_input<Scheme>(level_of<basic_mesh<>>(mesh), mesh.generation());
+            require_input(Scheme(), level_of<basic_mesh<>>(mesh), mesh.generation());
             result.push_back(scheme_name<Scheme>());
         } catch (const mesh_error&) {
             return; // it does not take the mesh
