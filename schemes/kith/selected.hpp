@@ -46,9 +46,7 @@ public:
             .faces = own.faces,
             .closed_only = own.closed_only,
             .trusted = own.trusted,
-            .require = [](const selected& s,
-                          const auto& level,
-                          int generation) { kith::detail::require_by_traits(s.scheme(), level, generation); },
+            .require = [](const selected& s, const auto& l, int g) { detail::require_by_traits(s.scheme_, l, g); },
             .state = [](auto& scheme) { return states(scheme); },
             .closure = [](const auto& scheme) -> const auto& { return closure_of(scheme); }};
     }
