@@ -544,6 +544,29 @@ TEST(refine_in_patches, gives_up_templates_that_nobody_has_asked_for_longest)
     EXPECT_EQ(kept.find(u"other"), nullptr);
 }
 
+TEST(refine_in_patches, makes_templates_for_levels_that_are_made_again_and_again)
+{
+    const kith::catmull_clark scheme{.corners = kith::boundary_corner::smoothed}; // of this test alone
+    const auto expect_templates = [&](const mesh3d& mesh, int levels, bool are_made) {
+        const auto plan = kith::plan_patches(count(mesh.topology()), mesh.topology().degree, scheme, levels, 0);
+        ASSERT_TRUE(plan);
+        const kith::kept_templates<kith::catmull_clark, double, std::uint32_t> kept(
+            scheme, plan->begin, plan->rings, plan->bases.size());
+        const auto faces = std::size_t(plan->last().faces);
+        const auto given = level_by_level(mesh, scheme, levels, connect::everything);
+        EXPECT_TRUE(same_bits(refine(mesh, scheme, levels), given));
+        EXPECT_TRUE(kept.empty()); // made once they cost more than they save
+        EXPECT_EQ(kept.demand(faces).made, faces);
+        for (int again = 0; again < 8; ++again)
+            EXPECT_TRUE(same_bits(refine(mesh, scheme, levels), given));
+        EXPECT_EQ(not kept.empty(), are_made);
+        EXPECT_EQ(kept.demand(faces).next_look == 0, are_made);
+    };
+    const auto unlike = shapes::with_flips(shapes::triangulated(shapes::torus(15, 15)), 3, 900);
+    expect_templates(native(unlike), 4, false); // each would serve one face
+    expect_templates(native(shapes::shaken(shapes::torus(12, 24))), 4, true);
+}
+
 struct derived_scheme : kith::kobbelt {
     double added = 0;
 };

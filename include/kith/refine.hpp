@@ -119,9 +119,8 @@ void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Inde
     const int last_generation = control.generation() + levels;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (patch_refinement<Point, Index, Scheme> patches(control, scheme, levels); patches.is_worth_looking())
-            if (patches.refine_into(fine, control, scheme))
-                return;
+        if (patch_refinement<Point, Index, Scheme>(control, scheme, levels).refine_into(fine, control, scheme))
+            return;
 #endif
     const auto coarse = refine_on(std::move(control), scheme, last_generation - control.generation() - 1);
     numbering_of<Scheme, Index> ids;
@@ -165,9 +164,9 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
     Scheme of_level = scheme;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (patch_refinement<Point, Index, Scheme> patches(coarse, scheme, levels); patches.is_worth_looking())
-            if (auto fine = patches.refine(coarse, of_level, options.last_level))
-                return std::move(*fine);
+        if (auto fine = patch_refinement<Point, Index, Scheme>(coarse, scheme, levels)
+                            .refine(coarse, of_level, options.last_level))
+            return std::move(*fine);
 #endif
     const int levels_left = mesh.generation() + levels - coarse.generation();
     if constexpr (orderable_scheme<Scheme, Index>)

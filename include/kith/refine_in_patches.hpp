@@ -31,34 +31,39 @@ public:
         , plan_(
               plan_patches(count(control.topology()), control.topology().degree, scheme, levels, control.generation()))
     {
-        if (not is_worth_looking())
+        if (not plan_)
+            return;
+        faces_ = double(plan_->last().faces);
+        least_to_look_ = costs.least_faces / plan_->faces_of_patch();
+        if (faces_ * plan_->faces_of_patch() < std::min(costs.least_faces, costs.least_faces_again))
+            return;
+        kept_.emplace(without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());
+        demand_ = kept_->demand(plan_->last().faces);
+        if (faces_ < least_to_look_)
+            costs_ = costs_.if_again(1 + demand_.made / faces_);
+        is_worth_looking_ = is_enough_for_looking();
+        if (not is_worth_looking_)
             return;
         const std::size_t looks = std::clamp<std::size_t>(plan_->last().faces / 1024, 128, 1024);
         if (share_of_classes(control.topology(), 1, looks) > costs_.share_if_alike) // one ring tells
             begin_where_faces_are_alike(scheme, levels);
     }
 
-    /// Whether there are so many faces that it may be worth while. Cost: O(1).
-    [[nodiscard]] bool is_worth_looking() const
-    {
-        return plan_ and double(plan_->last().faces) * plan_->faces_of_patch() >= costs_.least_faces and
-               costs_.of_look * plan_->rings <= costs_.most_of_looks * plan_->faces_of_patch();
-    }
+    /// Whether there are so many faces that patches may be worth while, or have been again and again.
+    [[nodiscard]] bool is_worth_looking() const { return is_worth_looking_ and plan_; }
 
     /// What refining level by level makes, to the bit; of the last level what is asked for. Nothing where it is no
-    /// gain; then the mesh, which is the control mesh before, and its scheme are a level to go on from. Precondition:
-    /// is_worth_looking().
+    /// gain; then the mesh, which is the control mesh before, and its scheme are a level to go on from.
     [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine(basic_mesh<Point, Index>& mesh, Scheme& scheme,
                                                                  connect last_level) const
     {
         std::optional<basic_mesh<Point, Index>> fine;
-        with_patches(mesh, scheme, last_level, [&](const auto& level, const patches& made, const numbers* given) {
+        look(mesh, scheme, last_level, [&](const auto& level, const patches& made, const numbers* given) {
             fine = filled(level, made, given, last_level);
         });
         return fine;
     }
-    /// The same into a mesh of another library; false where it is no gain. Precondition: is_worth_looking(). Errors:
-    /// those of `make_room`.
+    /// The same into a mesh of another library; false where it is no gain. Errors: those of `make_room`.
     [[nodiscard]] bool refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index>& mesh,
                                    Scheme& scheme) const
     {
@@ -68,12 +73,37 @@ public:
             made.fill(level, {.points = fine.points(), .writer = &fine, .coarse_numbers = given});
             fine.finish(last_generation_);
         };
-        return with_patches(mesh, scheme, connect::everything, into_fine);
+        return look(mesh, scheme, connect::everything, into_fine);
     }
 
 private:
     using patches = patched_level<Point, Index, Scheme>;
     using numbers = element_numbers<Index>;
+    using templates = kept_templates<Scheme, scalar_of<Point>, Index>;
+
+    [[nodiscard]] bool is_enough_for_looking() const
+    {
+        return costs_.of_look * plan_->rings <= costs_.most_of_looks * plan_->faces_of_patch() and
+               (faces_ >= least_to_look_ or demand_.made + faces_ >= std::max(least_to_look_, demand_.next_look));
+    }
+    /// f as for `with_patches`, if they are worth looking for and a gain; whether they were. The next time takes note.
+    template <class F>
+    bool look(basic_mesh<Point, Index>& mesh, Scheme& scheme, connect last_level, const F& f) const
+    {
+        const bool is_gain = is_worth_looking() and with_patches(mesh, scheme, last_level, f);
+        if (not kept_)
+            return false;
+        template_demand demand = demand_;
+        if (is_gain) {
+            demand = {.made = least_to_look_};
+        } else {
+            demand.made += faces_;
+            if (is_worth_looking_)
+                demand.next_look = 2 * demand.made;
+        }
+        kept_->keep(std::size_t(faces_), demand);
+        return is_gain;
+    }
 
     /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a kind of
     /// its own. After as many steps as there are rings around a patch there are few kinds; patches begin there.
@@ -144,6 +174,10 @@ private:
     patch_costs costs_;
     int last_generation_;
     std::optional<patch_plan> plan_;
+    double faces_ = 0, least_to_look_ = 0; // of the last level; with fewer only who has templates gains by them
+    std::optional<templates> kept_;        // where there are enough faces for these
+    template_demand demand_;
+    bool is_worth_looking_ = false;
 };
 
 #endif

@@ -8,7 +8,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -158,40 +157,24 @@ private:
         return inner >= faces_.size() ? vertices_.size() : complete;
     }
     /// Glues the faces along the edges at vertices whose fans are whole, as a plane would be laid with them: a disk, by
-    /// its Euler characteristic, in which no vertex lies at two places.
+    /// its Euler characteristic, in which no vertex lies at two places. Each arc of corners that are glued around a
+    /// vertex lies at one place; around a vertex within they close, and no arc is left.
     [[nodiscard]] bool meets_no_other_side(std::size_t complete)
     {
         std::size_t sides = 0; // of edges that are glued
-        place_.resize(places_.back());
-        std::iota(place_.begin(), place_.end(), std::uint16_t(0));
+        arcs_.assign(vertices_.size(), 0);
         for (const Index f : faces_)
             for_corners(f, [&](Index c) {
-                const Index next = mesh_.next(c), across = mesh_.across(c);
-                if (across == none or face_[face_of(across)] == none or
-                    (vertex_[mesh_.corner_vertex[c]] >= complete and vertex_[mesh_.corner_vertex[next]] >= complete))
-                    return;
-                ++sides;
-                join(c, mesh_.next(across));
-                join(next, across);
+                const Index v = vertex_[mesh_.corner_vertex[c]], across = mesh_.across(c);
+                const bool is_glued = across != none and face_[face_of(across)] != none and
+                                      (v < complete or vertex_[mesh_.corner_vertex[mesh_.next(c)]] < complete);
+                sides += is_glued;
+                arcs_[v] += not is_glued;
             });
-        std::size_t places = 0, within = 0;
-        for (std::size_t i = 0; i < place_.size(); ++i)
-            places += place_[i] == i;
-        for (std::size_t v = 0; v < complete; ++v)
-            within += mesh_.across(mesh_.vertex_corner[vertices_[v]]) != none;
-        return places == vertices_.size() and faces_.size() + within == 1 + sides / 2;
-    }
-    /// Says of two corners that they lie at one place.
-    void join(Index a, Index b)
-    {
-        const auto root = [&](Index corner) {
-            auto place = std::uint16_t(place_of(corner));
-            while (place_[place] != place)
-                place = place_[place] = place_[place_[place]];
-            return place;
-        };
-        const std::uint16_t ra = root(a), rb = root(b);
-        place_[std::max(ra, rb)] = std::min(ra, rb);
+        const auto whole = arcs_.begin() + std::ptrdiff_t(complete);
+        const auto within = std::size_t(std::count(arcs_.begin(), whole, 0));
+        return std::ranges::all_of(arcs_, [](std::uint16_t arcs) { return arcs <= 1; }) and
+               faces_.size() + within == 1 + sides / 2;
     }
     void make_key(std::size_t complete)
     {
@@ -226,7 +209,7 @@ private:
     std::vector<walk_step> steps_;
     std::u16string key_;
     bool is_disk_ = false;
-    std::vector<std::uint16_t> place_; // of corners: another one at the same place, in the end the first of them
+    std::vector<std::uint16_t> arcs_; // of glued corners around each vertex
 };
 
 } // namespace kith

@@ -82,10 +82,12 @@ void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<
 template <std::unsigned_integral Index>
 class state_marks {
 public:
+    /// Of no state.
+    explicit state_marks(const connectivity<Index>& mesh) : mesh_(mesh) {}
     /// Precondition: the mesh, which must outlive this, has its edges. Errors: mesh_error for a state of
     /// elements that do not exist. Cost: O(1) where there is no state, else O(elements).
     template <scheme Scheme>
-    state_marks(const connectivity<Index>& mesh, const Scheme& scheme) : mesh_(mesh)
+    state_marks(const connectivity<Index>& mesh, const Scheme& scheme) : state_marks(mesh)
     {
         if constexpr (scheme_of_places<Scheme>) {
             char16_t which = 0;

@@ -36,6 +36,15 @@ template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
 
+/// How much some steps have made without templates, of levels of one size. Who refines a small level once spends more
+/// on templates than they save. Who does it again and again gets them when about as much has been made without as they
+/// cost, which is never more than twice what would have been best (the ski rental problem: Karlin, Manasse, Rudolph &
+/// Sleator 1988).
+struct template_demand {
+    double made = 0;      ///< final faces
+    double next_look = 0; ///< at so many faces in all; twice as many as at the last look, if that was in vain
+};
+
 /// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there
 /// that they are for. They are kept for the process, for each type of scheme and point, so that who refines this mesh
 /// again, or another one, is spared making them; those of schemes that cannot be told apart are not. A template takes
@@ -75,6 +84,10 @@ public:
         store_->keep(purpose_, key, shared);
         return shared;
     }
+
+    /// What these steps have made without templates of levels with so many faces.
+    [[nodiscard]] template_demand demand(std::size_t faces) const { return store_->demand(purpose_and(faces)); }
+    void keep(std::size_t faces, const template_demand& demand) const { store_->keep(purpose_and(faces), demand); }
 
 private:
     /// Two lists of templates: the young one has what was asked for since it began. When it is full, the old list is
@@ -118,6 +131,20 @@ private:
             const std::lock_guard lock(mutex_);
             add(purpose, key, made);
         }
+        template_demand demand(const std::u16string& purpose)
+        {
+            const std::lock_guard lock(mutex_);
+            const auto place = demands_.find(purpose);
+            return place == demands_.end() ? template_demand{} : place->second;
+        }
+        void keep(const std::u16string& purpose, const template_demand& demand)
+        {
+            constexpr std::size_t most_demands = 256;
+            const std::lock_guard lock(mutex_);
+            if (demands_.size() == most_demands and not demands_.contains(purpose))
+                demands_.clear();
+            demands_[purpose] = demand;
+        }
 
     private:
         using lists = std::unordered_map<std::u16string, std::unordered_map<std::u16string, pointer>>; // by purpose
@@ -146,7 +173,16 @@ private:
         std::size_t last_number_ = 0;
         lists young_, old_;
         std::size_t bytes_ = 0; // of the young ones
+        std::unordered_map<std::u16string, template_demand> demands_;
     };
+
+    [[nodiscard]] std::u16string purpose_and(std::size_t faces) const
+    {
+        std::u16string result = purpose_;
+        for (; faces != 0; faces >>= 16)
+            result += char16_t(faces);
+        return result;
+    }
 
     std::shared_ptr<store> store_;
     std::u16string purpose_; // of which scheme, from which generation on, by how many rings and steps

@@ -114,6 +114,8 @@ struct patch_costs {
     double to_be_cheaper = .9;       ///< patches must come to less than so much
     double least_if_ordered = 32;    ///< smaller patches do not gain on the order of the surface alone, faces only
     double least_faces = 12e6;       ///< of the last level times those of a patch; for fewer nobody looks
+    double least_faces_again = .8e6; ///< the same where such levels have been made without templates again and again
+    double of_class_again = 0;       ///< of finding the template of a class there
 
     /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three
     /// times as long there, making a template does not, and who looks reads from all over the memory.
@@ -123,6 +125,15 @@ struct patch_costs {
         costs.of_template /= 2;
         costs.of_face_in_template /= 2;
         costs.most_of_looks /= 2;
+        return costs;
+    }
+    /// The same for levels of few faces that are made so many times, the templates once.
+    [[nodiscard]] patch_costs if_again(double times) const
+    {
+        patch_costs costs = *this;
+        costs.of_template /= times;
+        costs.of_face_in_template /= times;
+        costs.of_class_again = 250;
         return costs;
     }
 };
@@ -146,7 +157,8 @@ public:
     /// Whether making a template costs less than its class does without.
     [[nodiscard]] bool gains(std::size_t of_class) const
     {
-        return double(sizes_[of_class]) * of_patch_ * (costs_.among_few - in_patch_) > of_template_;
+        return double(sizes_[of_class]) * of_patch_ * (costs_.among_few - in_patch_) >
+               of_template_ + costs_.of_class_again;
     }
     /// Whether patches are cheaper than going level by level, if each class does what is best.
     [[nodiscard]] bool is_gain_without_kept() const
@@ -164,6 +176,7 @@ public:
         for (std::size_t c = 0; c < sizes_.size(); ++c) {
             const bool is_alone = choices[c] == template_choice::none;
             cost += double(sizes_[c]) * of_patch_ * (is_alone ? costs_.among_few : in_patch_);
+            cost += is_alone ? 0 : costs_.of_class_again;
             cost += choices[c] == template_choice::made ? of_template_ : 0;
             faces += double(sizes_[c]) * of_patch_;
         }
