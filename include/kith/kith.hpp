@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// All that a user of kith::kith calls; the folders beside hold what it is made of.
+// What most users of kith::kith call. Properties of meshes are in <kith/carry_properties.hpp>, <kith/property_mesh.hpp>
+// and <kith/convert.hpp>; the folders beside hold what all of it is made of.
 #include "evaluator.hpp"
 #include "hierarchy.hpp"
 #include "plan.hpp"
