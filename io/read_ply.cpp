@@ -9,7 +9,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -94,17 +93,12 @@ public:
     template <std::invocable What>
     std::int64_t whole(const ply_number& type, const What& what)
     {
-        const std::uint64_t bits = take(type.bytes, what);
-        const int unused = int(64 - 8 * type.bytes);
-        return type.is_signed ? std::int64_t(bits << unused) >> unused : std::int64_t(bits);
+        return type.whole<Order>(take(type.bytes, what));
     }
     template <std::invocable What>
     double value(const ply_number& type, const What& what)
     {
-        if (not type.floating)
-            return double(whole(type, what));
-        const std::uint64_t bits = take(type.bytes, what);
-        return type.bytes == 4 ? std::bit_cast<float>(std::uint32_t(bits)) : std::bit_cast<double>(bits);
+        return type.value<Order>(take(type.bytes, what));
     }
     void expect_end() const
     {
@@ -115,26 +109,15 @@ public:
     [[noreturn]] void refuse(const std::string& what) const { throw file_error(what); }
 
 private:
-    template <class Integer>
-    std::uint64_t load() const
-    {
-        std::array<char, sizeof(Integer)> bytes;
-        std::memcpy(bytes.data(), rest_.data(), bytes.size());
-        if constexpr (Order != std::endian::native)
-            std::ranges::reverse(bytes);
-        return std::bit_cast<Integer>(bytes);
-    }
+    /// The next bytes, which are there.
     template <std::invocable What>
-    std::uint64_t take(std::size_t bytes, const What& what)
+    const char* take(std::size_t bytes, const What& what)
     {
         if (rest_.size() < bytes)
             throw file_error("the file ends where " + what() + " should be");
-        const std::uint64_t bits = bytes == 4   ? load<std::uint32_t>()
-                                   : bytes == 1 ? load<std::uint8_t>()
-                                   : bytes == 8 ? load<std::uint64_t>()
-                                                : load<std::uint16_t>();
+        const char* const result = rest_.data();
         rest_.remove_prefix(bytes);
-        return bits;
+        return result;
     }
 
     std::string_view rest_;

@@ -3,12 +3,14 @@
 
 #include "written_parts.hpp"
 
+#include <kith/output_file.hpp>
 #include <kith/text/file_error.hpp>
 #include <kith/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iostream>
 #include <limits>
 #include <string>
 
@@ -82,6 +84,25 @@ void write_mesh(std::ostream& out, mesh_format format, const written_mesh& what)
     case mesh_format::stl: write_stl(out, what); break;
     default: write_off(out, what);
     }
+}
+
+void write_mesh_file(const std::string& path, const written_mesh& what)
+{
+    const mesh_format format = output_format_of(path);
+    try {
+        require_writable(format, what);
+    } catch (const file_error& error) {
+        throw file_error(path + ": " + error.what());
+    }
+    if (path == standard_stream) {
+        write_mesh(std::cout, format, what);
+        if (not std::cout.flush())
+            throw file_error("standard output: could not be written completely");
+        return;
+    }
+    output_file file(path);
+    write_mesh(file.stream(), format, what);
+    file.commit();
 }
 
 } // namespace kith::io

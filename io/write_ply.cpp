@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <string>
 #include <string_view>
 
 namespace kith::io {
@@ -25,10 +26,12 @@ std::string_view name_of(const ply_number& type)
     return type.is_signed ? "char" : "uchar";
 }
 
-void write_properties(text_block& header, const attribute_list& attributes)
+std::string properties_of(const attribute_list& attributes)
 {
+    std::string result;
     for (const attribute* a : attributes)
-        header << "property " << name_of(a->type) << ' ' << ply_name(a->name) << '\n';
+        result += "property " + std::string(name_of(a->type)) + " " + ply_name(a->name) + "\n";
+    return result;
 }
 
 void write_number(text_block& text, bool binary, const ply_number& type, double value)
@@ -73,6 +76,21 @@ void write_texture(text_block& text, bool binary, bool short_lists, const attrib
             write_number(text, binary, type, a->values[c]);
 }
 
+ply_contents contents_of(const written_mesh& what, const held_attributes& held, bool short_lists)
+{
+    ply_contents result{vertices_of(what), what.mesh.face_count(), not what.normals.empty()};
+    if (what.attributes != nullptr)
+        result.comments = ply_file_lines(what.attributes->file_lines);
+    for (const attribute* a : held.faces)
+        result.comments += ply_word_lines(a->name, a->labels);
+    result.vertex_properties = properties_of(held.vertices);
+    if (not held.corner_textures.empty())
+        result.face_properties = std::string("property list ") + (short_lists ? "uchar " : "ushort ") +
+                                 std::string(name_of(type_of_list(held.corner_textures))) + " texcoord\n";
+    result.face_properties += properties_of(held.faces);
+    return result;
+}
+
 } // namespace
 
 void write_ply(std::ostream& out, const written_mesh& what)
@@ -83,22 +101,7 @@ void write_ply(std::ostream& out, const written_mesh& what)
     bool short_lists = true; // some programs read no others
     for (std::size_t f = 0; f < what.mesh.face_count(); ++f)
         short_lists &= 2 * what.mesh.face(f).size() <= std::numeric_limits<std::uint8_t>::max();
-    text_block header;
-    header << "ply\nformat " << (what.binary ? "binary_little_endian" : "ascii") << " 1.0\ncomment written by kith\n";
-    if (what.attributes != nullptr)
-        header << ply_file_lines(what.attributes->file_lines);
-    for (const attribute* a : held.faces)
-        header << ply_word_lines(a->name, a->labels);
-    header << "element vertex " << vertices_of(what) << "\nproperty double x\nproperty double y\nproperty double z\n"
-           << (has_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "");
-    write_properties(header, held.vertices);
-    header << "element face " << what.mesh.face_count() << "\nproperty list uchar int vertex_indices\n";
-    if (not held.corner_textures.empty())
-        header << "property list " << (short_lists ? "uchar " : "ushort ")
-               << name_of(type_of_list(held.corner_textures)) << " texcoord\n";
-    write_properties(header, held.faces);
-    header << "end_header\n";
-    out << header.text();
+    out << ply_head(what.binary, contents_of(what, held, short_lists));
     write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
         if (what.binary) {
             text.raw(point_of(what, v));

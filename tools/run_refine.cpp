@@ -4,8 +4,6 @@
 #include "errors.hpp"
 #include "holes.hpp"
 #include "json.hpp"
-#include "mesh_file.hpp"
-#include "mesh_format.hpp"
 #include "mesh_input.hpp"
 #include "run_refine_tiles.hpp"
 #include "run_stats.hpp"
@@ -13,7 +11,9 @@
 #include "settle_attributes.hpp"
 #include "tile_options.hpp"
 
+#include <kith/format/mesh_format.hpp>
 #include <kith/text/counted.hpp>
+#include <kith/write_mesh.hpp>
 
 #include <algorithm>
 #include <cstddef>

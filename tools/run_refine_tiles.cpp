@@ -5,11 +5,12 @@
 #include "job_memory.hpp"
 #include "journal.hpp"
 #include "json.hpp"
-#include "mesh_format.hpp"
 #include "partition_options.hpp"
 #include "refine_tiles.hpp"
 #include "run_stats.hpp"
 #include "tile_options.hpp"
+
+#include <kith/format/mesh_format.hpp>
 
 #include <cstdint>
 #include <iostream>

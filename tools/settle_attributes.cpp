@@ -2,9 +2,10 @@
 #include "settle_attributes.hpp"
 
 #include "attribute_fields.hpp"
-#include "mesh_format.hpp"
+#include "errors.hpp"
 
 #include <kith/format/held_attributes.hpp>
+#include <kith/format/mesh_format.hpp>
 #include <kith/output/vtu_arrays.hpp>
 
 #include <algorithm>

@@ -2,9 +2,10 @@
 #include "tile_options.hpp"
 
 #include "errors.hpp"
-#include "mesh_format.hpp"
 #include "scheme_options.hpp"
 #include "tile_output.hpp"
+
+#include <kith/format/mesh_format.hpp>
 
 #include <algorithm>
 

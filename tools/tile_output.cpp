@@ -2,9 +2,9 @@
 #include "tile_output.hpp"
 
 #include "errors.hpp"
-#include "mesh_format.hpp"
 #include "tile_attributes.hpp"
 
+#include <kith/format/mesh_format.hpp>
 #include <kith/output/vtu_pieces.hpp>
 #include <kith/part/checksum.hpp>
 

@@ -21,7 +21,14 @@ namespace kith {
 
 namespace detail {
 
-/// Points and vectors of a kernel, combined as the points of a mesh are: exact values at once.
+/// Points and vectors of a kernel, in the plane or in space. Meshes have points in space.
+template <class T, class Kernel = typename CGAL::Kernel_traits<T>::Kernel>
+concept point_of_meshes = std::same_as<T, CGAL::Point_3<Kernel>>;
+template <class T, class Kernel = typename CGAL::Kernel_traits<T>::Kernel>
+concept point_or_vector = point_of_meshes<T> or std::same_as<T, CGAL::Point_2<Kernel>> or
+                          std::same_as<T, CGAL::Vector_2<Kernel>> or std::same_as<T, CGAL::Vector_3<Kernel>>;
+
+/// They are combined as the points of a mesh are: exact values at once.
 template <class T, std::size_t N>
 struct affine_cartesian : coordinates_affine<typename CGAL::Kernel_traits<T>::Kernel::FT, N> {
     using typename coordinates_affine<typename CGAL::Kernel_traits<T>::Kernel::FT, N>::sum;
@@ -80,21 +87,12 @@ concept class_of_numbers =
 
 } // namespace detail
 
-template <class Kernel>
-struct affine<CGAL::Point_2<Kernel>> : detail::affine_cartesian<CGAL::Point_2<Kernel>, 2> {};
-template <class Kernel>
-struct affine<CGAL::Vector_2<Kernel>> : detail::affine_cartesian<CGAL::Vector_2<Kernel>, 2> {};
-template <class Kernel>
-struct affine<CGAL::Vector_3<Kernel>> : detail::affine_cartesian<CGAL::Vector_3<Kernel>, 3> {};
-
-template <class Kernel>
-struct averaged_value<CGAL::Point_2<Kernel>> : detail::averaged_cartesian<CGAL::Point_2<Kernel>, 2> {};
-template <class Kernel>
-struct averaged_value<CGAL::Vector_2<Kernel>> : detail::averaged_cartesian<CGAL::Vector_2<Kernel>, 2> {};
-template <class Kernel>
-struct averaged_value<CGAL::Point_3<Kernel>> : detail::averaged_cartesian<CGAL::Point_3<Kernel>, 3> {};
-template <class Kernel>
-struct averaged_value<CGAL::Vector_3<Kernel>> : detail::averaged_cartesian<CGAL::Vector_3<Kernel>, 3> {};
+/// Points of meshes have theirs beside the traits of meshes.
+template <detail::point_or_vector T>
+    requires(not detail::point_of_meshes<T>)
+struct affine<T> : detail::affine_cartesian<T, T::Ambient_dimension::value> {};
+template <detail::point_or_vector T>
+struct averaged_value<T> : detail::averaged_cartesian<T, T::Ambient_dimension::value> {};
 
 /// Numbers of CGAL, exact ones for example.
 template <detail::class_of_numbers Number>

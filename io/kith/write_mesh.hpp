@@ -9,6 +9,7 @@
 #include <array>
 #include <iosfwd>
 #include <span>
+#include <string>
 
 namespace kith::io {
 
@@ -32,5 +33,10 @@ void require_writable(mesh_format format, const written_mesh& what);
 /// Preconditions: require_writable. Errors: those of the stream, in its state. Cost: one sweep over the mesh, a few MB
 /// of memory.
 void write_mesh(std::ostream& out, mesh_format format, const written_mesh& what);
+
+/// The same into a file, in the format that its extension names, or of OFF to standard output ("-"); what is not
+/// writable is refused first. The file appears when it is complete. Errors: file_error, which begins with the path, and
+/// after which there is no file, or the one that was there before.
+void write_mesh_file(const std::string& path, const written_mesh& what);
 
 } // namespace kith::io

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../error_text.hpp"
+#include "../vtu_files.hpp"
 #include "files.hpp"
 
 #include <kith/crease/creases.hpp>
@@ -82,6 +84,43 @@ TEST(write_mesh, the_text_of_each_format)
     EXPECT_EQ(written(mesh_format::stl, what),
               "solid kith\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0.5 0\nendloop\n"
               "endfacet\nendsolid kith\n");
+}
+
+TEST(write_mesh_file, writes_the_format_that_the_extension_names)
+{
+    const vtu_files::directory here;
+    const basic_mesh<> mesh = tetrahedron();
+    for (const char* name : {"mesh.off", "mesh.obj", "mesh.ply", "mesh.stl"}) {
+        const std::string path = here.path / name;
+        io::write_mesh_file(path, {.mesh = mesh});
+        EXPECT_EQ(vtu_files::bytes_of(path), written(io::format_of(path), {.mesh = mesh}));
+        EXPECT_EQ(io::read_mesh_file(path).faces.size(), 4);
+    }
+}
+
+TEST(write_mesh_file, what_is_refused_leaves_the_file_as_it_was)
+{
+    const vtu_files::directory here;
+    const std::string path = here.path / "mesh.off";
+    basic_mesh<> mesh = tetrahedron();
+    io::write_mesh_file(path, {.mesh = mesh});
+    const std::string before = vtu_files::bytes_of(path);
+    mesh.points()[2][1] = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(error_text<io::file_error>([&] { io::write_mesh_file(path, {.mesh = mesh}); }),
+              path + ": vertex 2 would have no finite place; the coordinates of the input are too large");
+    EXPECT_EQ(vtu_files::bytes_of(path), before);
+    for (const std::string name : {"mesh.vtu", "mesh.txt"})
+        EXPECT_EQ(error_text<io::file_error>([&] { io::write_mesh_file(name, {.mesh = mesh}); }),
+                  name + ": the extension decides the format and must be .off, .obj, .ply or .stl, or .vtu or .pvtu, "
+                         "which are written in tiles");
+}
+
+TEST(write_mesh_file, writes_off_to_standard_output)
+{
+    testing::internal::CaptureStdout();
+    const basic_mesh<> mesh = tetrahedron();
+    io::write_mesh_file("-", {.mesh = mesh});
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), written(mesh_format::off, {.mesh = mesh}));
 }
 
 TEST(write_mesh, isolated_points_come_last)

@@ -20,12 +20,17 @@
 
 namespace kith::openmesh {
 
+/// A mesh of OpenMesh that can be read, overwritten in bulk, and asked for its properties.
+template <class M>
+concept subdividable_mesh = std::derived_from<M, OpenMesh::PolyConnectivity> and fillable_mesh<M> and
+                            mesh_with_properties<M>;
+
 /// A subdivider as OpenMesh's are, by any scheme of kith's or of one's own: attach(mesh), operator()(n), detach(), or
 /// operator()(mesh, n), in place. Old vertices keep their handles and come before the new ones, in schemes that have a
 /// vertex for each; edges and faces are others. Attributes, status bits and properties with names go along by the rules
 /// of `carry_properties`; normals are made anew.
 /// As with OpenMesh the steps of sqrt(3) are counted from attach() on.
-template <class Mesh, scheme Scheme>
+template <subdividable_mesh Mesh, scheme Scheme>
 class subdivider {
     static constexpr bool fits = needs_triangles<Scheme> or not std::derived_from<Mesh, OpenMesh::TriConnectivity>;
     static_assert(

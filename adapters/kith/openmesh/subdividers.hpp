@@ -24,7 +24,7 @@ Scheme own_scheme()
 }
 
 /// A subdivider that starts with OpenMesh's options, or with those of kith for schemes that OpenMesh does not have.
-template <class Mesh, scheme Scheme, Scheme (*Options)()>
+template <subdividable_mesh Mesh, scheme Scheme, Scheme (*Options)()>
 class subdivider_with : public subdivider<Mesh, Scheme> {
 public:
     subdivider_with() : subdivider<Mesh, Scheme>(Options()) {}
@@ -32,9 +32,9 @@ public:
     explicit subdivider_with(Scheme scheme) : subdivider<Mesh, Scheme>(std::move(scheme)) {}
 };
 
-template <class Mesh, scheme Scheme>
+template <subdividable_mesh Mesh, scheme Scheme>
 using as_openmesh = subdivider_with<Mesh, Scheme, openmesh_scheme<Scheme>>;
-template <class Mesh, scheme Scheme>
+template <subdividable_mesh Mesh, scheme Scheme>
 using as_kith = subdivider_with<Mesh, Scheme, own_scheme<Scheme>>;
 
 } // namespace detail
@@ -44,58 +44,58 @@ using as_kith = subdivider_with<Mesh, Scheme, own_scheme<Scheme>>;
 // NOLINTBEGIN(readability-identifier-naming)
 
 /// OpenMesh::Subdivider::Uniform::LoopT, to the same surface, boundaries included.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using LoopT = detail::as_openmesh<Mesh, loop>;
 
 /// The same for CatmullClarkT. Where old points are not to be updated it is the linear split, as there.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using CatmullClarkT = detail::as_openmesh<Mesh, catmull_clark>;
 
 /// The same for Sqrt3T. Unlike there, old points that are not to be updated stay.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using Sqrt3T = detail::as_openmesh<Mesh, sqrt3>;
 
 /// The same for ModifiedButterflyT.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using ModifiedButterflyT = detail::as_openmesh<Mesh, butterfly>;
 
 /// The same for InterpolatingSqrt3LGT, on closed meshes; others are refused.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using InterpolatingSqrt3LGT = detail::as_openmesh<Mesh, interpolatory_sqrt3>;
 
 /// The same for MidpointT, on closed meshes; from others, faces are not dropped at the boundary.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using MidpointT = detail::as_openmesh<Mesh, mid_edge>;
 
 // Schemes that OpenMesh does not have.
 
 /// Doo-Sabin, with the options of kith, as all below.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using DooSabinT = detail::as_kith<Mesh, doo_sabin>;
 
 /// Kobbelt's interpolating scheme; quads.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using KobbeltT = detail::as_kith<Mesh, kobbelt>;
 
 /// Velho and Zorin's 4-8. Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their
 /// first edges, as they do after an earlier call; a TriMesh, too.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using FourEightT = detail::as_kith<Mesh, four_eight>;
 
 /// Nasri and Hasbini's ternary scheme.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using NasriHasbiniT = detail::as_kith<Mesh, nasri_hasbini>;
 
 /// Zorin and Schroeder's unified family; closed meshes. `scheme().degree` is its bidegree, 1 to 9.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using UnifiedT = detail::as_kith<Mesh, unified>;
 
 /// The linear split of polygons into quads.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using LinearT = detail::as_kith<Mesh, linear>;
 
 /// The linear split of triangles into triangles.
-template <class Mesh, class RealType = double>
+template <subdividable_mesh Mesh, class RealType = double>
 using LinearTrianglesT = detail::as_kith<Mesh, linear_triangles>;
 
 // NOLINTEND(readability-identifier-naming)

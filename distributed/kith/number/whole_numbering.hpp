@@ -225,8 +225,8 @@ public:
     [[nodiscard]] global_id first_corner(global_id face, const CornersBefore& corners_before) const
     {
         const std::size_t i = numbers_.column_of(face);
-        if (const std::size_t degree = numbers::degree_in(i); degree != 0)
-            return numbers_.first_corner_in(i) + degree * (face - numbers_.base(i));
+        if (numbers::degree_in(i) != 0)
+            return numbers_.first_corner_of(i, face);
         whole_tuple tuple = origin(face);
         tuple.corners_before = corners_before(tuple);
         return first_corner(tuple);
@@ -238,8 +238,8 @@ public:
     [[nodiscard]] global_id face_of(global_id corner, const CornersBefore& corners_before) const
     {
         const std::size_t i = numbers_.column_of_corner(corner);
-        if (const std::size_t degree = numbers::degree_in(i); degree != 0)
-            return numbers_.base(i) + (corner - numbers_.first_corner_in(i)) / degree;
+        if (numbers::degree_in(i) != 0)
+            return numbers_.face_of_corner(i, corner);
         return detail::last_where(numbers_.base(i), numbers_.base(i) + numbers_.count(i), [&](global_id face) {
             return first_corner(face, corners_before) <= corner;
         });

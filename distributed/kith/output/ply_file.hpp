@@ -84,25 +84,21 @@ public:
                                  "corners; write .vtu");
             const std::string name = ply_name(array.name);
             require_free(name, i);
-            const std::string property = "property " + word + " " + name + "\n";
             comments += ply_word_lines(array.name, array.words);
             if (at_corners) {
                 corners_ = i;
                 of_corners = "property list uchar " + word + " " + name + "\n";
             } else {
                 const bool at_vertices = array.on == field_on::vertices;
-                (at_vertices ? of_vertices : of_faces) += property;
+                (at_vertices ? of_vertices : of_faces) += "property " + word + " " + name + "\n";
                 place_of_[i] = std::exchange(at_vertices ? bytes_of_vertex_ : bytes_of_values_,
                                              (at_vertices ? bytes_of_vertex_ : bytes_of_values_) + array.bytes);
             }
         }
         bytes_of_corner_ = 4 + (corners_ ? arrays_[*corners_].bytes : 0);
         bytes_of_face_ = 1 + (corners_ ? 1 : 0) + bytes_of_values_;
-        head_ = "ply\nformat binary_little_endian 1.0\ncomment written by kith\n" + comments + "element vertex " +
-                std::to_string(counts.vertices) + "\nproperty double x\nproperty double y\nproperty double z\n" +
-                (with_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") + of_vertices +
-                "element face " + std::to_string(counts.faces) + "\nproperty list uchar int vertex_indices\n" +
-                of_corners + of_faces + "end_header\n";
+        head_ = ply_head(true,
+                         {counts.vertices, counts.faces, with_normals, comments, of_vertices, of_corners + of_faces});
         size_ = face_at(counts.faces, counts.corners);
     }
 

@@ -50,6 +50,23 @@ inline std::string ply_file_lines(const std::vector<std::string>& lines)
     return result;
 }
 
+/// How many elements a file has, and what it says of them beside places and corners: lines of its header.
+struct ply_contents {
+    std::size_t vertices, faces;
+    bool normals; ///< of vertices, behind their places
+    std::string comments{}, vertex_properties{}, face_properties{};
+};
+/// The header of a file with places as doubles. All who write PLY begin with it: the same mesh is the same bytes.
+inline std::string ply_head(bool binary, const ply_contents& contents)
+{
+    return std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") +
+           " 1.0\ncomment written by kith\n" + contents.comments + "element vertex " +
+           std::to_string(contents.vertices) + "\nproperty double x\nproperty double y\nproperty double z\n" +
+           (contents.normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") +
+           contents.vertex_properties + "element face " + std::to_string(contents.faces) +
+           "\nproperty list uchar int vertex_indices\n" + contents.face_properties + "end_header\n";
+}
+
 /// The words of a property, the first of which says none; nothing where the comments of a header do not say them one by
 /// one.
 inline std::vector<std::string> words_in_ply(const std::vector<std::string>& comments, const std::string& property)

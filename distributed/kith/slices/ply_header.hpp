@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ply_number.hpp"
+
 #include <kith/base/error.hpp>
 
 #include <algorithm>
@@ -15,13 +17,6 @@
 #include <vector>
 
 namespace kith {
-
-/// A type of numbers in a PLY file.
-struct ply_number {
-    std::size_t bytes = 0;
-    bool floating = false;
-    bool is_signed = false;
-};
 
 /// A property of the elements of one kind: a number or a list of numbers.
 struct ply_property {

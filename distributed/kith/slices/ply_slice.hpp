@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <numeric>
 #include <span>
@@ -60,17 +59,16 @@ public:
         const auto records_of_faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes()),
                                             (end_face - first_face) * face_bytes());
         const auto& of_faces = header_.elements[1];
-        const bool is_signed = of_faces.properties[of_faces.corner_list()].value.is_signed;
+        const ply_number corner = of_faces.properties[of_faces.corner_list()].value;
         for (global_id f = first_face; f < end_face; ++f) {
             const char* record = records_of_faces.data() + (f - first_face) * face_bytes() + before_corners_;
             require_degree(f, static_cast<unsigned char>(record[0]));
             for (int k = 0; k < degree_; ++k) {
-                const auto v = value<std::uint32_t>(record + 1 + 4 * k);
-                if (v >= vertices())
-                    refuse("has face " + std::to_string(f) + " at vertex " +
-                           (is_signed ? std::to_string(std::int32_t(v)) : std::to_string(v)) + " of " +
+                const std::int64_t v = corner.whole(record + 1 + 4 * k);
+                if (v < 0 or global_id(v) >= vertices())
+                    refuse("has face " + std::to_string(f) + " at vertex " + std::to_string(v) + " of " +
                            std::to_string(vertices()));
-                result.corners.push_back(v);
+                result.corners.push_back(global_id(v));
             }
         }
         const auto records = bytes(vertices_at_ + std::streamoff(first_vertex * vertex_bytes_),
@@ -79,8 +77,7 @@ public:
             const char* record = records.data() + i * vertex_bytes_;
             auto& point = result.points.emplace_back();
             for (std::size_t x = 0; x < 3; ++x) {
-                point[x] = places_[x].is_double ? value<double>(record + places_[x].at)
-                                                : double(value<float>(record + places_[x].at));
+                point[x] = places_[x].type.value(record + places_[x].at);
                 if (not std::isfinite(point[x]))
                     refuse("has vertex " + std::to_string(first_vertex + i) +
                            " at a coordinate that is not a finite number; give it a place");
@@ -103,7 +100,7 @@ public:
 private:
     struct place {
         std::size_t at;
-        bool is_double;
+        ply_number type;
     };
 
     [[noreturn]] void refuse(const std::string& problem) const { throw mesh_error(path_ + ": " + problem); }
@@ -111,13 +108,6 @@ private:
     {
         if (not condition)
             refuse(problem);
-    }
-    template <class T>
-    static T value(const char* bytes)
-    {
-        T result;
-        std::memcpy(&result, bytes, sizeof(T));
-        return result;
     }
     /// Records of one size, one behind the other.
     struct records {
@@ -136,19 +126,9 @@ private:
                 ++end;
             const auto run = bytes(all.at + std::streamoff(numbers[begin] * all.size), (end - begin) * all.size);
             for (std::size_t i = 0; i < end - begin; ++i)
-                result.push_back(number(element.properties[property].value, run.data() + i * all.size + offset));
+                result.push_back(element.properties[property].value.value(run.data() + i * all.size + offset));
         }
         return result;
-    }
-    static double number(const ply_number& type, const char* bytes)
-    {
-        if (type.floating)
-            return type.bytes == 8 ? value<double>(bytes) : double(value<float>(bytes));
-        if (type.bytes == 4)
-            return type.is_signed ? double(value<std::int32_t>(bytes)) : double(value<std::uint32_t>(bytes));
-        if (type.bytes == 2)
-            return type.is_signed ? double(value<std::int16_t>(bytes)) : double(value<std::uint16_t>(bytes));
-        return type.is_signed ? double(value<std::int8_t>(bytes)) : double(value<std::uint8_t>(bytes));
     }
     [[nodiscard]] std::vector<char> bytes(std::streamoff at, std::size_t size)
     {
@@ -211,7 +191,7 @@ private:
             const ply_number& type = elements[0].properties[p].value;
             if (const auto x = std::ranges::find(place_of, p); x != place_of.end()) {
                 require(type.floating, "has places that are no floating-point numbers; read it on one rank");
-                places_[std::size_t(x - place_of.begin())] = {vertex_bytes_, type.bytes == 8};
+                places_[std::size_t(x - place_of.begin())] = {vertex_bytes_, type};
             }
             vertex_bytes_ += type.bytes;
         }

@@ -58,21 +58,29 @@ struct number_range {
     friend constexpr bool operator==(const number_range&, const number_range&) = default;
 };
 
+/// The tuples of a column that its condition picks; Picked() are all.
+template <class P>
+concept picked_tuples = std::default_initializable<P> and requires(const P& picked) {
+    // The first tuple, where they follow one another.
+    { picked.first() } -> std::convertible_to<std::uint64_t>;
+    // How many they are.
+    { picked.count() } -> std::convertible_to<std::uint64_t>;
+};
+
 /// How the new elements of one kind are numbered, and the corners of new faces: column after column, in each column the
 /// tuples that give birth in their order. All numbers of new elements come from here, whoever knows how many elements
 /// the coarse level has and which tuples the conditions of columns pick; of the latter speaks, for each column, a
-/// `Picked`:
+/// `Picked`, with more than the concept says:
 ///
-///   Picked()             all tuples
-///   is_run(), first()    they follow one another, from this one on
-///   count()              how many they are
-///   rank(tuple, each)    how many before a tuple are picked, `each` tuples per element
+///   is_run()             they follow one another
+///   has(index, each)     a tuple is picked, `each` tuples per element; not asked of a run
+///   rank(tuple, each)    how many before a tuple are picked
 ///   tuple(rank, each)    the inverse
 ///   corners(all), corners_before(tuple)    of faces that have as many corners as their face, or their vertex faces: in
 ///                        sum, out of all corners of the coarse level, and before that of a tuple
 ///
-/// What nobody asks for a user need not have.
-template <std::unsigned_integral Index, class Picked, class... Columns>
+/// A Picked needs only those of these functions that are called for its columns.
+template <std::unsigned_integral Index, picked_tuples Picked, class... Columns>
 class column_numbers {
 public:
     static constexpr std::size_t size = sizeof...(Columns);
@@ -174,12 +182,22 @@ public:
     /// How many corners the faces of column i have if it says it while compiling, else 0; and the first corner of all.
     [[nodiscard]] static constexpr std::size_t degree_in(std::size_t i) { return degrees[i]; }
     [[nodiscard]] std::uint64_t first_corner_in(std::size_t i) const { return first_corner_[i]; }
+    /// The first corner of a face of column i, and the face that has a corner. Preconditions: degree_in(i) != 0, and
+    /// the face is one of the column.
+    [[nodiscard]] std::uint64_t first_corner_of(std::size_t i, std::uint64_t face) const
+    {
+        return first_corner_[i] + degrees[i] * (face - base_[i]);
+    }
+    [[nodiscard]] std::uint64_t face_of_corner(std::size_t i, std::uint64_t corner) const
+    {
+        return base_[i] + (corner - first_corner_[i]) / degrees[i];
+    }
     /// The first corner of the face that a tuple in column i gives birth to.
     [[nodiscard]] std::uint64_t first_corner(std::size_t i, const auto& tuple) const
     {
         if (degrees[i] == 0)
             return first_corner_[i] + picked_[i].corners_before(tuple);
-        return first_corner_[i] + degrees[i] * (number(i, tuple, tuples_per_element(kinds[i])) - base_[i]);
+        return first_corner_of(i, number(i, tuple, tuples_per_element(kinds[i])));
     }
 
 private:

@@ -21,10 +21,12 @@ namespace kith {
 
 namespace detail {
 
-/// A level that knows a better order for its elements than that of their numbers goes through them by faces: the faces
-/// of a refined level follow a quadtree, and the neighbourhoods that are met in that order lie close together in
-/// memory; in the order of their numbers every ring would be fetched anew. Not where values have memory of their own,
-/// which lies elsewhere, nor where they are written down, of few faces.
+/// A level whose vertices and edges are visited face by face instead of in the order of their numbers. This is faster
+/// on large levels. The children of a face mostly have consecutive numbers, so faces that follow one another are
+/// neighbours on the surface, and what a mask reads around a vertex is mostly in the cache from the vertex before. In
+/// the order of their numbers, vertices that follow one another may be far apart, and most of each ring comes from main
+/// memory. There is no gain for points that are not trivially copyable: their coordinates lie elsewhere in memory, as
+/// those of exact kernels do, or they record what a scheme does on a few faces (`recorded`).
 template <class Level>
 concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level::vertex_handle),
                                     void (*g)(typename Level::edge_handle, typename Level::corner_handle)) {
