@@ -20,7 +20,7 @@ struct butterfly {
         return scheme_traits{.name = "butterfly",
                              .faces = face_shape::triangles,
                              .trusted = true,
-                             .require = [](const auto& level, int) { require_three_faces<butterfly>(level); },
+                             .require = three_faces_at_vertices,
                              .reach = [](int rings) { return (rings + 1) / 2 + 1; },
                              .ignores_numbers = [] { return true; }};
     }

@@ -37,7 +37,7 @@ struct doo_sabin {
         return scheme_traits{.name = "doo-sabin",
                              .trusted = true,
                              .valence = 4,
-                             .require = [](const auto& level, int) { require_three_faces<doo_sabin>(level); },
+                             .require = three_faces_at_vertices,
                              .reach =
                                  [](const doo_sabin& s, int rings) {
                                      switch (s.boundary) {

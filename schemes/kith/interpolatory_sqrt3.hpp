@@ -24,7 +24,7 @@ struct interpolatory_sqrt3 {
                              .faces = face_shape::triangles,
                              .closed_only = true,
                              .trusted = true,
-                             .require = [](const auto& level, int) { require_three_faces<interpolatory_sqrt3>(level); },
+                             .require = three_faces_at_vertices,
                              .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
