@@ -5,8 +5,8 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/part/reach.hpp>
+#include <kith/split/dual_split.hpp>
 #include <kith/split/quad_split.hpp>
-#include <kith/split/shared_connections.hpp>
 #include <kith/split/ternary_split.hpp>
 #include <kith/step/level_state.hpp>
 #include <kith/step/rules.hpp>
@@ -204,29 +204,7 @@ struct capped_dual {
         using namespace kith::targets;
         const auto& [coarse, assoc, generation] = r;
         for_each(coarse.corners(), [&](auto c) { assoc(c, V) = 1. / 2 * c.v() + 1. / 2 * average(c.f().vertices()); });
-        make_faces_inside(r);
-        for_each(coarse.edges(), [&](auto e) {
-            if (e.is_boundary())
-                return;
-            const auto xl = e.lcorner();
-            const auto yr = e.rcorner();
-            assoc(e, F) = polygon(assoc(xl.next(), V) >> assoc(e, xl.f(), E).right(),
-                                  assoc(xl, V) >> assoc(xl.v(), e, E).left(),
-                                  assoc(yr.next(), V) >> assoc(e, yr.f(), E).right(),
-                                  assoc(yr, V) >> assoc(yr.v(), e, E).left());
-        });
-        for_each(coarse.vertices(), [&](auto v) {
-            if (not v.is_boundary() or is_capped(v))
-                assoc(v, F) = polygon(v.corners(), [&](auto c) {
-                    const auto ep = c.prev_edge();
-                    return assoc(c, V) >> (ep.is_boundary() ? assoc(v, E).left() : assoc(v, ep, E).right());
-                });
-        });
-        for_each(coarse.corners(), [&](auto c) {
-            const auto f = c.f();
-            assoc(c, V).starts_at(assoc(f, F).corner(c.index() - f.first_corner().index()),
-                                  assoc(c.next_edge(), f, E).left());
-        });
+        kith::dual_split::connect(r, [this](const auto& v) { return is_capped(v); });
     }
 };
 

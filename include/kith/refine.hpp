@@ -17,6 +17,7 @@
 
 namespace kith {
 
+/// What `refine` may be told beside the scheme and the number of levels.
 struct refine_options {
     /// Of the last level: `connect::faces` leaves out its edges, which saves about a third of the time and nearly half
     /// of the memory. When such a mesh is refined again its edges are found by matching: the same surface, other

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/kernel/irregular_rings.hpp>
 #include <kith/split/require_faces.hpp>
 #include <kith/split/triangle_split.hpp>
 #include <kith/step/rules.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace kith {
@@ -22,29 +20,24 @@ struct butterfly {
         return scheme_traits{.name = "butterfly",
                              .faces = face_shape::triangles,
                              .trusted = true,
-                             .require = [](const auto& level, int) { require_three_faces<butterfly>(level); },
+                             .require = three_faces_at_vertices,
                              .reach = [](int rings) { return (rings + 1) / 2 + 1; },
                              .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns() { return triangle_split::columns(); }
 
-    /// The weights of the neighbours of an irregular vertex of valence n, from the other end of the edge on; ZSS 1996.
+    /// The weights of the neighbours of an irregular vertex of valence n by the angle from the other end of the edge:
+    /// (1/4 + cos t + 1/2 cos 2t)/n for n >= 5. ZSS 1996.
+    static constexpr wave_kernel ring_kernel(std::size_t) { return {1. / 4, 1. / 2, 1. / 4}; }
+    /// The weights from the other end of the edge on.
     static std::vector<double> ring_weights(std::size_t n)
     {
         if (n == 3)
             return {5. / 12, -1. / 12, -1. / 12};
         if (n == 4)
             return {3. / 8, 0, -1. / 8, 0};
-        std::vector<double> weights;
-        for (std::size_t j = 0; j < n; ++j) {
-            const auto cosine = [&](std::size_t turns) { return cos_turn(std::int64_t(turns * j), std::int64_t(n)); };
-            weights.push_back((1. / 4 + cosine(1) + 1. / 2 * cosine(2)) / double(n));
-        }
-        return weights;
+        return ring_kernel(n).row(0, n);
     }
-
-    /// The same weights for n >= 5 by the angle from the other end of the edge.
-    static constexpr wave_kernel ring_kernel(std::size_t) { return {1. / 4, 1. / 2, 1. / 4}; }
 
     template <running_step R>
     void operator()(const R& r) const

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/kernel/face_masks.hpp>
 #include <kith/split/dual_split.hpp>
 #include <kith/split/require_faces.hpp>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace kith {
 
@@ -39,7 +37,7 @@ struct doo_sabin {
         return scheme_traits{.name = "doo-sabin",
                              .trusted = true,
                              .valence = 4,
-                             .require = [](const auto& level, int) { require_three_faces<doo_sabin>(level); },
+                             .require = three_faces_at_vertices,
                              .reach =
                                  [](const doo_sabin& s, int rings) {
                                      switch (s.boundary) {
@@ -53,13 +51,19 @@ struct doo_sabin {
     [[nodiscard]] constexpr dual_split split() const { return {.cap_boundary = boundary != doo_sabin_boundary::drop}; }
     [[nodiscard]] constexpr auto columns() const { return split().columns(); }
 
+    /// The weights of the corners of a face: (3 + 2 cos t)/4n by the angle and 1/4 more for the corner itself, or 1/4n
+    /// and 1/2 more for the corner, 1/8 for those next to it.
+    [[nodiscard]] constexpr face_kernel kernel() const
+    {
+        return weights == doo_sabin_weights::cosine ? face_kernel{{3. / 4, 1. / 4, 0}, 1. / 4, 0}
+                                                    : face_kernel{{1. / 4, 0, 0}, 1. / 2, 1. / 8};
+    }
     /// The weight of the j-th corner of a face of degree n, counted from the corner that the point belongs to.
     [[nodiscard]] constexpr double weight(std::size_t j, std::size_t n) const
     {
-        const double l = double(n);
-        if (weights == doo_sabin_weights::averaging)
-            return j == 0 ? 1. / 2 + 1 / (4 * l) : j == 1 or j == n - 1 ? 1. / 8 + 1 / (4 * l) : 1 / (4 * l);
-        return j == 0 ? (l + 5) / (4 * l) : (3 + 2 * cos_turn(std::int64_t(j), std::int64_t(n))) / (4 * l);
+        if (j == 0 and weights == doo_sabin_weights::cosine)
+            return (double(n) + 5) / (4 * double(n)); // as in the paper: the kernel's, rounded once only
+        return kernel().at(j, n);
     }
 
     template <running_step R>
@@ -68,7 +72,7 @@ struct doo_sabin {
         using namespace targets;
         using real = scalar_type<R>;
         const auto& [coarse, assoc, generation] = r;
-        const face_masks masks(r, [this](std::size_t j, std::size_t n) { return weight(j, n); });
+        const face_masks masks(r, kernel());
         const bool open = not coarse.is_closed();
         for_each(coarse.corners(), [&](auto c) {
             const auto v = c.v();
@@ -84,25 +88,10 @@ struct doo_sabin {
             else if (open and is_clamped and c.f().is_boundary())
                 assoc(c, V) = sum(c.vertices_from_here(), clamped_quad_weights<real>(c).data());
             else
-                masks.of_corner(
-                    c,
-                    n,
-                    [&](const auto& sum_by, const auto& use) { in_large_face(c, sum_by, use); },
-                    [&](const auto& mask) { assoc(c, V) = mask; });
+                masks.of_corner(c, n, [&](const auto& mask) { assoc(c, V) = mask; });
         });
 
         split().connect(r);
-    }
-
-private:
-    /// Calls use(mask) with the same weights by what they have in common.
-    template <corner_element Corner, class SumBy, class Use>
-    void in_large_face(const Corner& c, const SumBy& sum_by, const Use& use) const
-    {
-        if (weights == doo_sabin_weights::cosine)
-            use(1. / 4 * c.v() + sum_by({3. / 4, 1. / 4, 0}));
-        else
-            use(1. / 2 * c.v() + 1. / 8 * (c.prev().v() + c.next().v()) + sum_by({1. / 4, 0, 0}));
     }
 };
 

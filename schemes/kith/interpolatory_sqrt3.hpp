@@ -24,39 +24,31 @@ struct interpolatory_sqrt3 {
                              .faces = face_shape::triangles,
                              .closed_only = true,
                              .trusted = true,
-                             .require = [](const auto& level, int) { require_three_faces<interpolatory_sqrt3>(level); },
+                             .require = three_faces_at_vertices,
                              .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
 
-    /// The weights of the neighbours of a vertex of valence n, counter-clockwise from the face that the new point is
-    /// in; the vertex itself has the rest. Labsik & Greiner 2000, section 3.
+    /// The weights of the neighbours of a vertex of valence n by the angle from the middle of the face that the new
+    /// point is in, for n >= 5; the vertex itself has the rest. Labsik & Greiner 2000, section 3.
+    static constexpr wave_kernel ring_kernel(std::size_t n)
+    {
+        const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
+        return {a * a, a, a * a};
+    }
+    /// The weights counter-clockwise from the face.
     static std::vector<double> ring_weights(std::size_t n)
     {
         if (n == 3)
             return {4. / 27, -5. / 27, 4. / 27};
         if (n == 4)
             return {2. / 9, -1. / 9, -1. / 9, 2. / 9};
-        const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
-        std::vector<double> weights;
-        for (std::size_t j = 0; j < n; ++j) {
-            const auto turns = std::int64_t(2 * j + 1);
-            const double first = cos_turn(turns, 2 * std::int64_t(n)), second = cos_turn(turns, std::int64_t(n));
-            weights.push_back((a * a + 2 * a * first + 2 * a * a * second) / double(n));
-        }
-        return weights;
-    }
-    /// The same weights for n >= 5 by the angle from the middle of the face.
-    static constexpr wave_kernel ring_kernel(std::size_t n)
-    {
-        const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
-        return {a * a, a, a * a};
+        return ring_kernel(n).row(1, n);
     }
     /// The weight of the vertex itself: one minus those of its neighbours.
     static constexpr double center_weight(std::size_t n)
     {
-        const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
-        return n == 3 ? 8. / 9 : n == 4 ? 7. / 9 : 1 - a * a;
+        return n == 3 ? 8. / 9 : n == 4 ? 7. / 9 : 1 - ring_kernel(n).x0;
     }
 
     template <running_step R>

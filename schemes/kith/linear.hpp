@@ -35,7 +35,7 @@ struct linear_triangles {
         return scheme_traits{.name = "linear-triangles",
                              .faces = face_shape::triangles,
                              .trusted = true,
-                             .require = [](const auto& level, int) { require_three_faces<linear_triangles>(level); },
+                             .require = three_faces_at_vertices,
                              .reach = [](int rings) { return rings / 2 + 1; }};
     }
     static constexpr auto columns() { return triangle_split::columns(); }

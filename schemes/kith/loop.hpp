@@ -27,7 +27,7 @@ struct loop {
         return scheme_traits{.name = "loop",
                              .faces = face_shape::triangles,
                              .trusted = true,
-                             .require = [](const auto& level, int) { require_three_faces<loop>(level); },
+                             .require = three_faces_at_vertices,
                              .reach = [](const loop& s, int rings) { return s.sharpness.reach(rings); },
                              .state = &loop::sharpness,
                              .ignores_numbers = [](const loop& s) { return s.sharpness.empty(); }};

@@ -16,7 +16,7 @@ struct mid_edge {
         return scheme_traits{.name = "mid-edge",
                              .trusted = true,
                              .valence = 4,
-                             .require = [](const auto& level, int) { require_three_faces<mid_edge>(level); },
+                             .require = three_faces_at_vertices,
                              .reach =
                                  [](int rings, int steps) {
                                      rings += steps % 2;

@@ -16,8 +16,8 @@ namespace kith {
 /// The boundary is refined in every second step, by the generation of the mesh: refining once and once more is the same
 /// as refining twice. Two steps make the ternary cubic B-spline of it. Cost: O(corners).
 struct sqrt3 {
-    /// Reach: the centre of a triangle beside an owned one is on the rim of its children, and odd steps need the
-    /// triangles around one to know that it does not lie at the boundary: one ring more than for the masks alone.
+    /// Reach: the children of a triangle end at the centres of those beside it, and odd steps ask of a triangle whether
+    /// it lies at the boundary, which those around it tell: one ring more than for the masks alone.
     static constexpr auto traits()
     {
         return scheme_traits{

@@ -25,8 +25,8 @@ struct no_value {};
 
 namespace detail {
 
-/// What an element without an heir's right is born with: a value, or that of a function of the element that gave birth
-/// to it and of the values of the level.
+/// The value of a new element that inherits from none: a constant, or what a function says of the element that gave
+/// birth to it and of the values of the level.
 template <class T, class Born, element Element>
 T born_value(const Born& born, const Element& element, std::span<const T> values)
 {

@@ -62,8 +62,8 @@ private:
     tape<Scalar>* before_;
 };
 
-/// A value as its number on the tape. It is copied by a function of its own, as values are whose loops stay on one
-/// thread.
+/// The number of a value on the tape. Its copy constructor is not trivial, because loops over such values run on one
+/// thread, and a tape belongs to a thread.
 template <std::floating_point Scalar>
 struct recorded {
     std::uint32_t value = tape<Scalar>::none;

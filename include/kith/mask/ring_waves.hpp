@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace kith {
 
@@ -24,6 +25,24 @@ inline constexpr std::size_t longest_row = 64;
 struct wave_kernel {
     double x0;
     std::complex<double> x1, x2;
+
+    /// The weight of the operand that lies so many halves of 1/n of a turn from the new point.
+    [[nodiscard]] constexpr double at(std::int64_t half_steps, std::size_t n) const
+    {
+        const auto wave = [&](const std::complex<double>& x, std::int64_t k) {
+            const auto turn = k * half_steps, full = std::int64_t(2 * n);
+            return 2 * (x.real() * cos_turn(turn, full) + x.imag() * sin_turn(turn, full));
+        };
+        return (x0 + wave(x1, 1) + wave(x2, 2)) / double(n);
+    }
+    /// The weights of all operands, the first of which lies so many halves of 1/n of a turn from the new point.
+    [[nodiscard]] std::vector<double> row(std::int64_t half_steps, std::size_t n) const
+    {
+        std::vector<double> weights;
+        for (std::size_t j = 0; j < n; ++j)
+            weights.push_back(at(2 * std::int64_t(j) + half_steps, n));
+        return weights;
+    }
 };
 
 /// Values that are there already, with a weight each. They must outlive the mask.

@@ -69,7 +69,7 @@ Scheme without_state(const Scheme& scheme)
 }
 
 /// Makes the state of a scheme that of a part of a level of which `whole`, the same scheme but for its state, has it.
-/// Where nobody knows where the state is nothing changes: the scheme must ignore numbers then.
+/// If the state does not say where it is, nothing changes; such a scheme must ignore numbers.
 template <scheme Scheme, std::unsigned_integral Index>
 void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<Index>& part)
 {

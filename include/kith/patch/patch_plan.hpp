@@ -5,10 +5,12 @@
 #include "refine_part.hpp"
 
 #include <kith/lane/lanes.hpp>
+#include <kith/mesh/connectivity.hpp>
 #include <kith/neighbourhood/coming_scheme.hpp>
 #include <kith/neighbourhood/face_classes.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,13 +43,13 @@ struct patch_plan {
         return 2 * of_begin().edges <= face_classes<std::uint32_t>::most_corners;
     }
 
-    /// Whether these are the counts of a level where patches may begin, and of the next one by its scheme. Not so where
-    /// its state says of which tuples elements are made, in another way than it does of no elements at all.
-    template <reaching_scheme Scheme>
-    [[nodiscard]] bool foresees(const auto& level, const Scheme& scheme, int generation) const
+    /// Whether these are the counts of a mesh where patches may begin, and of the next level by its scheme. Not so
+    /// where its state says of which tuples elements are made, in another way than it does of no elements at all.
+    template <reaching_scheme Scheme, std::unsigned_integral Index>
+    [[nodiscard]] bool has_counts_of(const connectivity<Index>& mesh, const Scheme& scheme, int generation) const
     {
         const counts& here = of_begin();
-        return level.vertices == here.vertices and level.edges() == here.edges and level.faces == here.faces and
+        return mesh.vertices == here.vertices and mesh.edges() == here.edges and mesh.faces == here.faces and
                next_counts(scheme, here, generation) == levels[std::size_t(begin) + 1] and
                bases_of_columns(scheme, here, generation) == bases.front();
     }

@@ -43,7 +43,7 @@ public:
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
                                              bool with_edges = false)
     {
-        if (not plan.foresees(mesh.topology(), scheme, mesh.generation()))
+        if (not plan.has_counts_of(mesh.topology(), scheme, mesh.generation()))
             return {};
         const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
         const templates kept(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size());

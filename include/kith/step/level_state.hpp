@@ -111,7 +111,7 @@ concept finished_step = requires(const S& step) {
 ///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of
 ///                                        which it says something, in values that can be copied as bytes: all that
 ///                                        the state of a part says beside what that of a part without elements does.
-///                                        Who has none may say anything anywhere
+///                                        Without this function the state may depend on any element
 ///
 /// It follows from the numbers of the elements and from the step, not from where vertices are: state of levels that are
 /// there stays when points move. Conditions of columns may look at it; `when` and counts of later levels as far as that

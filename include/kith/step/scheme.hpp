@@ -109,7 +109,7 @@ concept orderable_scheme = separable_scheme<Scheme, Index> and numbering_of<Sche
                            detail::is_free_of_order<Scheme>(true);
 
 /// Throws mesh_error when no scheme of this type can take the faces of this level of a control mesh, or its boundary.
-template <class S, level Level>
+template <scheme S, level Level>
 void require_shape(const Level& level)
 {
     [[maybe_unused]] const auto number = [&level](const auto& x) { return std::to_string(number_in_mesh(level, x)); };
@@ -131,7 +131,7 @@ void require_shape(const Level& level)
 namespace detail {
 
 /// Asks what the scheme says in its traits of levels that it cannot take.
-template <class S, level Level>
+template <scheme S, level Level>
 void require_by_traits([[maybe_unused]] const S& scheme, const Level& level, int generation)
 {
     if constexpr (is_said<decltype(traits_of<S>.require)>) {
@@ -148,7 +148,7 @@ void require_by_traits([[maybe_unused]] const S& scheme, const Level& level, int
 
 /// Throws mesh_error when the scheme cannot take this level of a control mesh, or has options with which it can take
 /// none.
-template <class S, level Level>
+template <scheme S, level Level>
 void require_input(const S& scheme, const Level& level, int generation = 0)
 {
     require_shape<S>(level);

@@ -38,7 +38,7 @@ public:
     using row_function = std::function<std::vector<double>(std::size_t)>;
     using kernel_function = wave_kernel (*)(std::size_t);
 
-    /// `weights(n)` are those of a ring of n neighbours, `kernel(n)` the same by the angle.
+    /// `weights(n)` are those of a ring of n neighbours, `kernel(n)` the same by the angle, where the ring is large.
     /// Cost: O(corners), those of large fans times their logarithm.
     template <running_step R>
     irregular_rings(const R& r, std::size_t regular, row_function weights, kernel_function kernel)

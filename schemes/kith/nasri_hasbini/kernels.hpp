@@ -13,11 +13,12 @@
 
 namespace kith {
 
-/// The weights of Nasri-Hasbini's scheme, in units of 1/729; docs/schemes.md says how they are used.
+// The weights of Nasri-Hasbini's scheme, in units of 1/729; docs/schemes.md says how they are used.
 
 /// Which of the three kinds of points of a vertex a weight is for: (v), (v, e_0) or (v, f_0).
 enum class ternary_point : unsigned char { vertex, edge, face };
 
+/// The weight of the vertex itself.
 constexpr double center_weight(ternary_point point)
 {
     return point == ternary_point::vertex ? 361 : point == ternary_point::edge ? 304 : 256;
@@ -31,8 +32,7 @@ struct ring_kernel {
 
     [[nodiscard]] constexpr double at(std::int64_t half_steps, std::size_t n) const
     {
-        const auto cosine = [&](std::int64_t k) { return cos_turn(k * half_steps, std::int64_t(2 * n)); };
-        return (x0 + 2 * x1 * cosine(1) + (n == 4 ? 1 : 2) * x2 * cosine(2)) / double(n);
+        return wave_kernel{x0, x1, n == 4 ? x2 / 2 : x2}.at(half_steps, n);
     }
     /// The same for n >= 5.
     operator wave_kernel() const { return {x0, x1, x2}; }
@@ -85,8 +85,7 @@ inline constexpr wave_kernel diagonal_kernel{1, -1, 1};
 /// The weight of the k-th corner in the point that stands for the opposite vertex in a face of m != 4 corners.
 constexpr double diagonal_weight(std::size_t k, std::size_t m)
 {
-    const auto cosine = [&](std::size_t turns) { return cos_turn(std::int64_t(turns * k), std::int64_t(m)); };
-    return (1 - 2 * cosine(1) + (m >= 5 ? 2 * cosine(2) : 0)) / double(m);
+    return (m >= 5 ? diagonal_kernel : wave_kernel{1, -1, 0}).at(2 * std::int64_t(k), m);
 }
 
 /// What a new point takes from a face of m != 4 corners: the weights of its corners, counted from the vertex of the new

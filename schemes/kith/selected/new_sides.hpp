@@ -5,12 +5,13 @@
 #include <kith/association/running_step.hpp>
 #include <kith/level/elements.hpp>
 #include <kith/level/for_each.hpp>
+#include <kith/mask/mask.hpp>
 
 namespace kith {
 
 /// What the side from a corner of a face to the next one gives birth to, each the side of the new edge that runs the
 /// same way: the edge itself where it is kept, and where it is cut its halves.
-template <class Assoc>
+template <mask_evaluator Assoc>
 class new_sides {
     static constexpr targets::to_edge E{};
 

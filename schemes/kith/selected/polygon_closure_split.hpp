@@ -136,7 +136,7 @@ private:
     }
 
     /// How one face is split.
-    template <class Assoc, face_element Face>
+    template <mask_evaluator Assoc, face_element Face>
     class face_split : new_sides<Assoc> {
         using line = face_line<typename Assoc::index_type>;
         static constexpr targets::to_vertex V{};
@@ -272,7 +272,7 @@ private:
         const marks_type& marks_;
         Face f_;
     };
-    template <class Assoc, face_element Face>
+    template <mask_evaluator Assoc, face_element Face>
     face_split(const marks_type&, const Assoc&, const Face&) -> face_split<Assoc, Face>;
 };
 

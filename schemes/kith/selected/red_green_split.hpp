@@ -110,7 +110,7 @@ private:
     }
 
     /// How one face is split.
-    template <class Assoc, face_element Face>
+    template <mask_evaluator Assoc, face_element Face>
     class face_split : new_sides<Assoc> {
         using corner_type = decltype(std::declval<const Face&>().first_corner());
         static constexpr targets::to_vertex V{};
@@ -270,7 +270,7 @@ private:
         const marks_type& marks_;
         Face f_;
     };
-    template <class Assoc, face_element Face>
+    template <mask_evaluator Assoc, face_element Face>
     face_split(const marks_type&, const Assoc&, const Face&) -> face_split<Assoc, Face>;
 };
 

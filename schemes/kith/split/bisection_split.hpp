@@ -35,8 +35,8 @@ struct bisection_split {
     }
 
     /// What the columns pick. `before(n, m)`: how many of the tuples before the n-th, with m marked edges before that
-    /// of the n-th. `picked(r, m)`: the r-th that is picked, where the m marked edges come first. By these tiles number
-    /// what is picked in a mesh that nobody holds. `marked(counts, generation)`: m of a whole level.
+    /// of the n-th. `picked(r, m)`: the r-th that is picked, where the m marked edges come first. By these what is
+    /// picked is numbered without the mesh. `marked(counts, generation)`: m of a whole level.
     struct of_marks {
         /// Boundary edges are marked in odd generations, as `tri_quad` makes and numbers them.
         static constexpr std::uint64_t marked(const counts& c, int generation)

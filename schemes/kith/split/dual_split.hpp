@@ -30,6 +30,12 @@ struct dual_split {
     template <running_step R>
     void connect(const R& r) const
     {
+        connect(r, [cap = cap_boundary](const auto& v) { return cap and v.face_count() >= 3; });
+    }
+    /// The same for columns that give other boundary vertices a face, those where `is_capped(v)`.
+    template <running_step R, class IsCapped>
+    static void connect(const R& r, const IsCapped& is_capped)
+    {
         using namespace targets;
         const auto& [coarse, assoc, generation] = r;
         make_faces_inside(r);
@@ -44,7 +50,7 @@ struct dual_split {
                                   assoc(yr, V) >> assoc(yr.v(), e, E).left());
         });
         for_each_by_number(coarse.vertices(), [&](auto v) {
-            if (v.is_boundary() and not(cap_boundary and v.face_count() >= 3))
+            if (v.is_boundary() and not is_capped(v))
                 return;
             assoc(v, F) = polygon(v.corners(), [&](auto c) {
                 const auto ep = c.prev_edge();

@@ -31,6 +31,11 @@ void require_three_faces(const Level& coarse)
     });
 }
 
+/// The same as what a scheme says in its traits: `.require = three_faces_at_vertices`.
+inline constexpr auto three_faces_at_vertices = []<scheme Scheme>(const Scheme&, const auto& level, int) {
+    require_three_faces<Scheme>(level);
+};
+
 /// All faces at a vertex are quads.
 template <vertex_element Vertex>
 bool has_quads_only(const Vertex& v)

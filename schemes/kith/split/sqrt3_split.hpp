@@ -22,7 +22,8 @@ struct sqrt3_split {
             count += c.is_boundary();
         return count;
     }
-    /// The faces that odd steps cut. A face with more such edges, which only the rim of a tile can have, is left uncut.
+    /// The faces that odd steps cut. A face with more such edges is left uncut: `sqrt3` refuses meshes with one, but a
+    /// part of a mesh may have it where it ends.
     template <face_element Face>
     static bool has_one_boundary_edge(const Face& f)
     {
