@@ -105,8 +105,8 @@ private:
         return is_gain;
     }
 
-    /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a class of
-    /// its own. After as many steps as there are rings around a patch there are few classes; patches begin there.
+    /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a class
+    /// of its own. After as many steps as there are rings around a patch there are few classes; patches begin there.
     void begin_where_faces_are_alike(const Scheme& scheme, int levels)
     {
         costs_ = costs_.if_unlike();
