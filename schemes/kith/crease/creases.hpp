@@ -4,6 +4,7 @@
 #include "boundary.hpp"
 
 #include <kith/base/error.hpp>
+#include <kith/base/message.hpp>
 #include <kith/field/sparse_values.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/mask/ring_waves.hpp>
@@ -174,14 +175,14 @@ public:
         edges_.add_part(sharp.edges_, part.edges);
     }
     /// As a message, and from one.
-    template <class Out>
+    template <message_writer Out>
     void pack(Out& out) const
     {
         out.add(method);
         edges_.pack(out);
         vertices_.pack(out);
     }
-    template <class In>
+    template <message_reader In>
     void unpack(In& in)
     {
         method = in.template get<crease_method>();
