@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/message.hpp>
 #include <kith/face_varying.hpp>
 #include <kith/field/field.hpp>
 #include <kith/format/mesh_attributes.hpp>
@@ -63,7 +64,7 @@ public:
         for_each_field([&](const auto& field) { field.require_one_each(level); });
     }
     /// As a message, of the faces of the control mesh those from which the faces here come; and from one.
-    template <class Out>
+    template <message_writer Out>
     void pack(Out& out) const
     {
         const auto [parents, values] = faces_here();
@@ -78,7 +79,7 @@ public:
         for (const auto& of_faces : values)
             out.add_array(of_faces);
     }
-    template <class In>
+    template <message_reader In>
     void unpack(In& in)
     {
         *this = {};

@@ -57,7 +57,7 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
             const int generation = control.generation() + request.levels; // which other libraries forget
             refined_mesh refined{with_points<std::array<double, 3>>(lift(levels.finest()), generation)};
             refined.edges = refined.mesh.edge_count();
-            if constexpr (has_creases<Scheme>) {
+            if constexpr (scheme_with_creases<Scheme>) {
                 if (request.with_tags)
                     refined.tags = io::tags_of(levels.scheme(request.levels).sharpness,
                                                levels.elements(request.levels));

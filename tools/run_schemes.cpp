@@ -35,7 +35,7 @@ scheme_line describe(const scheme_entry<Scheme>& entry)
     for_each_option(scheme, [&]<class Choice>(const char* option, Choice&) {
         result.options.emplace_back(option, all_words<Choice>());
     });
-    if constexpr (requires { scheme.sharpness; })
+    if constexpr (scheme_with_creases<Scheme>)
         result.options.emplace_back("--crease-angle", "a number of degrees");
     if constexpr (requires { scheme.tension; })
         result.options.emplace_back("--tension", "a number between 0 and 2.472");

@@ -109,7 +109,7 @@ void for_each_option(Scheme& scheme, const F& f)
         f("--weights", scheme.weights);
     if constexpr (requires { scheme.boundary; })
         f("--boundary", scheme.boundary);
-    if constexpr (requires { scheme.sharpness.method; })
+    if constexpr (scheme_with_creases<Scheme>)
         f("--crease-method", scheme.sharpness.method);
 }
 

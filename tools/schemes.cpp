@@ -23,7 +23,7 @@ std::string schemes_with_creases()
     std::string result;
     std::apply(
         [&]<class... Schemes>(const scheme_entry<Schemes>&...) {
-            ((has_creases<Schemes>
+            ((scheme_with_creases<Schemes>
                   ? void(result += (result.empty() ? "" : " and ") + std::string(scheme_name<Schemes>()))
                   : void()),
              ...);
@@ -83,7 +83,7 @@ void require_creases(const scheme_words& words)
             throw usage_error("--crease-sharpness: say with --crease-angle which edges");
         return;
     }
-    if constexpr (not has_creases<Scheme>)
+    if constexpr (not scheme_with_creases<Scheme>)
         throw usage_error("--crease-angle: " + std::string(scheme_name<Scheme>()) + " has no creases; " +
                           schemes_with_creases() + " have");
     if (not(*words.crease_angle >= 0 and *words.crease_angle <= 180))
@@ -162,7 +162,7 @@ void give_creases(any_scheme& scheme, control_mesh& control, scheme_words& words
     note_unread(tags);
     std::visit(
         [&]<class Scheme>(Scheme& s) {
-            if constexpr (has_creases<Scheme>) {
+            if constexpr (scheme_with_creases<Scheme>) {
                 const auto method = s.sharpness.method;
                 s.sharpness = creases_of(tags, control.mesh);
                 if (words.crease_angle) {
@@ -194,7 +194,8 @@ void give_creases(any_scheme& scheme, control_mesh& control, scheme_words& words
 bool refines_along_seams(const any_scheme& scheme)
 {
     return std::visit(
-        []<class Scheme>(const Scheme&) { return has_creases<Scheme> or kith::detail::is_linear<Scheme>; }, scheme);
+        []<class Scheme>(const Scheme&) { return scheme_with_sharp_rules<Scheme> or kith::detail::is_linear<Scheme>; },
+        scheme);
 }
 
 sharp_elements sharp_after(const any_scheme& scheme, int levels)
@@ -202,7 +203,7 @@ sharp_elements sharp_after(const any_scheme& scheme, int levels)
     return std::visit(
         [&]<class Scheme>(const Scheme& s) {
             sharp_elements result;
-            if constexpr (has_creases<Scheme>) {
+            if constexpr (scheme_with_creases<Scheme>) {
                 const auto is_left = [&](const auto& sharp) { return sharp.second > levels; };
                 result.edges = std::size_t(std::ranges::count_if(s.sharpness.edges(), is_left));
                 result.vertices = std::size_t(std::ranges::count_if(s.sharpness.vertices(), is_left));
@@ -225,7 +226,7 @@ void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme)
 {
     std::visit(
         [&]<class Scheme>(const Scheme& s) {
-            if constexpr (has_creases<Scheme>)
+            if constexpr (scheme_with_sharp_rules<Scheme>)
                 if (s.corners != Scheme().corners)
                     tags.corners = s.corners;
         },
@@ -300,7 +301,7 @@ std::vector<std::string_view> schemes_that_take(const control_mesh& control)
     const bool has_tags = control.tags.has_creases() or not holes_of(control.tags, control.mesh).empty();
     std::vector<std::string_view> result;
     const auto look_at = [&]<class Scheme>(const scheme_entry<Scheme>& entry) {
-        if (has_tags and not has_creases<Scheme>)
+        if (has_tags and not scheme_with_creases<Scheme>)
             return;
         try {
             attribute_fields none;

@@ -66,9 +66,6 @@ struct scheme_words {
     bool triangulate = false;
 };
 
-template <class Scheme>
-inline constexpr bool has_creases = requires(Scheme s) { s.sharpness; };
-
 /// Edges and vertices of the control mesh.
 struct sharp_elements {
     std::size_t edges = 0, vertices = 0;

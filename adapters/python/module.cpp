@@ -100,7 +100,7 @@ void give_creases(Scheme& scheme, const scheme_options& options, const mesh& con
 {
     if (options.sharp_edges.empty() and options.sharp_vertices.empty())
         return;
-    if constexpr (requires { scheme.sharpness.sharpen_edge(0, 1.); }) {
+    if constexpr (kith::scheme_with_creases<Scheme>) {
         const kith::level_of<mesh> level(control);
         const auto require_vertex = [&](std::size_t v) {
             if (v >= level.vertex_count())

@@ -23,9 +23,7 @@ concept is_linear = std::derived_from<Scheme, linear> or std::derived_from<Schem
 
 /// The seams of values at corners have rules where each new face lies in an old one, and points go by creases.
 template <class Scheme>
-concept has_seam_rules = requires(const Scheme& scheme) {
-    { scheme.sharpness } -> std::convertible_to<const creases&>;
-    { scheme.corners } -> std::convertible_to<boundary_corner>;
+concept has_seam_rules = scheme_with_sharp_rules<Scheme> and requires(const Scheme& scheme) {
     requires std::same_as<decltype(columns_of(scheme, 0)), decltype(quad_split::columns())> or
                  std::same_as<decltype(columns_of(scheme, 0)), decltype(triangle_split::columns())>;
 };

@@ -73,7 +73,7 @@ void expect_gathered(const Gathered& gathered, const Levels& levels, int level)
     for (std::size_t f = 0; f < gathered.mesh.face_count(); ++f)
         EXPECT_TRUE(std::ranges::equal(gathered.mesh.face(f), levels[level].face(f)));
     EXPECT_EQ(some_fields::difference(gathered.scheme, levels.scheme(level)), "");
-    if constexpr (requires { gathered.scheme.sharpness; }) {
+    if constexpr (kith::scheme_with_creases<std::remove_cvref_t<decltype(gathered.scheme)>>) {
         EXPECT_EQ(gathered.scheme.sharpness.edges(), levels.scheme(level).sharpness.edges());
         EXPECT_EQ(gathered.scheme.sharpness.vertices(), levels.scheme(level).sharpness.vertices());
     }

@@ -20,7 +20,7 @@ namespace {
 template <class Scheme>
 bool same_creases(const Scheme& a, const Scheme& b)
 {
-    if constexpr (requires { a.sharpness; })
+    if constexpr (kith::scheme_with_creases<Scheme>)
         return a.sharpness.edges() == b.sharpness.edges() and a.sharpness.vertices() == b.sharpness.vertices();
     else
         return true;

@@ -46,12 +46,6 @@ int steps_of(const Np& np)
     return int(steps);
 }
 
-/// What schemes with creases have.
-template <class Scheme>
-concept sharp_scheme = requires(Scheme& scheme) {
-    { scheme.sharpness } -> std::same_as<creases&>;
-};
-
 template <class Np>
 inline constexpr bool has_sharp_elements = is_given<Np, CGAL::internal_np::edge_is_constrained_t> or
                                            is_given<Np, CGAL::internal_np::vertex_is_constrained_t> or
@@ -190,7 +184,7 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
         const face_graph view(std::as_const(g), points);
         auto lifted = lift_valid(view); // before all else, as it looks whether this is a mesh
         in_place::require_faces(view, lifted, scheme);
-        if constexpr (sharp_scheme<Scheme> and has_sharp_elements<Np>)
+        if constexpr (scheme_with_creases<Scheme> and has_sharp_elements<Np>)
             read_creases(view, np, scheme.sharpness);
         return lifted;
     }();
@@ -208,7 +202,7 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
     [[maybe_unused]] const auto written = write(g, points, *fine, carried, [&](std::size_t v) {
         return face_graph<Graph, std::remove_const_t<decltype(points)>>::to_graph(fine->mesh.point(v));
     });
-    if constexpr (sharp_scheme<Scheme> and has_sharp_elements<Np>)
+    if constexpr (scheme_with_creases<Scheme> and has_sharp_elements<Np>)
         write_creases(written, np, scheme.sharpness);
 }
 
@@ -238,7 +232,7 @@ void subdivision(Graph& pmesh, Scheme scheme, const Np& np = CGAL::parameters::d
     if constexpr (steps<Np>) {
         detail::refine(pmesh, scheme, CGAL::parameters::number_of_iterations(np));
     } else {
-        static_assert(detail::sharp_scheme<Scheme> or not detail::has_sharp_elements<Np>,
+        static_assert(scheme_with_creases<Scheme> or not detail::has_sharp_elements<Np>,
                       "kith::cgal: Catmull-Clark and Loop have creases, this scheme has none; leave out the maps of "
                       "constrained edges, constrained vertices and sharpness");
         detail::refine(pmesh, scheme, np);

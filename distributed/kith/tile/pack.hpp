@@ -3,6 +3,7 @@
 
 #include "tile_job.hpp"
 
+#include <kith/base/message.hpp>
 #include <kith/mask/hash_value.hpp>
 #include <kith/part/check_tile.hpp>
 
@@ -107,6 +108,7 @@ private:
 
     std::span<const std::byte> bytes_;
 };
+static_assert(message_writer<packer> and message_reader<unpacker>);
 
 namespace detail {
 

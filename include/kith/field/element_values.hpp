@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/base/error.hpp>
+#include <kith/base/message.hpp>
 #include <kith/base/storage.hpp>
 #include <kith/property/unset_values.hpp>
 #include <kith/step/level_state.hpp>
@@ -89,13 +90,13 @@ public:
         for_each_in(part, [&](std::size_t here, std::size_t there) { values_[there] = more[here]; });
     }
     /// As a message, and from one.
-    template <class Out>
+    template <message_writer Out>
     void pack(Out& out) const
     {
         if constexpr (are_plain())
             out.add_array(values_);
     }
-    template <class In>
+    template <message_reader In>
     void unpack(In& in)
     {
         if constexpr (are_plain())

@@ -7,7 +7,9 @@
 #include "face_rules.hpp"
 #include "vertex_rules.hpp"
 
+#include <kith/base/message.hpp>
 #include <kith/base/storage.hpp>
+#include <kith/step/level_state.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -26,6 +28,25 @@ namespace kith {
 /// where there are no marks in the first step: it makes them of the values then.
 template <class Rule>
 concept marking_rule = requires { requires std::is_trivially_copyable_v<typename Rule::mark_type>; };
+
+namespace detail {
+
+template <class Rule, class T, class Step>
+concept makes_values = requires(const Rule& rule, std::span<const T> values, const Step& step) {
+    { rule.template after<T>(values, step) } -> std::convertible_to<storage<T>>;
+};
+template <class Rule, class T, class Step, class Mark = typename Rule::mark_type>
+concept makes_marks = requires(const Rule& rule, std::span<const T> values, std::span<const Mark> marks,
+                               const Step& step) {
+    { rule.template after<T>(values, marks, step) } -> std::convertible_to<std::pair<storage<T>, storage<Mark>>>;
+};
+
+} // namespace detail
+
+/// A rule by which a field has values of this type after this step.
+template <class Rule, class T, class Step>
+concept field_rule = finished_step<Step> and ((marking_rule<Rule> and detail::makes_marks<Rule, T, Step>) or
+                                              (not marking_rule<Rule> and detail::makes_values<Rule, T, Step>));
 
 /// A field: a value for each element of one kind of a level, by its dense number, and a rule by which the elements of
 /// the next level inherit. It is state of a level (level_state.hpp): `with_fields` hands it on beside any scheme, and a
@@ -67,11 +88,16 @@ public:
     template <finished_step Step>
     [[nodiscard]] field after(const Step& step) const
     {
+        static_assert(field_rule<Rule, T, Step>,
+                      "the rule of a field has after(std::span<const T> values, const auto& step) const, which returns "
+                      "storage<T>, for values of this type; a rule that makes means needs kith::affine of them");
         field result(rule());
         if (empty())
             return result;
         values_.require_one_each(step.coarse);
-        if constexpr (is_marked) {
+        if constexpr (not field_rule<Rule, T, Step>) {
+            return result; // has been told
+        } else if constexpr (is_marked) {
             auto [values, marks] = rule().template after<T>(values_.all(), marks_.all(), step);
             result.values_ = decltype(values_)(std::move(values));
             result.marks_ = decltype(marks_)(std::move(marks));
@@ -99,14 +125,14 @@ public:
             marks_.add_part(more.marks_, part);
     }
     /// As a message, and from one.
-    template <class Out>
+    template <message_writer Out>
     void pack(Out& out) const
     {
         values_.pack(out);
         if constexpr (is_marked)
             marks_.pack(out);
     }
-    template <class In>
+    template <message_reader In>
     void unpack(In& in)
     {
         values_.unpack(in);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/message.hpp>
+
 #include <concepts>
 #include <algorithm>
 #include <cstddef>
@@ -74,14 +76,14 @@ public:
         list_.erase(twice.begin(), twice.end());
     }
     /// As a message, and from one.
-    template <class Out>
+    template <message_writer Out>
     void pack(Out& out) const
     {
         out.add(std::uint64_t(list_.size()));
         for (const auto& [element, value] : list_)
             out.add(std::uint64_t(element)).add(value);
     }
-    template <class In>
+    template <message_reader In>
     void unpack(In& in)
     {
         list_.clear();

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "boundary.hpp"
+
 #include <kith/base/error.hpp>
+#include <kith/base/message.hpp>
 #include <kith/field/sparse_values.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/mask/ring_waves.hpp>
 #include <kith/step/level_state.hpp>
 #include <kith/step/refinement.hpp>
+#include <kith/step/scheme.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -49,7 +53,7 @@ public:
     /// it its point, depends on the edges around both of its ends.
     [[nodiscard]] int reach(int rings) const { return (method == crease_method::chaikin ? rings + 1 : rings) / 2 + 1; }
 
-    /// Boundary edges are sharp by nature.
+    /// The sharpness of an edge; boundary edges are infinitely sharp.
     template <edge_element Edge>
     [[nodiscard]] double sharpness(const Edge& e) const
     {
@@ -171,14 +175,14 @@ public:
         edges_.add_part(sharp.edges_, part.edges);
     }
     /// As a message, and from one.
-    template <class Out>
+    template <message_writer Out>
     void pack(Out& out) const
     {
         out.add(method);
         edges_.pack(out);
         vertices_.pack(out);
     }
-    template <class In>
+    template <message_reader In>
     void unpack(In& in)
     {
         method = in.template get<crease_method>();
@@ -227,5 +231,29 @@ private:
 
     sparse_values<double> edges_, vertices_;
 };
+
+/// A scheme with creases has a member `sharpness` of this class, which is its state.
+template <class S>
+concept scheme_with_creases = scheme<S> and requires(S& s) {
+    { s.sharpness } -> std::same_as<creases&>;
+};
+/// One whose points go by sharp_rules has a member `corners`, too. Such a scheme is what face_varying and crease_limits
+/// ask for.
+template <class S>
+concept scheme_with_sharp_rules = scheme_with_creases<S> and requires(const S& s) {
+    { s.corners } -> std::convertible_to<boundary_corner>;
+};
+
+/// The member `boundary` of such a scheme; without one its boundary is cubic.
+template <scheme_with_sharp_rules Scheme>
+constexpr boundary_curve boundary_curve_of(const Scheme& scheme)
+{
+    if constexpr (requires {
+                      { scheme.boundary } -> std::convertible_to<boundary_curve>;
+                  })
+        return scheme.boundary;
+    else
+        return boundary_curve::cubic;
+}
 
 } // namespace kith

@@ -61,36 +61,28 @@ public:
         return (near_sharp_.empty() or not near_sharp_[v.index()]) and not v.is_boundary();
     }
 
-    /// What the limit at a vertex that is not smooth depends on: nothing (a corner), a curve, or more than a mask can
-    /// tell.
-    enum class limit_kind : unsigned char { corner, curve, unknown };
-    struct limit_rule {
-        limit_kind kind;
-        std::array<vertex<Level>, 2> ends; ///< the neighbours along the curve
+    /// A vertex stays (a corner), goes along the curve of a crease or the boundary, or by the scheme's own mask, as a
+    /// dart does.
+    enum class rule_kind : unsigned char { smooth, crease, corner };
+    struct vertex_rule {
+        rule_kind kind = rule_kind::smooth;
+        std::size_t sharp_edges = 0;
+        std::array<vertex<Level>, 2> ends; ///< of the first two of them: the neighbours along the curve
+
+        explicit vertex_rule(const vertex<Level>& v) : ends{v, v} {}
+        void add(const vertex<Level>& end)
+        {
+            if (sharp_edges < 2)
+                ends[sharp_edges] = end;
+            ++sharp_edges;
+        }
     };
-    /// Half a ring of at least two faces lies at v.
-    [[nodiscard]] bool is_on_boundary_curve(const vertex<Level>& v) const
+    /// The rule of a vertex that is not smooth, in the step from this level.
+    [[nodiscard]] vertex_rule rule_of(const vertex<Level>& v) const { return classify(v).parent; }
+    /// A corner of the surface, whatever is sharp there.
+    [[nodiscard]] bool is_kept_corner(const vertex<Level>& v) const
     {
-        return v.is_boundary() and v.face_count() >= 2 and limit_of(v).kind == limit_kind::curve;
-    }
-    [[nodiscard]] limit_rule limit_of(const vertex<Level>& v) const
-    {
-        if (is_kept_corner(v))
-            return {limit_kind::corner, {v, v}};
-        vertex_rule rule(v);
-        const double s = sharp_->of_vertex(v.index());
-        // What is semi-sharp changes its rule on a later level; of the curve of thirds the limit is not known.
-        bool lasts = (s == 0 or s == infinitely_sharp) and not(v.is_boundary() and curve_ == boundary_curve::thirds);
-        for (const auto e : v.edges())
-            if (const double sharpness = sharp_->sharpness(e); sharpness > 0) {
-                rule.add(e.org() == v ? e.dst() : e.org());
-                lasts = lasts and sharpness == infinitely_sharp;
-            }
-        const rule_kind kind = kind_of(s > 0, rule.sharp_edges);
-        return {not lasts or kind == rule_kind::smooth ? limit_kind::unknown
-                : kind == rule_kind::corner            ? limit_kind::corner
-                                                       : limit_kind::curve,
-                rule.ends};
+        return corners_ == boundary_corner::kept and v.is_boundary() and v.face_count() == 1;
     }
 
 private:
@@ -158,20 +150,6 @@ private:
         return assoc.evaluate(weight * mask_of_sum(now) + (1 - weight) * mask_of_sum(later));
     }
 
-    enum class rule_kind : unsigned char { smooth, crease, corner };
-    struct vertex_rule {
-        rule_kind kind = rule_kind::smooth;
-        std::size_t sharp_edges = 0;
-        std::array<vertex<Level>, 2> ends; ///< of the first two of them
-
-        explicit vertex_rule(const vertex<Level>& v) : ends{v, v} {}
-        void add(const vertex<Level>& end)
-        {
-            if (sharp_edges < 2)
-                ends[sharp_edges] = end;
-            ++sharp_edges;
-        }
-    };
     struct classes {
         vertex_rule parent, child;
         double weight; ///< of the parent's rule where the two differ
@@ -182,10 +160,6 @@ private:
         return corner or sharp_edges >= 3 ? rule_kind::corner
                : sharp_edges == 2         ? rule_kind::crease
                                           : rule_kind::smooth; // with one sharp edge: a dart
-    }
-    bool is_kept_corner(const vertex<Level>& v) const
-    {
-        return corners_ == boundary_corner::kept and v.is_boundary() and v.face_count() == 1;
     }
     classes classify(const vertex<Level>& v) const
     {

@@ -19,7 +19,7 @@ struct limit_rules<catmull_clark> : crease_limits {
     static void position(const creased_scheme<catmull_clark, Level>& s, const vertex<Level>& v, const Use& use)
     {
         if (not s.sharp.is_smooth(v))
-            return position_on_curve(s.sharp, v, use);
+            return position_on_curve(s, v, use);
         if (not has_quads_only(v))
             return;
         const double n = double(v.valence());
@@ -31,9 +31,9 @@ struct limit_rules<catmull_clark> : crease_limits {
     {
         if (not has_quads_only(v))
             return;
-        const auto ring = turns_of_ring(s.sharp, v);
+        const auto ring = turns_of_ring(s, v);
         if (not ring)
-            return tangents_at_corner(s.sharp, v, use);
+            return tangents_at_corner(s, v, use);
         const auto [inside, turns] = *ring;
         const double c = cos_turn(1, turns), half = cos_turn(1, 2 * turns);
         const double lambda = 5. / 16 + (c + half * std::sqrt(2 * (9 + c))) / 16;

@@ -15,7 +15,7 @@ struct limit_rules<loop> : crease_limits {
     static void position(const creased_scheme<loop, Level>& s, const vertex<Level>& v, const Use& use)
     {
         if (not s.sharp.is_smooth(v))
-            return position_on_curve(s.sharp, v, use);
+            return position_on_curve(s, v, use);
         const double n = double(v.valence());
         const double g = 1 / (n + 3 / (8 * s.scheme.beta(v.valence())));
         use((1 - n * g) * v + g * sum(v.neighbors()));
@@ -25,9 +25,9 @@ struct limit_rules<loop> : crease_limits {
     template <level Level, class Use>
     static void tangents(const creased_scheme<loop, Level>& s, const vertex<Level>& v, const Use& use)
     {
-        const auto ring = turns_of_ring(s.sharp, v);
+        const auto ring = turns_of_ring(s, v);
         if (not ring)
-            return tangents_at_corner(s.sharp, v, use);
+            return tangents_at_corner(s, v, use);
         const auto [inside, turns] = *ring;
         if (inside) {
             use_first_wave(v.neighbors(), turns, use);

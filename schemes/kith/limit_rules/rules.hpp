@@ -7,6 +7,7 @@
 #include <kith/mask/mask.hpp>
 #include <kith/step/scheme.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -84,41 +85,35 @@ struct limit_rules<with_fields<Scheme, Fields...>> : limit_rules<Scheme> {
 };
 
 /// A scheme with creases, and what they are on a level.
-template <scheme Scheme, level Level>
+template <scheme_with_sharp_rules Scheme, level Level>
 struct creased_scheme {
     const Scheme& scheme;
     sharp_rules<Level> sharp;
 };
 
-/// The limit rules of schemes that have the members `sharpness` and `corners`; position and tangents take a
-/// creased_scheme.
+/// The limit rules of schemes with sharp_rules; position and tangents take a creased_scheme.
 struct crease_limits : limit_defaults {
-    template <scheme Scheme, level Level>
+    template <scheme_with_sharp_rules Scheme, level Level>
     static creased_scheme<Scheme, Level> on(const Scheme& scheme, const Level& level)
     {
-        boundary_curve curve = boundary_curve::cubic;
-        if constexpr (requires { curve = scheme.boundary; })
-            curve = scheme.boundary;
-        return {scheme, sharp_rules(level, scheme.sharpness, scheme.corners, curve)};
+        return {scheme, sharp_rules(level, scheme.sharpness, scheme.corners, boundary_curve_of(scheme))};
     }
     /// The limit at corners, and along boundaries and creases: 1/6, 2/3, 1/6, where a cubic B-spline curve ends up.
-    template <level Level, class Use>
-    static void position_on_curve(const sharp_rules<Level>& sharp, const vertex<Level>& v, const Use& use)
+    template <scheme_with_sharp_rules Scheme, level Level, class Use>
+    static void position_on_curve(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
     {
-        using kinds = typename sharp_rules<Level>::limit_kind;
-        const auto [kind, ends] = sharp.limit_of(v);
-        if (kind == kinds::corner)
+        const auto [kind, ends] = limit_of(s, v);
+        if (kind == limit_kind::corner)
             use(sum(v));
-        else if (kind == kinds::curve)
+        else if (kind == limit_kind::curve)
             use((ends[0] + 4. * v + ends[1]) / 6);
     }
     /// A corner with one face lies in the plane of its two edges; at other corners and along creases each side has a
     /// plane of its own, and none is given.
-    template <level Level, class Use>
-    static void tangents_at_corner(const sharp_rules<Level>& sharp, const vertex<Level>& v, const Use& use)
+    template <scheme_with_sharp_rules Scheme, level Level, class Use>
+    static void tangents_at_corner(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
     {
-        using kinds = typename sharp_rules<Level>::limit_kind;
-        if (v.is_boundary() and v.face_count() == 1 and sharp.limit_of(v).kind == kinds::corner)
+        if (v.is_boundary() and v.face_count() == 1 and limit_of(s, v).kind == limit_kind::corner)
             use(v.first_rim() - v, v.last_rim() - v);
     }
 
@@ -128,15 +123,49 @@ protected:
         std::int64_t turns; ///< a face at the vertex spans one of so many parts of a full turn
     };
     /// Nothing where the ring spans neither: at corners and along creases.
-    template <level Level>
-    static std::optional<ring_turns> turns_of_ring(const sharp_rules<Level>& sharp, const vertex<Level>& v)
+    template <scheme_with_sharp_rules Scheme, level Level>
+    static std::optional<ring_turns> turns_of_ring(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
     {
         const std::size_t k = v.face_count();
-        if (sharp.is_smooth(v))
+        if (s.sharp.is_smooth(v))
             return ring_turns{true, std::int64_t(k)};
-        if (sharp.is_on_boundary_curve(v))
+        if (v.is_boundary() and k >= 2 and limit_of(s, v).kind == limit_kind::curve)
             return ring_turns{false, std::int64_t(2 * k)};
         return {};
+    }
+
+private:
+    /// What the limit at a vertex that is not smooth depends on: nothing (a corner), a curve, or more than a mask can
+    /// tell.
+    enum class limit_kind : unsigned char { corner, curve, unknown };
+    template <level Level>
+    struct limit_rule {
+        limit_kind kind;
+        std::array<vertex<Level>, 2> ends; ///< the neighbours along the curve
+    };
+    template <scheme_with_sharp_rules Scheme, level Level>
+    static limit_rule<Level> limit_of(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
+    {
+        using kinds = typename sharp_rules<Level>::rule_kind;
+        const auto rule = s.sharp.rule_of(v);
+        if (not is_known(s, v) or rule.kind == kinds::smooth)
+            return {limit_kind::unknown, rule.ends};
+        return {rule.kind == kinds::corner ? limit_kind::corner : limit_kind::curve, rule.ends};
+    }
+    /// Whether the rule of a vertex says its limit: what is semi-sharp has another rule on a later level, and the limit
+    /// of the curve of thirds is not known.
+    template <scheme_with_sharp_rules Scheme, level Level>
+    static bool is_known(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
+    {
+        if (s.sharp.is_kept_corner(v))
+            return true;
+        if (v.is_boundary() and boundary_curve_of(s.scheme) == boundary_curve::thirds)
+            return false;
+        const auto is_semi_sharp = [](double sharpness) { return 0 < sharpness and sharpness < infinitely_sharp; };
+        for (const auto e : v.edges())
+            if (is_semi_sharp(s.scheme.sharpness.sharpness(e)))
+                return false;
+        return not is_semi_sharp(s.scheme.sharpness.of_vertex(v.index()));
     }
 };
 

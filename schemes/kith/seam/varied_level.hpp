@@ -173,10 +173,9 @@ private:
                 return store(curve);
             return store(weight * v + (1 - weight) * curve);
         };
-        if constexpr (requires { step_.scheme.boundary; })
-            if (step_.scheme.boundary == boundary_curve::thirds)
-                return blended(thirds_curve_vertex(v, before, after));
-        return blended(cubic_curve_vertex(v, before, after));
+        return boundary_curve_of(step_.scheme) == boundary_curve::thirds
+                   ? blended(thirds_curve_vertex(v, before, after))
+                   : blended(cubic_curve_vertex(v, before, after));
     }
     template <mask Mask>
     [[nodiscard]] T store(const Mask& mask) const

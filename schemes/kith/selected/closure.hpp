@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/base/error.hpp>
+#include <kith/base/message.hpp>
 #include <kith/step/level_state.hpp>
 
 #include <algorithm>
@@ -154,14 +155,14 @@ public:
     }
 
     /// As a message, and from one: the green faces and what was chosen.
-    template <class Out>
+    template <message_writer Out>
     void pack(Out& out) const
     {
         for (const auto* bytes : {&chosen_, &red_, &cut_})
             out.add_array(*bytes);
         out.add_array(sides_);
     }
-    template <class In>
+    template <message_reader In>
     void unpack(In& in)
     {
         for (auto* bytes : {&chosen_, &red_, &cut_})
