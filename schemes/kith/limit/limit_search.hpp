@@ -4,7 +4,7 @@
 #include "limit.hpp"
 #include "limit_rings.hpp"
 
-#include <kith/mesh/close_rims.hpp>
+#include <kith/mesh/close_boundary_loops.hpp>
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
 
@@ -144,7 +144,7 @@ private:
             to_part(left, part);
             take_part(scheme, scheme, part.numbers());
             if constexpr (needs_closed<Scheme>)
-                part.mesh = close_rims(part.mesh);
+                part.mesh = close_boundary_loops(part.mesh);
             numbering_of<Scheme, Index> ids;
             fine = refine_mesh<connect::everything>(part.mesh, scheme, ids);
             advance(scheme, level_type(part.mesh), part.mesh.generation(), ids, fine);
