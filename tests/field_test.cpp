@@ -7,6 +7,7 @@
 #include "some_fields.hpp"
 #include "tiles.hpp"
 
+#include <kith/evaluator.hpp>
 #include <kith/field/sparse_values.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/refine_in_tiles.hpp>
@@ -352,9 +353,7 @@ TEST(field, of_another_number_of_values_is_refused_and_changes_nothing)
     auto few = kith::on_faces(std::vector<int>(3, 1));
     for (const int levels : {0, 1})
         EXPECT_THROW(kith::refine_with_fields(mesh, kith::catmull_clark{}, levels, std::tie(few)), kith::mesh_error);
-    kith::hierarchy levels(mesh, with);
-    EXPECT_THROW(levels.refine(), kith::mesh_error);
-    EXPECT_EQ(levels.depth(), 0);
+    EXPECT_THROW(kith::hierarchy(mesh, with), kith::mesh_error);
     EXPECT_THROW((void)kith::tile_cutter(mesh, with, partitions::blocks(mesh.face_count(), 2), 2).cut(1, 1),
                  kith::mesh_error);
 }
@@ -369,6 +368,22 @@ TEST(field, is_a_member_of_a_scheme_that_reads_it)
     EXPECT_TRUE(same_bits(fine, expected));
     EXPECT_EQ(scheme.pull.size(), fine.face_count());
     EXPECT_EQ(scheme.pull[fine.face_count() - 1], 0.25);
+}
+
+TEST(field, of_another_number_of_values_is_refused_before_its_scheme_reads_it)
+{
+    const auto mesh = some_mesh(false);
+    drawn scheme;
+    scheme.pull = kith::on_faces(std::vector<double>(3, 0.25));
+    const std::string fault = "a field has 3 values, the level has " + std::to_string(mesh.face_count()) +
+                              " faces; give it one for each";
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { (void)kith::refine(mesh, scheme, 1); }), fault);
+    EXPECT_EQ(error_text<kith::mesh_error>(
+                  [&] { (void)kith::refine(mesh, scheme, 2, {.last_level = kith::connect::faces}); }),
+              fault);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { (void)kith::refine_with_fields(mesh, scheme, 1); }), fault);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { (void)kith::hierarchy(mesh, scheme); }), fault);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { (void)kith::evaluator(mesh, scheme, 1); }), fault);
 }
 
 TEST(sparse_values, are_set_removed_cut_and_joined)

@@ -36,7 +36,7 @@ public:
     explicit hierarchy(M control, Scheme scheme = {}, refine_options options = {})
         : options_(options), levels_(checked(control), std::move(scheme))
     {
-        require_input(this->scheme(0), elements(0), levels_.generation(0));
+        detail::require_control_level(this->scheme(0), elements(0), levels_.generation(0));
     }
 
     /// Adds n levels; refine(1) twice is refine(2), bit for bit. Levels that were undone are given up. Errors: as the

@@ -79,7 +79,8 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
                                 const refine_options& options)
 {
     require_levels<Scheme>(levels);
-    with_native_level<Scheme>(control, [&](const auto& level) { require_input(scheme, level, control.generation()); });
+    with_native_level<Scheme>(control,
+                              [&](const auto& level) { require_control_level(scheme, level, control.generation()); });
     return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
@@ -92,7 +93,7 @@ auto with_numbers_of(const M& mesh, const Scheme& scheme, int generation, const 
     try {
         return f();
     } catch (const mesh_error&) {
-        require_input(scheme, level_of<M>(mesh), generation);
+        require_control_level(scheme, level_of<M>(mesh), generation);
         throw;
     }
 }

@@ -97,7 +97,7 @@ void require_faces(const M& mesh, const native_mesh<Point>& control, const Schem
 {
     if constexpr (not std::same_as<Scheme, four_eight>)
         detail::with_numbers_of(mesh, scheme, control.generation(), [&] {
-            require_input(scheme, level_of<native_mesh<Point>>(control), control.generation());
+            detail::require_control_level(scheme, level_of<native_mesh<Point>>(control), control.generation());
         });
 }
 

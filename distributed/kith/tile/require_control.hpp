@@ -18,7 +18,7 @@ void require_control(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
     require_levels<Scheme>(levels);
     validate(mesh).require_ok();
     require_edges(mesh);
-    require_input(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation());
+    require_control_level(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation());
 }
 
 } // namespace kith::detail

@@ -106,7 +106,8 @@ concept finished_step = requires(const S& step) {
 ///
 /// It may have
 ///
-///   void require_one_each(level) const   throws mesh_error for a state of another level, before that is cut
+///   void require_one_each(level) const   throws mesh_error for a state of another level, before that is
+///                                        refined or cut
 ///
 ///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of
 ///                                        which it says something, in values that can be copied as bytes: all that
@@ -194,6 +195,14 @@ void require_states_of(const Level& level, const Scheme& scheme)
         if constexpr (requires { state.require_one_each(level); })
             state.require_one_each(level);
     });
+}
+
+/// What require_input asks, and that the state of the scheme is that of this level.
+template <scheme Scheme, level Level>
+void require_control_level(const Scheme& scheme, const Level& level, int generation)
+{
+    require_input(scheme, level, generation);
+    require_states_of(level, scheme);
 }
 
 template <class State, finished_step Step>
