@@ -33,6 +33,9 @@ public:
         , whole_(whole_of(cutter_, scheme, levels, last_rings))
     {
     }
+    /// Refused: such a mesh would be gone when its tiles are cut.
+    tiled_refinement(const basic_mesh<Point, Index>&& mesh, const Scheme& scheme, int levels, const partition& parts,
+                     int last_rings = 0) = delete;
 
     /// The numbering of all levels.
     [[nodiscard]] const whole_levels<Scheme>& whole() const { return whole_; }
