@@ -162,9 +162,8 @@ TEST(creased_patches, refuses_creases_of_another_mesh)
     };
     EXPECT_EQ(error_of(native(shapes::torus(12, 24)), 6),
               "creases: edge 576 does not exist, there are 576; make the creases for this mesh and level");
-    EXPECT_EQ(
-        error_of(native(shapes::torus(60, 80)), 3), // its faces own patches
-        "the state of the scheme: edge 9600 does not exist, there are 9600; make the state for this mesh and level");
+    EXPECT_EQ(error_of(native(shapes::torus(60, 80)), 3), // its faces own patches
+              "creases: edge 9600 does not exist, there are 9600; make the creases for this mesh and level");
 }
 
 /// Catmull-Clark whose face points are drawn to the first corner, at faces that have a number, which their children
@@ -257,6 +256,16 @@ TEST(creased_patches, takes_a_users_own_state_that_says_where_it_is)
     expect_same_bits(mesh, scheme, 4, "with another option");
     scheme.state.of_faces.set(8, .5);
     expect_same_bits(mesh, scheme, 4, "at two faces");
+}
+
+TEST(creased_patches, refuses_such_a_state_of_another_mesh)
+{
+    const auto mesh = native(shapes::torus(60, 80)); // its faces own patches
+    pulled<placed_pulls> scheme;
+    scheme.state.of_faces.set(mesh.face_count(), .5);
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([&] { (void)refine(mesh, scheme, 3); }),
+        "the state of the scheme: face 4800 does not exist, there are 4800; make the state for this mesh and level");
 }
 
 TEST(creased_patches, leaves_out_a_state_that_does_not_say_where_it_is)

@@ -39,7 +39,7 @@ public:
             return;
         kept_.emplace(without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());
         demand_ = kept_->demand(plan_->last().faces);
-        if (faces_ < least_to_look_)
+        if (faces_ < least_to_look_ or demand_.next_look > 0)
             costs_ = costs_.if_again(1 + demand_.made / faces_);
         is_worth_looking_ = is_enough_for_looking();
         if (not is_worth_looking_)
@@ -49,7 +49,8 @@ public:
             begin_where_faces_are_alike(scheme, levels);
     }
 
-    /// Whether there are so many faces that patches may be worth while, or have been again and again.
+    /// Whether there are so many faces that patches may be worth while, or have been again and again, and not just
+    /// been looked at in vain.
     [[nodiscard]] bool is_worth_looking() const { return is_worth_looking_ and plan_; }
 
     /// What refining level by level makes, to the bit; of the last level what is asked for. Nothing where it is no
@@ -83,8 +84,9 @@ private:
 
     [[nodiscard]] bool is_enough_for_looking() const
     {
+        const double enough = faces_ >= least_to_look_ ? 0 : least_to_look_;
         return costs_.of_look * plan_->rings <= costs_.most_of_looks * plan_->faces_of_patch() and
-               (faces_ >= least_to_look_ or demand_.made + faces_ >= std::max(least_to_look_, demand_.next_look));
+               demand_.made + faces_ >= std::max(enough, demand_.next_look);
     }
     /// f as for `with_patches`, if they are worth looking for and a gain; whether they were. The next time takes note.
     template <class F>

@@ -129,7 +129,8 @@ struct patch_costs {
         costs.most_of_looks /= 2;
         return costs;
     }
-    /// The same for levels of few faces that are made so many times, the templates once.
+    /// The same for levels of few faces, or for which templates were no gain before, that are made so many times, the
+    /// templates once.
     [[nodiscard]] patch_costs if_again(double times) const
     {
         patch_costs costs = *this;
