@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/level/named_level.hpp>
 #include <kith/level/validate.hpp>
 #include <kith/property/property_values.hpp>
 #include <kith/step/step.hpp>
@@ -12,6 +13,12 @@ basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh)
 {
     static_assert(is_compiled_mesh<M>, "the adapter says which types of mesh are compiled");
     return lift_here<M, Point>(mesh);
+}
+
+template <mesh M>
+numbers_in_mesh read_numbers_in_library(const M& mesh)
+{
+    return read_numbers(mesh);
 }
 
 template <fillable_mesh M, class Point>
@@ -32,6 +39,7 @@ property_values<Handle, M> property_values<Handle, M>::read_in_library(const M& 
 /// how such meshes are made.
 #define KITH_MESH_IN_LIBRARY(...)                                                                                      \
     template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::lift_in_library(const __VA_ARGS__&);                  \
+    template numbers_in_mesh detail::read_numbers_in_library(const __VA_ARGS__&);                                      \
     template __VA_ARGS__ detail::make_in_library(const __VA_ARGS__&,                                                   \
                                                  const detail::level_source<lifted_point<__VA_ARGS__>::type>&);        \
     KITH_PROPERTIES_IN_LIBRARY(vertex, __VA_ARGS__)                                                                    \

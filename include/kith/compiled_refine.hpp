@@ -37,7 +37,9 @@
                                         basic_mesh<std::array<Number, 3>>,                                             \
                                         Scheme,                                                                        \
                                         int,                                                                           \
-                                        const refine_options&);
+                                        const refine_options&);                                                        \
+    How void detail::require_control_level(                                                                            \
+        const Scheme&, const named_level<std::array<Number, 3>, std::uint32_t>&, int);
 #define KITH_SCHEME_STEPS(How, Scheme)                                                                                 \
     KITH_STEPS_OVER(How, Scheme, double)                                                                               \
     How basic_mesh<> refine_mesh<connect::faces>(                                                                      \

@@ -5,6 +5,7 @@
 #include "refine_in_patches.hpp"
 #include "refine_in_surface_order.hpp"
 
+#include <kith/level/named_level.hpp>
 #include <kith/level/validate.hpp>
 
 #include <concepts>
@@ -84,16 +85,20 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
     return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
-/// What f returns, which refines the lifted mesh. Where it is refused for its faces, the mesh itself is asked, as one
-/// of this generation, whose handles have other numbers beside removed elements. Cost: that of f; where it throws, of a
-/// level of the mesh, too.
+/// What f returns, which refines the lifted mesh, of this generation. Where it is refused for its faces, they are told
+/// by the numbers of the mesh itself, which are others beside removed elements. Cost: that of f; where it throws, of
+/// lifting the mesh once more.
 template <scheme Scheme, mesh M, class F>
 auto with_numbers_of(const M& mesh, const Scheme& scheme, int generation, const F& f)
 {
     try {
         return f();
     } catch (const mesh_error&) {
-        require_control_level(scheme, level_of<M>(mesh), generation);
+        const auto lifted = lift_valid(mesh);
+        require_control_level(
+            scheme,
+            named_level<typename decltype(lifted)::point_type, std::uint32_t>(lifted, numbers_of(mesh)),
+            generation);
         throw;
     }
 }
