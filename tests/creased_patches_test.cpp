@@ -44,13 +44,13 @@ template <class Scheme>
 void expect_same_bits(const mesh3d& mesh, const Scheme& scheme, int levels, const std::string& what)
 {
     SCOPED_TRACE(what);
-    const patches_of<Scheme> patches(mesh, scheme, levels, all_templates);
+    const patches_of<Scheme> patches(mesh, scheme, levels, connect::everything, all_templates);
     ASSERT_TRUE(patches.is_worth_looking());
     const auto expected = level_by_level(mesh, scheme, levels, connect::everything);
-    EXPECT_TRUE(same_bits(made_by(patches, mesh, scheme, connect::everything), expected));
-    EXPECT_TRUE(same_bits(made_by(patches, mesh, scheme, connect::faces),
+    EXPECT_TRUE(same_bits(made_by_patches(mesh, scheme, levels, connect::everything, all_templates), expected));
+    EXPECT_TRUE(same_bits(made_by_patches(mesh, scheme, levels, connect::faces, all_templates),
                           level_by_level(mesh, scheme, levels, connect::faces)));
-    EXPECT_TRUE(same_bits(written_by(patches, mesh, scheme), expected));
+    EXPECT_TRUE(same_bits(written_by_patches(mesh, scheme, levels, all_templates), expected));
 }
 
 /// The edges of every `each`-th number and vertex 5 are sharp.
@@ -109,18 +109,18 @@ TEST(creased_patches, hand_back_the_level_that_they_have_looked_at_where_they_ar
     scheme.sharpness = sharpened(mesh, 7, 2.5, crease_method::uniform);
     auto never = all_templates;
     never.to_be_cheaper = -1;
-    const patches_of<kith::catmull_clark> patches(mesh, scheme, 4, never);
-    ASSERT_TRUE(patches.is_worth_looking());
+    const auto patches = [&](connect last) { return patches_of<kith::catmull_clark>(mesh, scheme, 4, last, never); };
+    ASSERT_TRUE(patches(connect::faces).is_worth_looking());
     auto coarse = mesh;
     auto of_level = scheme;
-    EXPECT_FALSE(patches.refine(coarse, of_level, connect::faces));
+    EXPECT_FALSE(patches(connect::faces).refine(coarse, of_level));
     EXPECT_EQ(coarse.generation(), 1);
     EXPECT_TRUE(same_bits(level_by_level(coarse, of_level, 3, connect::everything),
                           level_by_level(mesh, scheme, 4, connect::everything)));
     coarse = mesh;
     of_level = scheme;
     written_level<std::array<double, 3>, std::uint32_t> written;
-    EXPECT_FALSE(patches.refine_into(written, coarse, of_level));
+    EXPECT_FALSE(patches(connect::everything).refine_into(written, coarse, of_level));
     EXPECT_EQ(coarse.generation(), 1);
 }
 
@@ -133,10 +133,7 @@ TEST(creased_patches, makes_them_on_any_number_of_threads)
         const auto expected = level_by_level(mesh, scheme, 4, last);
         for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 4, 7}) {
             const thread_count count(threads);
-            EXPECT_TRUE(
-                same_bits(made_by(patches_of<kith::catmull_clark>(mesh, scheme, 4, some_templates), mesh, scheme, last),
-                          expected))
-                << threads;
+            EXPECT_TRUE(same_bits(made_by_patches(mesh, scheme, 4, last, some_templates), expected)) << threads;
         }
     }
 }
@@ -147,7 +144,7 @@ TEST(creased_patches, are_what_refine_makes_of_a_mesh_with_few_creases)
     kith::catmull_clark scheme;
     scheme.sharpness.sharpen_edge(40, infinitely_sharp);
     scheme.sharpness.sharpen_vertex(80, 2.5);
-    ASSERT_TRUE(patches_of<kith::catmull_clark>(mesh, scheme, 6).is_worth_looking());
+    ASSERT_TRUE(patches_of<kith::catmull_clark>(mesh, scheme, 6, connect::faces).is_worth_looking());
     for (const connect last :
          under_sanitizers ? std::vector{connect::everything} : std::vector{connect::faces, connect::everything})
         EXPECT_TRUE(same_bits(refine(mesh, scheme, 6, {.last_level = last}), level_by_level(mesh, scheme, 6, last)));
@@ -274,7 +271,7 @@ TEST(creased_patches, leaves_out_a_state_that_does_not_say_where_it_is)
     pulled<pulls> scheme;
     expect_same_bits(mesh, scheme, 3, "empty");
     scheme.state.of_faces.set(7, .5);
-    EXPECT_FALSE(patches_of<pulled<pulls>>(mesh, scheme, 6, all_templates).is_worth_looking());
+    EXPECT_FALSE(patches_of<pulled<pulls>>(mesh, scheme, 6, connect::faces, all_templates).is_worth_looking());
     EXPECT_TRUE(same_bits(refine(mesh, scheme, 5), level_by_level(mesh, scheme, 5, connect::everything)));
 }
 

@@ -92,9 +92,9 @@ TEST(level_state, columns_may_follow_it)
     for (int level = 0; level <= 3; ++level)
         EXPECT_EQ(planned[std::size_t(level)].counts, levels.elements(level).counts());
     EXPECT_TRUE(same_bits(kith::refine(mesh, scheme, 3), levels.finest()));
-    const kith::patch_refinement patches(mesh, scheme, 3, all_templates);
+    const kith::patch_refinement patches(mesh, scheme, 3, kith::connect::everything, all_templates);
     ASSERT_TRUE(patches.is_worth_looking());
-    EXPECT_TRUE(same_bits(made_by(patches, mesh, scheme, kith::connect::everything), levels.finest()));
+    EXPECT_TRUE(same_bits(made_by_patches(mesh, scheme, 3, kith::connect::everything, all_templates), levels.finest()));
     kith::evaluator surface(mesh, scheme, 3);
     EXPECT_TRUE(std::ranges::equal(surface.evaluate(mesh.points()), levels.finest().points()));
     EXPECT_EQ(tiles_differ(mesh, scheme, 3, partitions::blocks(mesh.face_count(), 3), 3), "");

@@ -33,20 +33,21 @@ inline constexpr kith::patch_costs some_templates = with_cost_of_template(300);
 
 /// What patches make, where they are a gain.
 template <class Point, class Index, class Scheme>
-kith::basic_mesh<Point, Index> made_by(const kith::patch_refinement<Point, Index, Scheme>& patches,
-                                       kith::basic_mesh<Point, Index> mesh, Scheme scheme, kith::connect last)
+kith::basic_mesh<Point, Index> made_by_patches(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
+                                               kith::connect last, const kith::patch_costs& costs)
 {
-    auto made = patches.refine(mesh, scheme, last);
+    auto made = kith::patch_refinement<Point, Index, Scheme>(mesh, scheme, levels, last, costs).refine(mesh, scheme);
     EXPECT_TRUE(made);
     return made ? std::move(*made) : std::move(mesh);
 }
 /// The same written into a mesh of another library.
 template <class Point, class Index, class Scheme>
-kith::basic_mesh<Point, Index> written_by(const kith::patch_refinement<Point, Index, Scheme>& patches,
-                                          kith::basic_mesh<Point, Index> mesh, Scheme scheme)
+kith::basic_mesh<Point, Index> written_by_patches(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
+                                                  const kith::patch_costs& costs)
 {
     const thread_count one(1);
     written_level<Point, Index> written;
+    const kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, kith::connect::everything, costs);
     EXPECT_TRUE(patches.refine_into(written, mesh, scheme));
     return written.take();
 }

@@ -59,16 +59,17 @@ bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, i
 {
     std::optional<kith::basic_mesh<Point, Index>> faces, everything;
     for (const auto& costs : {all_templates, no_templates, some_templates}) {
-        kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, costs);
+        kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, connect::everything, costs);
         if (not patches.is_worth_looking())
             continue;
         if (not faces) {
             faces = level_by_level(mesh, scheme, levels, connect::faces);
             everything = level_by_level(mesh, scheme, levels, connect::everything);
         }
-        EXPECT_TRUE(same_level(made_by(patches, mesh, scheme, connect::faces), *faces)) << levels;
-        EXPECT_TRUE(same_level(made_by(patches, mesh, scheme, connect::everything), *everything)) << levels;
-        EXPECT_TRUE(same_level(written_by(patches, mesh, scheme), *everything)) << levels;
+        EXPECT_TRUE(same_level(made_by_patches(mesh, scheme, levels, connect::faces, costs), *faces)) << levels;
+        EXPECT_TRUE(same_level(made_by_patches(mesh, scheme, levels, connect::everything, costs), *everything))
+            << levels;
+        EXPECT_TRUE(same_level(written_by_patches(mesh, scheme, levels, costs), *everything)) << levels;
     }
     return faces.has_value();
 }
@@ -177,13 +178,13 @@ TEST(refine_in_patches, makes_the_same_bits_of_a_scattered_mesh_in_the_order_of_
         auto costs = all_templates;
         costs.share_if_alike = share_if_alike;
         const kith::patch_refinement<std::array<double, 3>, std::uint32_t, scheme_type> patches(
-            mesh, scheme, levels, costs);
+            mesh, scheme, levels, connect::everything, costs);
         ASSERT_TRUE(patches.is_worth_looking());
         const auto everything = level_by_level(mesh, scheme, levels, connect::everything);
-        EXPECT_TRUE(same_level(made_by(patches, mesh, scheme, connect::everything), everything));
-        EXPECT_TRUE(same_level(made_by(patches, mesh, scheme, connect::faces),
+        EXPECT_TRUE(same_level(made_by_patches(mesh, scheme, levels, connect::everything, costs), everything));
+        EXPECT_TRUE(same_level(made_by_patches(mesh, scheme, levels, connect::faces, costs),
                                level_by_level(mesh, scheme, levels, connect::faces)));
-        EXPECT_TRUE(same_level(written_by(patches, mesh, scheme), everything));
+        EXPECT_TRUE(same_level(written_by_patches(mesh, scheme, levels, costs), everything));
     };
     constexpr double from_control_mesh = 1, later = 0; // are the faces of the control mesh taken for alike?
     const auto triangles = scattered_triangles();
@@ -208,8 +209,9 @@ TEST(refine_in_patches, leaves_a_scattered_mesh_as_it_is_where_patches_are_no_ga
     const auto mesh = scattered_triangles();
     auto level = mesh;
     kith::loop scheme;
-    const kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::loop> patches(mesh, scheme, 2, costs);
-    EXPECT_FALSE(patches.refine(level, scheme, connect::faces));
+    const kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::loop> patches(
+        mesh, scheme, 2, connect::faces, costs);
+    EXPECT_FALSE(patches.refine(level, scheme));
     EXPECT_TRUE(same_level(level, mesh));
 }
 
@@ -396,9 +398,7 @@ TEST(refine_in_patches, needs_the_rings_that_4_8_says_of_several_steps)
         const auto mesh = kith::tri_quad(native(shapes::with_joins(shape, seed, 400)));
         for (int levels = 3; levels <= (under_sanitizers ? 4 : 7); ++levels) {
             EXPECT_TRUE(compare(mesh, kith::four_eight{}, levels)) << seed;
-            const kith::patch_refinement<std::array<double, 3>, std::uint32_t, nearsighted> patches(
-                mesh, {}, levels, all_templates);
-            wrong += not same_level(made_by(patches, mesh, nearsighted(), connect::everything),
+            wrong += not same_level(made_by_patches(mesh, nearsighted(), levels, connect::everything, all_templates),
                                     level_by_level(mesh, kith::four_eight(), levels, connect::everything));
         }
     }
@@ -473,11 +473,11 @@ TEST(refine_in_patches, takes_the_marks_of_any_level)
     const auto open = kith::tri_quad(native(shapes::shaken(shapes::grid(3, 4))));
     const auto other = of_generation(open, open.generation() + 1);
     const kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::four_eight> patches(
-        other, kith::four_eight{}, 4, all_templates);
+        other, kith::four_eight{}, 4, connect::everything, all_templates);
     ASSERT_TRUE(patches.is_worth_looking());
     auto coarse = other;
     kith::four_eight of_level;
-    EXPECT_FALSE(patches.refine(coarse, of_level, connect::everything));
+    EXPECT_FALSE(patches.refine(coarse, of_level));
 }
 
 TEST(refine_in_patches, knows_where_the_corners_of_faces_of_any_degree_begin)
@@ -556,11 +556,12 @@ TEST(refine_in_patches, makes_templates_for_levels_that_are_made_again_and_again
         const auto given = level_by_level(mesh, scheme, levels, connect::everything);
         EXPECT_TRUE(same_bits(refine(mesh, scheme, levels), given));
         EXPECT_TRUE(kept.empty()); // made once they cost more than they save
-        EXPECT_EQ(kept.demand(faces).made, faces);
+        EXPECT_EQ(kept.demand(faces, connect::everything).made, faces);
         for (int again = 0; again < 8; ++again)
             EXPECT_TRUE(same_bits(refine(mesh, scheme, levels), given));
         EXPECT_EQ(not kept.empty(), are_made);
-        EXPECT_EQ(kept.demand(faces).next_look == 0, are_made);
+        EXPECT_EQ(kept.demand(faces, connect::everything).next_look == 0, are_made);
+        EXPECT_EQ(kept.demand(faces, connect::faces).made, 0); // nobody has asked for these
     };
     const auto unlike = shapes::with_flips(shapes::triangulated(shapes::torus(15, 15)), 3, 900);
     expect_templates(native(unlike), 4, false); // each would serve one face
@@ -606,7 +607,7 @@ TEST(refine_in_patches, is_what_refine_does_with_a_large_level_on_any_number_of_
 {
     const auto torus = native(shapes::shaken(shapes::torus(12, 24)));
     ASSERT_TRUE((kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::catmull_clark>(
-                     torus, kith::catmull_clark{}, 6)
+                     torus, kith::catmull_clark{}, 6, connect::everything)
                      .is_worth_looking()));
     for (const connect last :
          under_sanitizers ? std::vector{connect::everything} : std::vector{connect::faces, connect::everything}) {
@@ -622,7 +623,7 @@ TEST(refine_in_patches, is_left_out_where_it_would_be_wrong_or_of_no_use)
 {
     const auto looks = [](const mesh3d& mesh, const auto& scheme, int levels) {
         return kith::patch_refinement<std::array<double, 3>, std::uint32_t, std::remove_cvref_t<decltype(scheme)>>(
-                   mesh, scheme, levels)
+                   mesh, scheme, levels, connect::everything)
             .is_worth_looking();
     };
     const auto torus = native(shapes::triangulated(shapes::torus(40, 40)));

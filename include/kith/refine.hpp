@@ -126,7 +126,8 @@ void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Inde
     const int last_generation = control.generation() + levels;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (patch_refinement<Point, Index, Scheme>(control, scheme, levels).refine_into(fine, control, scheme))
+        if (patch_refinement<Point, Index, Scheme>(control, scheme, levels, connect::everything)
+                .refine_into(fine, control, scheme))
             return;
 #endif
     const auto coarse = refine_on(std::move(control), scheme, last_generation - control.generation() - 1);
@@ -171,8 +172,8 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
     Scheme of_level = scheme;
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (auto fine = patch_refinement<Point, Index, Scheme>(coarse, scheme, levels)
-                            .refine(coarse, of_level, options.last_level))
+        if (auto fine = patch_refinement<Point, Index, Scheme>(coarse, scheme, levels, options.last_level)
+                            .refine(coarse, of_level))
             return std::move(*fine);
 #endif
     const int levels_left = mesh.generation() + levels - coarse.generation();

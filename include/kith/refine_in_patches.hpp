@@ -23,10 +23,12 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patch_refinement {
 public:
-    /// `levels` steps from a control mesh that has its edges. Cost: O(levels), and that of a look at some of its faces.
-    patch_refinement(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
+    /// `levels` steps from a control mesh that has its edges; of the last level what is asked for. Cost: O(levels), and
+    /// that of a look at some of its faces.
+    patch_refinement(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, connect last_level,
                      const patch_costs& costs = {})
         : costs_(costs)
+        , last_level_(last_level)
         , last_generation_(control.generation() + levels)
         , plan_(
               plan_patches(count(control.topology()), control.topology().degree, scheme, levels, control.generation()))
@@ -38,7 +40,7 @@ public:
         if (faces_ * plan_->faces_of_patch() < std::min(costs.least_faces, costs.least_faces_again))
             return;
         kept_.emplace(without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());
-        demand_ = kept_->demand(plan_->last().faces);
+        demand_ = kept_->demand(plan_->last().faces, last_level_);
         if (faces_ < least_to_look_ or demand_.next_look > 0)
             costs_ = costs_.if_again(1 + demand_.made / faces_);
         is_worth_looking_ = is_enough_for_looking();
@@ -53,28 +55,29 @@ public:
     /// been looked at in vain.
     [[nodiscard]] bool is_worth_looking() const { return is_worth_looking_ and plan_; }
 
-    /// What refining level by level makes, to the bit; of the last level what is asked for. Nothing where it is no
-    /// gain; then the mesh, which is the control mesh before, and its scheme are a level to go on from.
-    [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine(basic_mesh<Point, Index>& mesh, Scheme& scheme,
-                                                                 connect last_level) const
+    /// What refining level by level makes, to the bit. Nothing where it is no gain; then the mesh, which is the control
+    /// mesh before, and its scheme are a level to go on from.
+    [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine(basic_mesh<Point, Index>& mesh, Scheme& scheme) const
     {
         std::optional<basic_mesh<Point, Index>> fine;
-        look(mesh, scheme, last_level, [&](const auto& level, const patches& made, const numbers* given) {
-            fine = filled(level, made, given, last_level);
+        look(mesh, scheme, [&](const auto& level, const patches& made, const numbers* given) {
+            fine = filled(level, made, given);
         });
         return fine;
     }
-    /// The same into a mesh of another library; false where it is no gain. Errors: those of `make_room`.
+    /// The same into a mesh of another library; false where it is no gain. Precondition: all connectivity is asked for.
+    /// Errors: those of `make_room`.
     [[nodiscard]] bool refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index>& mesh,
                                    Scheme& scheme) const
     {
+        KITH_ASSERT(last_level_ == connect::everything);
         const auto into_fine = [&](const auto& level, const patches& made, const numbers* given) {
             const counts& last = plan_->last();
             fine.make_room(last.vertices, last.edges, last.faces, last.boundary_edges == 0);
             made.fill(level, {.points = fine.points(), .writer = &fine, .coarse_numbers = given});
             fine.finish(last_generation_);
         };
-        return look(mesh, scheme, connect::everything, into_fine);
+        return look(mesh, scheme, into_fine);
     }
 
 private:
@@ -90,9 +93,9 @@ private:
     }
     /// f as for `with_patches`, if they are worth looking for and a gain; whether they were. The next time takes note.
     template <class F>
-    bool look(basic_mesh<Point, Index>& mesh, Scheme& scheme, connect last_level, const F& f) const
+    bool look(basic_mesh<Point, Index>& mesh, Scheme& scheme, const F& f) const
     {
-        const bool is_gain = is_worth_looking() and with_patches(mesh, scheme, last_level, f);
+        const bool is_gain = is_worth_looking() and with_patches(mesh, scheme, f);
         if (not kept_)
             return false;
         template_demand demand = demand_;
@@ -103,7 +106,7 @@ private:
             if (is_worth_looking_)
                 demand.next_look = 2 * demand.made;
         }
-        kept_->keep(std::size_t(faces_), demand);
+        kept_->keep(std::size_t(faces_), last_level_, demand);
         return is_gain;
     }
 
@@ -122,43 +125,42 @@ private:
     /// face lies close together. False where patches are no gain; then the mesh is this level or the control mesh as
     /// it was, and the scheme that of it.
     template <class F>
-    bool with_patches(basic_mesh<Point, Index>& mesh, Scheme& scheme, connect last_level, const F& f) const
+    bool with_patches(basic_mesh<Point, Index>& mesh, Scheme& scheme, const F& f) const
     {
         if constexpr (orderable_scheme<Scheme, Index>)
             if (is_worth_ordering(mesh.topology(), scheme, plan_->begin + int(plan_->bases.size())) and
                 plan_->bases.size() > 1) { // else the numbers take memory that nobody has foreseen
-                if (last_level == connect::faces and plan_->faces_of_patch() < costs_.least_if_ordered)
+                if (last_level_ == connect::faces and plan_->faces_of_patch() < costs_.least_if_ordered)
                     return false;
                 auto ordered = in_surface_order(mesh);
                 Scheme of_level = scheme;
                 refine_ordered(ordered, of_level, plan_->begin);
-                const auto made = patches_of(ordered.mesh, of_level, last_level);
+                const auto made = patches_of(ordered.mesh, of_level);
                 if (made)
                     f(ordered.mesh, *made, &ordered.numbers);
                 return made.has_value();
             }
         mesh = detail::refine_on(std::move(mesh), scheme, plan_->begin);
-        const auto made = patches_of(mesh, scheme, last_level);
+        const auto made = patches_of(mesh, scheme);
         if (made)
             f(mesh, *made, nullptr);
         return made.has_value();
     }
     /// Of the level that the plan begins with and its scheme; nothing where they are no gain.
-    [[nodiscard]] std::optional<patches> patches_of(const basic_mesh<Point, Index>& level, const Scheme& scheme,
-                                                    connect last_level) const
+    [[nodiscard]] std::optional<patches> patches_of(const basic_mesh<Point, Index>& level, const Scheme& scheme) const
     {
         const face_classes<Index> classes(level.topology(), plan_->rings, state_marks<Index>(level.topology(), scheme));
-        return patches::make(level, classes, scheme, *plan_, costs_, last_level == connect::everything);
+        return patches::make(level, classes, scheme, *plan_, costs_, last_level_ == connect::everything);
     }
     [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh, const patches& made,
-                                                  const numbers* given, connect last_level) const
+                                                  const numbers* given) const
     {
         const counts& last = plan_->last();
         storage<Point> points(last.vertices);
         connectivity<Index> fine;
         fine.vertices = last.vertices;
         allocate_faces(fine, mesh.topology(), plan_->bases);
-        if (last_level == connect::everything) {
+        if (last_level_ == connect::everything) {
             fine.corner_halfedge = storage<Index>(fine.corners());
             fine.halfedge_corner = storage<Index>(2 * last.edges);
             fine.vertex_corner = storage<Index>(last.vertices);
@@ -174,6 +176,7 @@ private:
     }
 
     patch_costs costs_;
+    connect last_level_;
     int last_generation_;
     std::optional<patch_plan> plan_;
     double faces_ = 0, least_to_look_ = 0; // of the last level; with fewer only who has templates gains by them

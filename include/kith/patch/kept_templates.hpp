@@ -3,6 +3,7 @@
 
 #include "patch_template.hpp"
 
+#include <kith/mesh/connect.hpp>
 #include <kith/step/scheme.hpp>
 
 #include <algorithm>
@@ -85,9 +86,16 @@ public:
         return shared;
     }
 
-    /// What these steps have made without templates of levels with so many faces.
-    [[nodiscard]] template_demand demand(std::size_t faces) const { return store_->demand(purpose_and(faces)); }
-    void keep(std::size_t faces, const template_demand& demand) const { store_->keep(purpose_and(faces), demand); }
+    /// What these steps have made without templates of levels with so many faces and this connectivity: patches may be
+    /// a gain with the one and none with the other.
+    [[nodiscard]] template_demand demand(std::size_t faces, connect last_level) const
+    {
+        return store_->demand(purpose_and(faces, last_level));
+    }
+    void keep(std::size_t faces, connect last_level, const template_demand& demand) const
+    {
+        store_->keep(purpose_and(faces, last_level), demand);
+    }
 
 private:
     /// Two lists of templates: the young one has what was asked for since it began. When it is full, the old list is
@@ -176,9 +184,9 @@ private:
         std::unordered_map<std::u16string, template_demand> demands_;
     };
 
-    [[nodiscard]] std::u16string purpose_and(std::size_t faces) const
+    [[nodiscard]] std::u16string purpose_and(std::size_t faces, connect last_level) const
     {
-        std::u16string result = purpose_;
+        std::u16string result = purpose_ + char16_t(last_level);
         for (; faces != 0; faces >>= 16)
             result += char16_t(faces);
         return result;
