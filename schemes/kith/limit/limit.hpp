@@ -4,6 +4,7 @@
 #include "unit_normal.hpp"
 
 #include <kith/level/elements.hpp>
+#include <kith/level/for_each.hpp>
 #include <kith/level/values.hpp>
 // The rules of all schemes, so that nobody looks for limits without knowing them.
 #include <kith/limit_rules/butterfly.hpp>
@@ -60,9 +61,10 @@ auto limits(const all_elements<Level, Element>& elements, const Scheme& scheme, 
                   "this scheme has no limit masks for these elements; docs/schemes.md, Limit, lists those that have");
     std::vector<std::optional<T>> result(elements.size());
     const auto& rules = limit_rules<Scheme>::on(scheme, elements.level());
-    for (const auto x : elements)
+    for_each_by_number(elements, [&](const auto& x) {
         limit_rules<Scheme>::position(
             rules, x, [&](const auto& mask) { result[x.index()] = affine<T>::store(mask.evaluate(values)); });
+    });
     return result;
 }
 
@@ -153,10 +155,11 @@ auto limit_normals(const all_elements<Level, Element>& elements, const Scheme& s
                   "this scheme has no tangent masks for these elements; docs/schemes.md, Limit, lists those that have");
     std::vector<std::optional<normal_vector>> result(elements.size());
     const auto& rules = limit_rules<Scheme>::on(scheme, elements.level());
-    for (const auto x : elements)
+    for_each_by_number(elements, [&](const auto& x) {
         limit_rules<Scheme>::tangents(rules, x, [&](const auto& first, const auto& second) {
             result[x.index()] = detail::normal_of<Level>(first, second);
         });
+    });
     return result;
 }
 template <level Level, scheme Scheme>

@@ -45,17 +45,23 @@ public:
     /// The mesh must outlive the search.
     limit_search(const mesh_type& mesh, const Scheme& scheme) : mesh_(mesh), scheme_(scheme), cutter_(mesh) {}
 
-    /// Completes what is known of some vertices; `limits[i]` is that of vertices[i], which increase. Of a part of
-    /// a mesh no more is looked at than rings_for_limits says. Errors: mesh_error where the neighbourhood of a vertex
-    /// does not become a point.
-    void complete(std::span<const Index> vertices, std::span<found> limits, bool is_part)
+    /// Calls keep(vertex, limit) for some vertices, whose numbers increase, with all that can be found of each. Of a
+    /// part of a mesh no more is looked at than rings_for_limits says. Errors: mesh_error where the neighbourhood of
+    /// a vertex does not become a point.
+    template <class Keep>
+    void complete(std::span<const Index> all_vertices, bool is_part, const Keep& keep)
     {
         constexpr std::size_t at_once = 1 << 12; // so that what is virtual stays small
-        for (std::size_t first = 0; first < vertices.size(); first += at_once) {
-            const std::size_t end = std::min(vertices.size(), first + at_once);
+        const level_type level(mesh_);
+        const auto& rules = limit_rules<Scheme>::on(scheme_, level);
+        for (std::size_t first = 0; first < all_vertices.size(); first += at_once) {
+            const auto vertices = all_vertices.subspan(first, std::min(at_once, all_vertices.size() - first));
+            std::vector<found> limits(vertices.size());
             std::vector<seeker> left;
-            for (std::size_t i = first; i < end; ++i)
+            for (std::size_t i = 0; i < vertices.size(); ++i) {
+                take(level.vertices()[vertices[i]], rules, limits[i], 0);
                 left.push_back({vertices[i], i, smallest_distance(vertices[i]), false, limits[i].position ? 0 : none});
+            }
             const limit_rings rings(scheme_, few_steps);
             const int steps = rings.is_bounded() ? many_steps : few_steps;
             left = search(std::move(left), rings, steps, limits);
@@ -65,22 +71,25 @@ public:
                 throw mesh_error(std::string(scheme_name<Scheme>()) + ": what lies around vertex " +
                                  std::to_string(vertices[left[0].place]) +
                                  " does not come together in one point, so it has no limit");
+            for (std::size_t i = 0; i < vertices.size(); ++i)
+                keep(vertices[i], limits[i]);
         }
     }
 
     /// What the closed masks of a scheme say of an element, where nothing is known of it yet.
-    template <element Element>
-    static void take(const Element& x, const limit_rules_argument<Scheme, level_type>& rules, found& limit, int step)
+    template <level Level, template <class> class Element>
+        requires element<Element<Level>>
+    static void take(const Element<Level>& x, const limit_rules_argument<Scheme, Level>& rules, found& limit, int step)
     {
-        if constexpr (has_limit_positions<Scheme, Element, level_type>)
+        if constexpr (has_limit_positions<Scheme, Element<Level>, Level>)
             if (not limit.position)
                 limit_rules<Scheme>::position(rules, x, [&](const auto& mask) {
-                    limit.position = number::store(mask.evaluate(point_values<level_type>()));
+                    limit.position = number::store(mask.evaluate(point_values<Level>()));
                 });
-        if constexpr (has_limit_tangents<Scheme, Element, level_type>)
+        if constexpr (has_limit_tangents<Scheme, Element<Level>, Level>)
             if (not limit.normal and step <= last_normal)
                 limit_rules<Scheme>::tangents(rules, x, [&](const auto& first, const auto& second) {
-                    limit.normal = normal_of<level_type>(first, second);
+                    limit.normal = normal_of<Level>(first, second);
                 });
     }
 

@@ -4,10 +4,12 @@
 #include "limit_search.hpp"
 
 #include <kith/hierarchy.hpp>
+#include <kith/level/for_each.hpp>
 
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -48,18 +50,20 @@ std::vector<unsigned char> needed_vertices(const basic_mesh<Point, Index>& mesh,
     return result;
 }
 
-/// Where faces shrink to a point, or have no area at all, normals are those of the mesh.
+/// Gives the marked vertices the mean normals of their faces at these positions and takes their marks, but where faces
+/// shrink to a point or have no area at all.
 template <class Point, std::unsigned_integral Index>
-void fill_zero_normals(const basic_mesh<Point, Index>& mesh, std::span<const unsigned char> marks,
-                       std::vector<normal_vector>& normals)
+void fill_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> positions,
+                  std::vector<unsigned char>& marks, std::vector<normal_vector>& normals)
 {
-    const auto is_zero = [](const normal_vector& n) { return n == normal_vector{}; };
-    if (std::ranges::none_of(normals, is_zero))
+    if (std::ranges::all_of(marks, std::logical_not<>()))
         return;
-    const auto of_mesh = mean_face_normals(mesh, mesh.points(), marks);
-    for (std::size_t v = 0; v < of_mesh.size(); ++v)
-        if (is_zero(normals[v]))
-            normals[v] = of_mesh[v];
+    const auto means = mean_face_normals(mesh, positions, std::span<const unsigned char>(marks));
+    for (std::size_t v = 0; v < marks.size(); ++v)
+        if (marks[v] != 0 and means[v] != normal_vector{}) {
+            normals[v] = means[v];
+            marks[v] = 0;
+        }
 }
 
 } // namespace detail
@@ -70,45 +74,42 @@ template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                           std::span<const unsigned char> marks)
 {
-    using level_type = level_of<basic_mesh<Point, Index>>;
     using search_type = detail::limit_search<Point, Index, Scheme>;
     require_edges(mesh);
-    const level_type level(mesh);
     const auto is_needed = detail::needed_vertices(mesh, marks);
     limit_surface<Point> result{storage<Point>(mesh.points()), {}};
-    std::vector<Index> open; // some of their limits are not known by masks of this level
-    std::vector<typename search_type::found> open_limits;
-    std::vector<std::pair<Index, normal_vector>> normals;
-    normals.reserve(marks.empty() ? mesh.vertex_count() : marks.size() - std::size_t(std::ranges::count(marks, 0)));
-    const auto& rules = limit_rules<Scheme>::on(scheme, level);
-    for (const auto v : level.vertices()) {
-        if (is_needed[v.index()] == 0)
-            continue;
-        typename search_type::found limit;
-        search_type::take(v, rules, limit, 0);
+    result.normals.resize(mesh.vertex_count());
+    std::vector<unsigned char> has_no_normal(mesh.vertex_count(), marks.empty() ? 1 : 0);
+    std::ranges::copy(marks, has_no_normal.begin());
+    std::vector<unsigned char> is_open(mesh.vertex_count(), 0); // some limit is not known by masks of this level
+    const auto keep = [&](std::size_t v, const typename search_type::found& limit) {
         if (limit.position)
-            result.positions[v.index()] = *limit.position;
-        const bool is_wanted = marks.empty() or marks[v.index()] != 0;
-        if (limit.normal and is_wanted)
-            normals.emplace_back(Index(v.index()), *limit.normal);
-        if (not limit.position or (search_type::patience() > 0 and is_wanted and not limit.normal)) {
-            open.push_back(Index(v.index()));
-            open_limits.push_back(std::move(limit));
+            result.positions[v] = *limit.position;
+        if (limit.normal and has_no_normal[v] != 0) {
+            result.normals[v] = *limit.normal;
+            has_no_normal[v] = 0;
         }
-    }
-    if (not open.empty()) {
-        search_type(mesh, scheme).complete(open, open_limits, not marks.empty());
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            result.positions[open[i]] = *open_limits[i].position;
-            if (open_limits[i].normal)
-                normals.emplace_back(open[i], *open_limits[i].normal);
-        }
-    }
-    result.normals = mean_face_normals(
-        mesh, std::span<const Point>(result.positions.data(), mesh.vertex_count()), marks);
-    for (const auto& [v, normal] : normals)
-        result.normals[v] = normal;
-    detail::fill_zero_normals(mesh, marks, result.normals);
+    };
+    with_native_level<Scheme>(mesh, [&](const auto& level) {
+        const auto& rules = limit_rules<Scheme>::on(scheme, level);
+        for_each_by_number(level.vertices(), [&](const auto& v) {
+            if (is_needed[v.index()] == 0)
+                return;
+            typename search_type::found limit;
+            search_type::take(v, rules, limit, 0);
+            keep(v.index(), limit);
+            is_open[v.index()] = not limit.position or (search_type::patience() > 0 and has_no_normal[v.index()] != 0);
+        });
+    });
+    std::vector<Index> open;
+    for (std::size_t v = 0; v < is_open.size(); ++v)
+        if (is_open[v] != 0)
+            open.push_back(Index(v));
+    if (not open.empty())
+        search_type(mesh, scheme).complete(open, not marks.empty(), keep);
+    detail::fill_normals(
+        mesh, std::span<const Point>(result.positions.data(), mesh.vertex_count()), has_no_normal, result.normals);
+    detail::fill_normals(mesh, std::span<const Point>(mesh.points()), has_no_normal, result.normals);
     return result;
 }
 

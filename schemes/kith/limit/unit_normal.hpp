@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -20,6 +22,20 @@ using normal_vector = std::array<double, 3>;
 
 namespace detail {
 
+/// std::ilogb and std::scalbn where they only shift the bits of the exponent, which their calls take many
+/// times as long for.
+inline int exponent_of(double x)
+{
+    const int biased = int(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
+    return biased != 0 and biased != 0x7ff ? biased - 1023 : std::ilogb(x);
+}
+inline double times_power_of_two(double x, int exponent)
+{
+    if (-1022 <= exponent and exponent <= 1023) [[likely]]
+        return x * std::bit_cast<double>(std::uint64_t(exponent + 1023) << 52);
+    return std::scalbn(x, exponent);
+}
+
 /// The exponent of the largest coordinate of some vectors; that of the smallest number for zeros.
 class common_exponent {
 public:
@@ -27,13 +43,17 @@ public:
     void add(const Vector& v)
     {
         for (std::size_t i = 0; i < 3; ++i)
-            if (const auto x = double(v[i]); x != 0 and std::isfinite(x))
-                value_ = std::max(value_, std::ilogb(x));
+            if (const double x = std::abs(double(v[i])); x <= std::numeric_limits<double>::max())
+                largest_ = std::max(largest_, x);
     }
-    [[nodiscard]] int value() const { return value_; }
+    [[nodiscard]] int value() const
+    {
+        return largest_ != 0 ? exponent_of(largest_)
+                             : std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits;
+    }
 
 private:
-    int value_ = std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits;
+    double largest_ = 0;
 };
 
 template <class Vector>
@@ -41,7 +61,7 @@ normal_vector scaled(const Vector& v, int exponent)
 {
     normal_vector result;
     for (std::size_t i = 0; i < 3; ++i)
-        result[i] = std::scalbn(double(v[i]), exponent);
+        result[i] = times_power_of_two(double(v[i]), exponent);
     return result;
 }
 
@@ -107,8 +127,9 @@ std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mes
     };
     std::vector<int> exponents(mesh.vertex_count(), std::numeric_limits<int>::min());
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
-        for (int exponent = exponent_of(f); const Index v : mesh.face(f))
-            exponents[v] = std::max(exponents[v], exponent);
+        if (const auto face = mesh.face(f); std::ranges::any_of(face, is_wanted))
+            for (const int exponent = exponent_of(f); const Index v : face)
+                exponents[v] = std::max(exponents[v], exponent);
     std::vector<normal_vector> result(mesh.vertex_count(), normal_vector{});
     std::vector<double> total(mesh.vertex_count(), 0); // length of what is added
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -130,8 +151,8 @@ std::vector<normal_vector> mean_face_normals(const basic_mesh<Point, Index>& mes
         for (const Index v : face) {
             const int shift = 2 * (exponent - exponents[v]);
             for (std::size_t k = 0; k < 3; ++k)
-                result[v][k] += shift == 0 ? normal[k] : std::scalbn(normal[k], shift);
-            total[v] += std::scalbn(length, shift);
+                result[v][k] += detail::times_power_of_two(normal[k], shift);
+            total[v] += detail::times_power_of_two(length, shift);
         }
     }
     constexpr double rounding = 0x1p-45;

@@ -3,7 +3,6 @@
 
 #include "interpolating.hpp"
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/butterfly.hpp>
 
 #include <cstddef>
@@ -24,22 +23,17 @@ struct limit_rules<butterfly> : interpolating_limits {
         for (const auto u : v.neighbors())
             if (u.is_boundary() ? n == 6 : not u.has_valence(6))
                 return;
-        const auto wave = [&v, n](auto f) {
-            return sum(v.neighbors(), [f, n](std::size_t j) { return f(std::int64_t(j), n); });
-        };
-        const auto cosine = [](std::int64_t k, std::int64_t turn) { return cos_turn(k, turn); };
-        const auto sine = [](std::int64_t k, std::int64_t turn) { return sin_turn(k, turn); };
         if (n != 6)
-            return use(wave(cosine), wave(sine));
+            return use_first_wave(v.neighbors(), n, use);
         const auto across = v.corners().map([](auto c) { return c.next().across().prev().v(); });
         const auto behind = v.corners().map([](auto c) { return c.next().across().next().across().prev().v(); });
-        const auto two_rings = [&](auto f) {
+        const auto two_rings = [&](auto wave, auto between) { // of the ring, and of what lies between its points
             constexpr double sqrt3 = 1.7320508075688772935;
-            return 16. * wave(f) +
-                   -8 / sqrt3 * sum(across, [f](std::size_t j) { return f(2 * std::int64_t(j) + 1, 12); }) +
-                   sum(behind, [f](std::size_t j) { return f(std::int64_t(j), 6); });
+            return 16. * sum(v.neighbors(), wave) +
+                   -8 / sqrt3 * sum(across, [between](std::size_t j) { return between(2 * j + 1); }) +
+                   sum(behind, wave);
         };
-        use(two_rings(cosine), two_rings(sine));
+        use(two_rings(cosine_wave(6), cosine_wave(12)), two_rings(sine_wave(6), sine_wave(12)));
     }
 };
 

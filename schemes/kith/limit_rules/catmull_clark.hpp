@@ -3,7 +3,6 @@
 
 #include "rules.hpp"
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/split/require_faces.hpp>
 
@@ -35,18 +34,18 @@ struct limit_rules<catmull_clark> : crease_limits {
         if (not ring)
             return tangents_at_corner(s, v, use);
         const auto [inside, turns] = *ring;
-        const double c = cos_turn(1, turns), half = cos_turn(1, 2 * turns);
-        const double lambda = 5. / 16 + (c + half * std::sqrt(2 * (9 + c))) / 16;
-        const double mu = 1 / (4 * lambda - 1);
         const auto cosine = cosine_wave(turns);
         const auto sine = sine_wave(turns);
+        const double c = cosine(1), half = cosine_wave(2 * turns)(1);
+        const double lambda = 5. / 16 + (c + half * std::sqrt(2 * (9 + c))) / 16;
+        const double mu = 1 / (4 * lambda - 1);
         const auto along_edges = [](auto f) { return [f](std::size_t j) { return 4 * f(j); }; };
         const auto along_faces = [mu](auto f) { return [f, mu](std::size_t j) { return mu * (f(j) + f(j + 1)); }; };
         if (inside) {
             use(sum(v.neighbors(), along_edges(cosine)) + sum(v.opposites(), along_faces(cosine)),
                 sum(v.neighbors(), along_edges(sine)) + sum(v.opposites(), along_faces(sine)));
         } else {
-            const double cotangent = half / sin_turn(1, 2 * turns);
+            const double cotangent = half / sine_wave(2 * turns)(1);
             const double x = mu * ((1 + mu) * sine(1) - (2 + mu) * cotangent);
             use(v.first_rim() - v.last_rim(), // the sines of the two boundary edges are zero
                 -(2 * x + (4 + 2 * mu) * cotangent) * v + x * (v.first_rim() + v.last_rim()) +

@@ -40,17 +40,21 @@ struct limit_rules<four_eight> : limit_defaults {
         if (v.is_boundary() or n < 3)
             return;
         with_two_rings(v, [&](const auto& e, const auto& d, const auto& h, const auto& p, const auto& q) {
-            const double c = cos_turn(1, 2 * n), rho = subdominant(n), k = 1 / (2 * (16 * rho * rho - 1));
+            static const weights_by_valence<double> moduli([](std::size_t m) { return subdominant(std::int64_t(m)); });
+            const double c = cosine_wave(2 * n)(1), rho = moduli(std::size_t(n)), k = 1 / (2 * (16 * rho * rho - 1));
             const double of_d = 8 * rho - 4 * k * (4 * rho + c);
             const double of_e = 4 * (of_d * (rho - c / 4) - 1. / 2 - k / 2 * (4 * rho * c + 1));
-            const auto wave = [n](double weight, double turned, std::int64_t start, std::int64_t quarters) {
+            const auto cosine = cosine_wave(4 * n);
+            const auto sine = sine_wave(4 * n);
+            const auto wave = [=](double weight, double turned, std::size_t start, std::size_t quarters) {
                 return [=](std::size_t j) { // weight cos t - turned sin t, and the same a quarter turn on
-                    const auto at = 2 * (2 * std::int64_t(j) + start);
-                    return weight * cos_turn(at - quarters * n, 4 * n) - turned * sin_turn(at - quarters * n, 4 * n);
+                    const std::size_t at = 2 * (2 * j + start), back = quarters * std::size_t(n);
+                    const std::size_t turn = at >= back ? at - back : at + 4 * std::size_t(n) - back;
+                    return weight * cosine(turn) - turned * sine(turn);
                 };
             };
-            const auto tangent = [&](std::int64_t quarters) {
-                const double of_p = k * (4 * rho + c), turned = -k * sin_turn(1, 2 * n);
+            const auto tangent = [&](std::size_t quarters) {
+                const double of_p = k * (4 * rho + c), turned = -k * sine_wave(2 * n)(1);
                 return sum(e, wave(of_e, 0, 0, quarters)) + sum(d, wave(of_d, 0, 1, quarters)) +
                        sum(h, wave(1, 0, 0, quarters)) +
                        (sum(p, wave(of_p, turned, 1, quarters)) + sum(q, wave(of_p, -turned, 1, quarters)));

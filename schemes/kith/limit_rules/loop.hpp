@@ -3,7 +3,6 @@
 
 #include "rules.hpp"
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/loop.hpp>
 
 namespace kith {
@@ -33,8 +32,8 @@ struct limit_rules<loop> : crease_limits {
             use_first_wave(v.neighbors(), turns, use);
         } else {
             const auto sine = sine_wave(turns);
-            const double cotangent = cos_turn(1, 2 * turns) / sin_turn(1, 2 * turns);
-            const double x = (sine(1) - cotangent) / (1 + 2 * cos_turn(1, turns));
+            const double cotangent = cosine_wave(2 * turns)(1) / sine_wave(2 * turns)(1);
+            const double x = (sine(1) - cotangent) / (1 + 2 * cosine_wave(turns)(1));
             use(v.first_rim() - v.last_rim(), // the sines of the two boundary edges are zero
                 -(2 * x + cotangent) * v + x * (v.first_rim() + v.last_rim()) + sum(v.neighbors(), sine));
         }

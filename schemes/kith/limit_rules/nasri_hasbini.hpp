@@ -3,7 +3,6 @@
 
 #include "rules.hpp"
 
-#include <kith/base/cos_turn.hpp>
 #include <kith/nasri_hasbini.hpp>
 #include <kith/split/require_faces.hpp>
 
@@ -33,13 +32,11 @@ struct limit_rules<nasri_hasbini> : limit_defaults {
         if (v.is_boundary() or n < 3 or not has_quads_only(v))
             return;
         const double y = n == 3 ? 11. / 43 : n == 4 ? 1 / (2 * detail::sqrt2) : 1 / (3 * detail::sqrt2);
-        const auto cosine = [n](std::int64_t half_steps) { return cos_turn(half_steps, 2 * n); };
-        const auto sine = [n](std::int64_t half_steps) { return sin_turn(half_steps, 2 * n); };
-        const auto wave = [&v, y](auto f) {
-            return sum(v.neighbors(), [f](std::size_t j) { return f(2 * std::int64_t(j)); }) +
-                   sum(v.opposites(), [f, y](std::size_t j) { return y * f(2 * std::int64_t(j) + 1); });
+        const auto tangent = [&v, y](auto wave) { // by halves of 1/n of a turn
+            return sum(v.neighbors(), [wave](std::size_t j) { return wave(2 * j); }) +
+                   sum(v.opposites(), [wave, y](std::size_t j) { return y * wave(2 * j + 1); });
         };
-        use(wave(cosine), wave(sine));
+        use(tangent(cosine_wave(2 * n)), tangent(sine_wave(2 * n)));
     }
 };
 

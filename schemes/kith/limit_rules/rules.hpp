@@ -4,6 +4,7 @@
 #include <kith/base/cos_turn.hpp>
 #include <kith/crease/sharp_rules.hpp>
 #include <kith/field/with_fields.hpp>
+#include <kith/mask/by_valence.hpp>
 #include <kith/mask/mask.hpp>
 #include <kith/step/scheme.hpp>
 
@@ -11,11 +12,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace kith {
 
 /// What limit_rules say unless they say something else.
-struct limit_defaults {
+class limit_defaults {
+    template <double (*Wave)(std::int64_t, std::int64_t)>
+    static auto kept_wave(std::int64_t n)
+    {
+        static const rows_by_valence<double> rows([](std::size_t size) {
+            std::vector<double> row;
+            for (std::size_t j = 0; j <= size; ++j)
+                row.push_back(Wave(std::int64_t(j), std::int64_t(size)));
+            return row;
+        });
+        const double* const row = n <= std::int64_t(longest_row) ? rows(std::size_t(n)) : nullptr;
+        return [n, row](std::size_t j) { return row != nullptr ? row[j] : Wave(std::int64_t(j), n); };
+    }
+
+public:
     /// The first argument of position and tangents: the scheme, or what it needs to know of a level as a whole.
     template <scheme Scheme, level Level>
     static const Scheme& on(const Scheme& scheme, const Level&)
@@ -38,15 +54,10 @@ struct limit_defaults {
     static constexpr int tangent_steps = 2;
 
 protected:
-    /// The weight of the j-th point of a ring by its angle, j/n of a turn.
-    static auto cosine_wave(std::int64_t n)
-    {
-        return [n](std::size_t j) { return cos_turn(std::int64_t(j), n); };
-    }
-    static auto sine_wave(std::int64_t n)
-    {
-        return [n](std::size_t j) { return sin_turn(std::int64_t(j), n); };
-    }
+    /// The weight of the j-th point of a ring by its angle, j/n of a turn: cos_turn and sin_turn, which are computed
+    /// once for each n that meshes have. Precondition of what is returned: j <= n.
+    static auto cosine_wave(std::int64_t n) { return kept_wave<cos_turn>(n); }
+    static auto sine_wave(std::int64_t n) { return kept_wave<sin_turn>(n); }
     /// The tangents of a ring of n points that are all that has a weight.
     template <mask_range Range, class Use>
     static void use_first_wave(const Range& ring, std::int64_t n, const Use& use)
