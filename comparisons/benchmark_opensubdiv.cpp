@@ -3,6 +3,7 @@
 #include "opensubdiv_peer.hpp"
 
 #include <kith/evaluator.hpp>
+#include <kith/limit/limit_surface.hpp>
 #include <kith/presets.hpp>
 
 #include <algorithm>
@@ -88,6 +89,33 @@ contest make_evaluation_contest(const course& course, const Scheme& scheme)
          native_contestant("kith, refined again, faces only", course.control, scheme, course.levels, connect::faces)}};
 }
 
+/// The limit surface at the vertices of the last level, which is there already: positions, and tangents or normals.
+template <class Scheme>
+contest make_limit_contest(const course& course, const Scheme& scheme)
+{
+    const auto theirs = [=]() -> work {
+        auto last = std::make_shared<refined<double>>(opensubdiv_peer::make(*course.control, scheme));
+        opensubdiv_peer::refine(last->topology, course.levels, true);
+        last->points = opensubdiv_peer::interpolate<double>(last->topology,
+                                                            opensubdiv_peer::points_of<double>(*course.control));
+        return [=] {
+            return std::make_shared<decltype(opensubdiv_peer::limits(last->topology, last->points))>(
+                opensubdiv_peer::limits(last->topology, last->points));
+        };
+    };
+    const auto ours = [=]() -> work {
+        return [=, last = std::make_shared<basic_mesh<>>(refine(*course.control, scheme, course.levels))] {
+            return std::make_shared<limit_surface<std::array<double, 3>>>(limit_surface_of(*last, scheme));
+        };
+    };
+    return {std::string(scheme_name<Scheme>()),
+            course.name + ", limit surface",
+            course.levels,
+            course.faces,
+            {{opensubdiv_peer::version() + ", positions and tangents", theirs, {}},
+             {"kith, positions and normals", ours, {}}}};
+}
+
 template <class Scheme>
 void add_opensubdiv_contests(std::vector<contest>& list, const course_settings& settings)
 {
@@ -97,6 +125,7 @@ void add_opensubdiv_contests(std::vector<contest>& list, const course_settings& 
         list.push_back(make_contest<float>(course, scheme, false));
         list.push_back(make_contest<double>(course, scheme, true));
         list.push_back(make_evaluation_contest(course, scheme));
+        list.push_back(make_limit_contest(course, scheme));
     }
 }
 

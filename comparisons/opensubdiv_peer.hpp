@@ -134,6 +134,20 @@ struct opensubdiv_peer {
         return last;
     }
 
+    /// Where the vertices of the last level end up, and two tangents there. Precondition: its connectivity is full.
+    template <class Real>
+    static std::array<opensubdiv_points<Real>, 3> limits(const mesh& refiner, const opensubdiv_points<Real>& points)
+    {
+        std::array<opensubdiv_points<Real>, 3> result;
+        for (auto& of_all : result)
+            of_all = std::make_unique_for_overwrite<opensubdiv_point<Real>[]>(
+                std::size_t(refiner->GetLevel(refiner->GetMaxLevel()).GetNumVertices()));
+        const auto* from = points.get();
+        auto *positions = result[0].get(), *first = result[1].get(), *second = result[2].get();
+        OpenSubdiv::Far::PrimvarRefinerReal<Real>(*refiner).Limit(from, positions, first, second);
+        return result;
+    }
+
     /// The weights of the points of the last level over the control points, multiplied out.
     template <class Real>
     static std::unique_ptr<const OpenSubdiv::Far::StencilTableReal<Real>> stencils(const mesh& refiner)
