@@ -22,6 +22,24 @@ TEST(for_each, visits_every_element_once)
         ASSERT_EQ(n, 1);
 }
 
+TEST(for_each, visits_every_element_once_in_strips)
+{
+    const auto mesh = native(shapes::triangulated(shapes::torus(70, 70)));
+    const level_type level(mesh);
+    const auto expect_one_visit = [](const auto& range) {
+        for (const int threads : {1, 2, 3, 5, 64, 70}) {
+            const thread_count count(threads);
+            std::vector<std::atomic<int>> visits(range.size());
+            kith::for_each_in_strips(range, [&](const auto& x) { ++visits[x.index()]; });
+            for (const auto& n : visits)
+                ASSERT_EQ(n, 1);
+        }
+    };
+    expect_one_visit(level.vertices());
+    expect_one_visit(level.edges());
+    expect_one_visit(level.faces());
+}
+
 TEST(for_each, finds_nothing_in_a_mesh_without_elements)
 {
     const mesh3d nothing;
@@ -31,6 +49,7 @@ TEST(for_each, finds_nothing_in_a_mesh_without_elements)
     kith::for_each(level.edges(), fail);
     kith::for_each(level.faces(), fail);
     kith::for_each(level.corners(), fail);
+    kith::for_each_in_strips(level.vertices(), fail);
 }
 
 TEST(for_each, an_error_in_a_body_reaches_the_caller)

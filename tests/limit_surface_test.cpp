@@ -2,6 +2,7 @@
 #include <kith/limit/limit_surface.hpp>
 
 #include "every_scheme.hpp"
+#include "thread_count.hpp"
 #include "tiles.hpp"
 
 #include <kith/hierarchy.hpp>
@@ -335,4 +336,26 @@ TEST(limit_surface, of_a_tile_is_that_of_the_whole)
             expect_same(with_creases<kith::catmull_clark>(mesh, method), mesh);
         }
     EXPECT_GT(vertices, 10000U);
+}
+
+TEST(limit_surface, has_the_same_bits_on_any_number_of_threads)
+{
+    const auto expect_same = [](const mesh3d& mesh, const auto& scheme) {
+        const auto limits = [&](int threads) {
+            const thread_count count(threads);
+            return limit_surface_of(mesh, scheme);
+        };
+        const auto of_one = limits(1);
+        for (const int threads : {2, 3, 7}) {
+            const auto of_many = limits(threads);
+            EXPECT_TRUE(std::ranges::equal(of_many.positions, of_one.positions)) << threads;
+            EXPECT_EQ(of_many.normals, of_one.normals) << threads;
+        }
+    };
+    const auto quads = native(shapes::shaken(shapes::grid(70, 70)));
+    const auto triangles = native(shapes::shaken(shapes::triangulated(shapes::torus(50, 50))));
+    expect_same(quads, with_creases<kith::catmull_clark>(quads, kith::crease_method::uniform));
+    expect_same(quads, kith::doo_sabin());
+    expect_same(triangles, kith::loop());
+    expect_same(triangles, kith::sqrt3());
 }

@@ -4,6 +4,7 @@
 #include "error_text.hpp"
 #include "native_shape.hpp"
 
+#include <kith/base/cos_turn.hpp>
 #include <kith/compiled_schemes.hpp>
 #include <kith/field/with_fields.hpp>
 #include <kith/hierarchy.hpp>
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -107,6 +110,44 @@ TEST(limit, interpolating_schemes_stay)
     expect_stay(native(shapes::shaken(shapes::l_shape())), kith::kobbelt());
     expect_stay(native(shapes::shaken(shapes::house())), kith::linear());
     expect_stay(native(shapes::shaken(shapes::umbrella(9))), kith::linear_triangles());
+}
+
+namespace {
+
+/// What limit_rules weigh rings with.
+struct weights_of_rings : kith::limit_defaults {
+    using limit_defaults::cosine_wave;
+    using limit_defaults::sine_wave;
+};
+
+} // namespace
+
+TEST(limit, weights_that_are_kept_are_those_that_are_computed)
+{
+    for (const std::int64_t n : {1, 3, 4, 7, 64, 65, 300}) {
+        const auto cosine = weights_of_rings::cosine_wave(n);
+        const auto sine = weights_of_rings::sine_wave(n);
+        for (std::int64_t j = 0; j <= n; ++j) {
+            EXPECT_EQ(cosine(std::size_t(j)), kith::cos_turn(j, n)) << j << '/' << n;
+            EXPECT_EQ(sine(std::size_t(j)), kith::sin_turn(j, n)) << j << '/' << n;
+        }
+    }
+}
+
+TEST(limit, exponents_are_read_and_shifted_as_the_library_does)
+{
+    constexpr double largest = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+    for (const double x : {1., -1.5, 0.1, 1e300, -1e-300, 3e-310, least, largest, 0x1p-1022, 0x1.fffffffffffffp-1023}) {
+        EXPECT_EQ(kith::detail::exponent_of(x), std::ilogb(x)) << x;
+        for (const int exponent : {0, 1, -1, 52, -53, 1022, 1023, 1024, -1021, -1022, -1023, -1074, 2000, -2000})
+            EXPECT_EQ(kith::detail::times_power_of_two(x, exponent), std::scalbn(x, exponent)) << x << ' ' << exponent;
+    }
+}
+
+TEST(limit, faces_that_the_scheme_does_not_take_are_refused)
+{
+    EXPECT_EQ(error_text<kith::mesh_error>([] { limit_surface_of(native(shapes::cube()), kith::loop()); }),
+              "loop: face 0 has 4 vertices; triangulate the mesh first");
 }
 
 TEST(limit, tangents_of_kobbelt_are_refused_with_the_tension_that_steps_refuse)

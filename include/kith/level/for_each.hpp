@@ -60,6 +60,26 @@ template <walkable_level Level, element Element, class F>
     for_numbers(range, begin, end, f);
 }
 
+/// Calls body(begin, end) on parts of the faces, of which each thread takes strips from everywhere.
+inline void for_strips_of_faces(std::size_t faces, bool parallel, const part_body& body)
+{
+    constexpr std::size_t side = 8, strips = side * side;
+    const auto strip = [&](std::size_t i) {
+        const std::size_t place = i % side * side + i / side;
+        body(faces * place / strips, faces * (place + 1) / strips);
+    };
+    for_parts(
+        strips,
+        parallel and faces >= worth_threads,
+        [&](std::size_t begin, std::size_t end) {
+            if (end - begin == strips)
+                return body(0, faces);
+            for (std::size_t i = begin; i < end; ++i)
+                strip(i);
+        },
+        1);
+}
+
 /// Calls f on the elements that belong to the faces [begin, end).
 template <walkable_level Level, element Element, class F>
 void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
@@ -77,6 +97,17 @@ template <walkable_level Level, element Element, class F>
                                         const F& f)
 {
     for_faces(range, begin, end, f);
+}
+
+/// The same as the body of a loop.
+template <walkable_level Level, element Element, class F>
+void for_part_of_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
+{
+    const loop_body inside(true);
+    if constexpr (inlines_masks<Level>)
+        for_faces_inlined(range, begin, end, f);
+    else
+        for_faces(range, begin, end, f);
 }
 
 } // namespace detail
@@ -117,12 +148,23 @@ void for_each(const all_elements<Level, Element>& range, const F& f)
 {
     if constexpr (detail::met_by_faces<Level, Element>)
         detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
-            const detail::loop_body inside(true);
-            if constexpr (detail::inlines_masks<Level>)
-                detail::for_faces_inlined(range, begin, end, f);
-            else
-                detail::for_faces(range, begin, end, f);
+            detail::for_part_of_faces(range, begin, end, f);
         });
+    else
+        for_each_by_number(range, f);
+}
+
+/// The same for long bodies. Vertices and edges do not belong to all faces alike: after a step of Loop none belongs to
+/// the triangles in the middle of the old ones, which are the last quarter. Threads that take strips from everywhere
+/// have as much to do as one another; short bodies lose more where strips meet.
+template <walkable_level Level, element Element, class F>
+void for_each_in_strips(const all_elements<Level, Element>& range, const F& f)
+{
+    if constexpr (detail::met_by_faces<Level, Element>)
+        detail::for_strips_of_faces(
+            range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
+                detail::for_part_of_faces(range, begin, end, f);
+            });
     else
         for_each_by_number(range, f);
 }
