@@ -97,7 +97,7 @@ auto with_numbers_of(const M& mesh, const Scheme& scheme, int generation, const 
         const auto lifted = lift_valid(mesh);
         require_control_level(
             scheme,
-            named_level<typename decltype(lifted)::point_type, std::uint32_t>(lifted, numbers_of(mesh)),
+            named_level<typename decltype(lifted)::point_type, std::uint32_t>(lifted, handle_numbers_of(mesh)),
             generation);
         throw;
     }

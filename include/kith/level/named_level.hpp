@@ -40,7 +40,7 @@ template <mesh M>
 numbers_in_mesh read_numbers_in_library(const M& mesh);
 
 template <mesh M>
-numbers_in_mesh numbers_of(const M& mesh)
+numbers_in_mesh handle_numbers_of(const M& mesh)
 {
     if constexpr (is_compiled_mesh<M>)
         return read_numbers_in_library(mesh);

@@ -118,9 +118,9 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
 /// normal is that of the limit surface where it is known at once or a few steps on, else the mean of the normals of the
 /// faces at their limit positions, weighed by area, or, if these have none, at their places; zero if these have none
 /// either. `scheme` is that of this level: the creases are its. For points of three coordinates. Errors: mesh_error for
-/// a mesh without edges or with faces that the scheme does not take, for creases of another level, and where what lies around a vertex does not come together in
-/// one point or the scheme leaves nothing of it. Cost: O(corners), and for each vertex without a mask that of refining
-/// its neighbourhood, seldom more than a few times.
+/// a mesh without edges or with faces that the scheme does not take, for creases of another level, and where what lies
+/// around a vertex does not come together in one point or the scheme leaves nothing of it. Cost: O(corners), and for
+/// each vertex without a mask that of refining its neighbourhood, seldom more than a few times.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
 {
