@@ -82,7 +82,13 @@ public:
     [[nodiscard]] bool is_boundary() const { return level_->second(handle_) == Level::no_corner; }
 
     [[nodiscard]] vertex<Level> org() const { return lcorner().v(); }
-    [[nodiscard]] vertex<Level> dst() const { return lcorner().next().v(); }
+    [[nodiscard]] vertex<Level> dst() const
+    {
+        if constexpr (requires { level_->vertex_after(left_); })
+            return {*level_, level_->vertex_after(left_)};
+        else
+            return lcorner().next().v();
+    }
     [[nodiscard]] face<Level> lface() const { return lcorner().f(); }
     /// Precondition: not is_boundary().
     [[nodiscard]] face<Level> rface() const { return rcorner().f(); }
