@@ -113,9 +113,8 @@ public:
                         : Index(face_corner_[corner_face_[c.value] + 1] - 1)};
         }
     }
-    /// The vertex after that of a corner of an edge. Unlike those of a fan, the corners of edges that follow one
-    /// another are any of their faces': a branch would be guessed wrong, which takes Butterfly, whose masks wait for
-    /// it, half as long again.
+    /// The vertex after that of a corner of an edge, without a branch: unlike those of a fan, the corners of edges that
+    /// follow one another are any of their faces'. With the branch of `next` Butterfly takes half as long again.
     [[nodiscard]] vertex_handle vertex_after(corner_handle c) const
     {
         if constexpr (Degree == 3)
