@@ -67,13 +67,27 @@ public:
             });
         if (not estimate.is_gain(choices))
             return {};
-        template_maker<Scheme, Point, Index> maker(mesh, scheme, plan.bases);
+        std::vector<class_number> wanted;
+        std::vector<Index> models_of_wanted;
         for (class_number c = 0; c < classes.count(); ++c)
             if (choices[c] == template_choice::made) {
-                walk.around(models[c]);
-                if (auto made = maker.make(walk)) // nothing where there is too much around a face to be numbered
-                    of_class[c] = kept.keep(marks.key(walk), std::move(*made));
+                wanted.push_back(c);
+                models_of_wanted.push_back(models[c]);
             }
+        constexpr std::size_t worth_a_thread = 16;
+        detail::for_parts(
+            wanted.size(),
+            true,
+            [&](std::size_t begin, std::size_t end) {
+                if (begin == end) // often all are kept ones
+                    return;
+                template_maker<Scheme, Point, Index> maker(mesh, scheme, plan);
+                maker.make(std::span(models_of_wanted).subspan(begin, end - begin),
+                           [&](std::size_t i, const std::u16string& key, auto&& made) {
+                               of_class[wanted[begin + i]] = kept.keep(key, std::move(made));
+                           });
+            },
+            2 * worth_a_thread);
         return patched_level(classes, std::move(of_class), scheme, plan);
     }
 

@@ -22,23 +22,34 @@
 
 namespace kith {
 
-/// Elements of a part of the coarse level by corners of the walk, and which the first face owns.
+/// Elements of a part of the coarse level: which face owns each, of those that templates are made for, the models, and
+/// where a walk around one of these meets it.
 template <std::unsigned_integral Index>
 class sources_of_part {
 public:
-    /// Of the connectivity of a part, which must outlive this, where its faces come from, increasing, and those that
-    /// were walked around, the first of them the one that owns. `degree`: of all faces of any level; 0: they may have
-    /// several.
+    static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+
+    /// Of the connectivity of a part, which must outlive this, where its faces come from, increasing, and the models
+    /// among these. `degree`: of all faces of any level; 0: they may have several.
     sources_of_part(const connectivity<Index>& part, std::size_t degree, std::span<const Index> face_from,
-                    std::span<const unsigned char> edge_is_turned, std::span<const Index> walked)
+                    std::span<const unsigned char> edge_is_turned, std::span<const Index> models)
         : topology_(part)
         , degree_(degree)
-        , at_(topology_.vertices + topology_.edges() + 2 * topology_.faces, nowhere)
-        , centre_(position(face_from, walked[0]))
-        , turned_(edge_is_turned.begin(), edge_is_turned.end())
+        , face_from_(face_from)
+        , turned_(edge_is_turned)
+        , model_of_(topology_.faces, nobody)
+        , at_(topology_.vertices + topology_.edges() + 2 * topology_.faces)
     {
-        for (std::size_t f = 0; f < walked.size(); ++f) {
-            const std::size_t face = position(face_from, walked[f]);
+        for (std::size_t m = 0; m < models.size(); ++m)
+            model_of_[position(models[m])] = std::uint32_t(m);
+    }
+
+    /// From now on elements are where a walk has met them that went by these faces. Cost: O(elements of the part).
+    void walked(std::span<const Index> faces)
+    {
+        std::ranges::fill(at_, nowhere);
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            const std::size_t face = position(faces[f]);
             const Index first = topology_.first_corner(face), end = topology_.first_corner(face + 1);
             for (Index c = first; c < end; ++c) {
                 const walked_corner corner{std::uint16_t(f), std::uint16_t(c - first)};
@@ -70,6 +81,8 @@ public:
             result.first_corners = in_turn(topology_.faces);
         return result;
     }
+    [[nodiscard]] bool is_walked(std::uint32_t id) const { return at_[id].face != nowhere.face; }
+    /// Precondition: the last walk has met it.
     [[nodiscard]] walked_element source(std::uint32_t id) const
     {
         return {id < edge(0)         ? tuple_kind::v
@@ -79,22 +92,23 @@ public:
                 at_[id]};
     }
     [[nodiscard]] std::size_t size() const { return at_.size(); }
-    [[nodiscard]] bool is_owned(std::uint32_t id) const
+    /// The model that owns an element, or nobody.
+    [[nodiscard]] std::uint32_t owner(std::uint32_t id) const
     {
         if (id < edge(0))
-            return topology_.face_of(topology_.vertex_corner[id]) == centre_;
+            return model_of_[topology_.face_of(topology_.vertex_corner[id])];
         if (id < of_face(0))
-            return topology_.face_of(topology_.halfedge_corner[2 * (id - edge(0))]) == centre_ and
-                   not turned_[id - edge(0)];
-        return id == of_face(centre_) or id == corners_of(centre_);
+            return turned_[id - edge(0)] ? nobody
+                                         : model_of_[topology_.face_of(topology_.halfedge_corner[2 * (id - edge(0))])];
+        return model_of_[(id - of_face(0)) % topology_.faces];
     }
 
 private:
     static constexpr walked_corner nowhere{std::numeric_limits<std::uint16_t>::max(), 0};
 
-    static std::size_t position(std::span<const Index> face_from, Index face)
+    [[nodiscard]] std::size_t position(Index face) const
     {
-        return std::size_t(std::ranges::lower_bound(face_from, face) - face_from.begin());
+        return std::size_t(std::ranges::lower_bound(face_from_, face) - face_from_.begin());
     }
     [[nodiscard]] std::size_t vertex(std::size_t v) const { return v; }
     [[nodiscard]] std::size_t edge(std::size_t e) const { return topology_.vertices + e; }
@@ -103,9 +117,10 @@ private:
 
     const connectivity<Index>& topology_;
     std::size_t degree_;
-    std::vector<walked_corner> at_; // by source: vertices, edges, faces
-    std::size_t centre_;
-    std::vector<bool> turned_;
+    std::span<const Index> face_from_;
+    std::span<const unsigned char> turned_;
+    std::vector<std::uint32_t> model_of_; // by face of the part
+    std::vector<walked_corner> at_;       // by source: vertices, edges, faces, their corners
 };
 
 /// Makes a template of what some steps have made of a neighbourhood; knows no scheme.
@@ -116,9 +131,12 @@ class template_assembler {
     using affine_numbers = part_of_whole<number>;
 
 public:
-    /// Of the face that was walked around last, with the last level of its part, the numbers of that and its tape;
-    /// nothing where it is too large to be numbered. Cost: that of the program, and of sorting numbers.
-    [[nodiscard]] std::optional<result> assemble(const face_walk<Index>& walk, const sources_of_part<Index>& sources,
+    /// Of the face that was walked around last and what it owns, with the last level of a part that has its
+    /// neighbourhood, the numbers of that and its tape; nothing where it is too large to be numbered, or
+    /// follows from what the walk has not met, since the scheme reaches further than it says. Cost: that of the
+    /// program, and of sorting numbers.
+    [[nodiscard]] std::optional<result> assemble(const face_walk<Index>& walk, std::span<std::uint32_t> vertices,
+                                                 std::span<std::uint32_t> faces, const sources_of_part<Index>& sources,
                                                  const affine_numbers& numbers,
                                                  const basic_mesh<recorded<Scalar>, Index>& fine,
                                                  const tape<Scalar>& tape)
@@ -126,23 +144,24 @@ public:
         result made;
         made.steps.assign(walk.steps().begin(), walk.steps().end());
         listed_.restart(sources.size());
-        const auto owned = in_order(numbers.vertices, [&](const number& n) { return sources.is_owned(n.source); });
-        list_vertices(owned, numbers, fine.topology(), made);
-        list_faces(in_order(numbers.faces, [&](const number& n) { return sources.is_owned(n.source); }),
-                   numbers,
-                   fine.topology(),
-                   made);
-        if (listed_.is_too_long())
+        put_in_order(vertices, numbers.vertices);
+        put_in_order(faces, numbers.faces);
+        list_vertices(vertices, numbers, fine.topology(), made);
+        list_faces(faces, numbers, fine.topology(), made);
+        const auto are_walked = [&](std::span<const std::uint32_t> ids) {
+            return std::ranges::all_of(ids, [&](std::uint32_t id) { return sources.is_walked(id); });
+        };
+        if (listed_.is_too_long() or not are_walked(listed_.sources()))
             return {};
         made.multiples = listed_.multiples();
         for (const std::uint32_t source : listed_.sources())
             made.sources.push_back(sources.source(source));
 
         std::vector<std::uint32_t> outputs;
-        for (const std::uint32_t v : owned)
+        for (const std::uint32_t v : vertices)
             outputs.push_back(fine.point(v).value);
         made.program = programs_.make(tape, outputs);
-        if (made.program.is_too_long())
+        if (made.program.is_too_long() or not are_walked(made.program.inputs()))
             return {};
         for (const std::uint32_t v : made.program.inputs())
             made.inputs.push_back(sources.source(v));
@@ -187,16 +206,10 @@ private:
 
     static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.path, n.offset); }
 
-    /// Those of some elements, in the order of their numbers.
-    template <class IsOne>
-    static std::vector<std::uint32_t> in_order(const storage<number>& numbers, const IsOne& is_one)
+    /// Sorts elements by their numbers.
+    static void put_in_order(std::span<std::uint32_t> elements, const storage<number>& numbers)
     {
-        std::vector<std::uint32_t> result;
-        for (std::uint32_t i = 0; i < numbers.size(); ++i)
-            if (is_one(numbers[i]))
-                result.push_back(i);
-        std::ranges::sort(result, {}, [&](std::uint32_t i) { return order_of(numbers[i]); });
-        return result;
+        std::ranges::sort(elements, {}, [&](std::uint32_t i) { return order_of(numbers[i]); });
     }
 
     void list_vertices(std::span<const std::uint32_t> owned, const affine_numbers& numbers,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "patch_plan.hpp"
 #include "refine_part.hpp"
 #include "template_assembler.hpp"
 
 #include <kith/level/native_level.hpp>
+#include <kith/neighbourhood/face_walk.hpp>
 #include <kith/neighbourhood/placed_state.hpp>
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
@@ -13,12 +15,45 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <string>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace kith {
+
+/// What each model owns of some elements, model by model, as places in their list.
+class owned_elements {
+public:
+    template <std::unsigned_integral Index>
+    owned_elements(const storage<affine_number<Index>>& numbers, const sources_of_part<Index>& sources,
+                   std::size_t models)
+        : begin_(models + 1, 0)
+    {
+        std::vector<std::uint32_t> owners(numbers.size());
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            owners[i] = sources.owner(numbers[i].source);
+            if (owners[i] != sources.nobody)
+                ++begin_[owners[i] + 1];
+        }
+        for (std::size_t m = 0; m < models; ++m)
+            begin_[m + 1] += begin_[m];
+        places_.resize(begin_[models]);
+        std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (owners[i] != sources.nobody)
+                places_[next[owners[i]]++] = std::uint32_t(i);
+    }
+
+    [[nodiscard]] std::span<std::uint32_t> of(std::size_t model)
+    {
+        return std::span(places_).subspan(begin_[model], begin_[model + 1] - begin_[model]);
+    }
+
+private:
+    std::vector<std::size_t> begin_;
+    std::vector<std::uint32_t> places_;
+};
 
 /// Makes templates of a scheme for the faces of one level.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
@@ -28,29 +63,44 @@ class template_maker {
     using numbering = numbering_of<Scheme, Index>;
     static constexpr int degree = int(numbering::common_degree);
     static constexpr double cost_of_cut = 0; // what is written down costs more
+    static constexpr std::size_t at_once = 64;
 
 public:
-    /// For the level of a mesh, which has its edges and, if there is one, the degree of refined faces and must outlive
-    /// this, and one step for each of the bases, by the scheme of the level.
-    template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, std::span<const column_bases> bases)
+    /// For the level of a mesh that a plan begins with, which has its edges and, if there is one, the degree of refined
+    /// faces, and the scheme there. All must outlive this. Cost: O(elements).
+    template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, const patch_plan& plan)
         : mesh_(mesh)
         , scheme_(scheme)
         , plain_(without_state(scheme))
-        , bases_(bases)
-        , rings_(rings_before_steps(scheme, bases.size()))
+        , bases_(plan.bases)
+        , rings_(rings_before_steps(scheme, plan.bases.size()))
+        , cutter_(mesh)
+        , walk_(mesh.topology(), plan.rings)
+        , marks_(mesh.topology(), scheme)
     {
     }
 
-    /// Of the face that was walked around last; nothing where it is too large to be numbered.
-    [[nodiscard]] std::optional<patch_template<scalar, Index>> make(const face_walk<Index>& walk)
+    /// Of some faces, the models. They are refined together, for their neighbourhoods often overlap. made(i, key,
+    /// template) is called for the i-th, with the key of its walk and of the state there, but not where it is too large
+    /// to be numbered.
+    template <class Made>
+    void make(std::span<const Index> models, const Made& made)
     {
-        std::vector<Index> faces(walk.faces().begin(), walk.faces().end());
-        std::ranges::sort(faces);
-        if (not cutter_)
-            cutter_.emplace(mesh_);
-        const auto part = cutter_->cut(faces);
-        const sources_of_part<Index> sources(
-            part.mesh.topology(), std::size_t(degree), part.face_from, part.edge_is_turned, walk.faces());
+        for (std::size_t first = 0; first < models.size(); first += at_once)
+            make_together(
+                models.subspan(first, std::min(at_once, models.size() - first)),
+                [&](std::size_t i, const std::u16string& key, auto&& one) { made(first + i, key, std::move(one)); });
+    }
+
+private:
+    template <class Made>
+    void make_together(std::span<const Index> models, const Made& made)
+    {
+        std::vector<Index> seeds(models.begin(), models.end());
+        std::ranges::sort(seeds);
+        const auto part = cutter_.cut(cutter_.faces_around(seeds, rings_.front()));
+        sources_of_part<Index> sources(
+            part.mesh.topology(), std::size_t(degree), part.face_from, part.edge_is_turned, models);
 
         auto numbers = sources.numbers();
         storage<value> points(part.mesh.vertex_count());
@@ -73,23 +123,32 @@ public:
             numbers,
             bases_,
             rings_,
-            [&](const affine_number<Index>& face) { return sources.is_owned(face.source); },
+            [&](const affine_number<Index>& face) { return sources.owner(face.source) != sources.nobody; },
             cost_of_cut,
             refine);
         numbering ids;
         const auto fine = refine(before_last, scheme, ids);
         numbers = numbers.next(before_last.topology(), ids, bases_.back());
-        return assembler_.assemble(walk, sources, numbers, fine, tape_);
+
+        owned_elements vertices(numbers.vertices, sources, models.size());
+        owned_elements faces(numbers.faces, sources, models.size());
+        for (std::size_t i = 0; i < models.size(); ++i) {
+            walk_.around(models[i]);
+            sources.walked(walk_.faces());
+            if (auto one = assembler_.assemble(walk_, vertices.of(i), faces.of(i), sources, numbers, fine, tape_))
+                made(i, marks_.key(walk_), std::move(*one));
+        }
     }
 
-private:
     const basic_mesh<Point, Index>& mesh_;
     const Scheme& scheme_;
     Scheme plain_; // without its state
     std::span<const column_bases> bases_;
     std::vector<int> rings_;
-    std::optional<submesh_cutter<Point, Index>> cutter_; // from the first template on: often all are kept ones
-    tape<scalar> tape_;                                  // of one template after the other
+    submesh_cutter<Point, Index> cutter_;
+    face_walk<Index> walk_;
+    state_marks<Index> marks_;
+    tape<scalar> tape_; // of some templates after others
     template_assembler<scalar, Index> assembler_;
 };
 
