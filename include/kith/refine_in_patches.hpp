@@ -36,7 +36,7 @@ public:
         if (not plan_)
             return;
         faces_ = double(plan_->last().faces);
-        least_to_look_ = costs.least_faces / plan_->faces_of_patch();
+        least_to_look_ = costs.least_to_look(*plan_);
         if (faces_ * plan_->faces_of_patch() < std::min(costs.least_faces, costs.least_faces_again))
             return;
         kept_.emplace(without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());

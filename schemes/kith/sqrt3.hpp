@@ -27,9 +27,10 @@ struct sqrt3 {
             .require =
                 [](const auto& control, int generation) {
                     require_three_faces<sqrt3>(control);
+                    if (not sqrt3_split::is_odd(generation))
+                        return;
                     for (const auto f : control.faces())
-                        if (const auto edges = sqrt3_split::boundary_edges(f);
-                            sqrt3_split::is_odd(generation) and edges > 1)
+                        if (const auto edges = sqrt3_split::boundary_edges(f); edges > 1)
                             throw mesh_error("sqrt3: face " + std::to_string(number_in_mesh(control, f)) + " has " +
                                              std::to_string(edges) +
                                              " boundary edges in a step that trisects them; start with generation 0");

@@ -114,9 +114,15 @@ struct patch_costs {
     double share_if_alike = .3;      ///< so few classes has a sample of faces of a control mesh whose faces are alike
     double to_be_cheaper = .9;       ///< patches must come to less than so much
     double least_if_ordered = 32;    ///< smaller patches do not gain on the order of the surface alone, faces only
-    double least_faces = 12e6;       ///< of the last level times those of a patch; for fewer nobody looks
+    double least_faces = 12e6; ///< of the last level times those of a patch; for fewer nobody looks if one ring tells
     double least_faces_again = .8e6; ///< the same where such levels have been made without templates again and again
     double of_class_again = 0;       ///< of finding the template of a class there
+
+    /// For fewer faces of the last level nobody looks: the more rings, the more classes are told apart.
+    [[nodiscard]] double least_to_look(const patch_plan& plan) const
+    {
+        return least_faces / plan.faces_of_patch() * (1 + plan.rings) / 2;
+    }
 
     /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three
     /// times as long there, making a template does not, and who looks reads from all over the memory.
