@@ -4,6 +4,7 @@
 #include "error_text.hpp"
 #include "every_scheme.hpp"
 #include "regular_masks.hpp"
+#include "thread_count.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,25 @@ TEST(stencil, rows_times_points_are_the_points)
             for (std::size_t i = 0; i < 3; ++i)
                 ASSERT_NEAR(points[v][i], levels[2].point(v)[i], 2e-14);
     });
+}
+
+TEST(stencil, several_threads_carry_the_same_bits_as_one)
+{
+    hierarchy levels(native(shapes::shaken(shapes::torus(16, 24))), kith::catmull_clark());
+    levels.refine(2);
+    const auto matrix = levels.matrix(0, 2);
+    ASSERT_GT(matrix.rows(), 4096U); // what several threads are worth
+    const auto with_threads = [&](int count) {
+        const thread_count threads(count);
+        return matrix.apply(levels[0].points());
+    };
+    const auto points = with_threads(1);
+    for (const int count : {2, 3, 7})
+        EXPECT_EQ(with_threads(count), points);
+    const auto& last = levels[2].points();
+    for (std::size_t v = 0; v < points.size(); ++v)
+        for (std::size_t i = 0; i < 3; ++i)
+            ASSERT_NEAR(points[v][i], last[v][i], 2e-14);
 }
 
 TEST(stencil, rows_without_entries_give_nothing_and_all_entries_are_listed)

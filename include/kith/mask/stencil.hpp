@@ -3,12 +3,14 @@
 
 #include <kith/base/affine.hpp>
 #include <kith/base/error.hpp>
+#include <kith/base/for_parts.hpp>
 #include <kith/base/storage.hpp>
 
 #include <cstddef>
 #include <ranges>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -90,7 +92,7 @@ struct subdivision_matrix {
     }
 
     /// Any values of the coarser level, one per vertex, carried to the finer one; by a row without entries T(), zero
-    /// where that is left open.
+    /// where that is left open. On the threads of OpenMP where values are plain bytes.
     /// Errors: mesh_error unless there are `columns` values. Cost: O(entries).
     template <affine_value T>
     [[nodiscard]] std::vector<T> apply(std::span<const T> values) const
@@ -105,18 +107,19 @@ struct subdivision_matrix {
             return result;
         };
         static const T nothing = T(); // what is static is cleared before it is constructed
-        std::vector<T> result;
-        result.reserve(rows());
-        for (std::size_t i = 0; i < rows(); ++i) {
-            if (begin_of_row(i) == begin_of_row(i + 1)) {
-                result.push_back(nothing);
-                continue;
+        std::vector<T> result(rows());
+        detail::for_parts(rows(), std::is_trivially_copyable_v<T>, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (begin_of_row(i) == begin_of_row(i + 1)) {
+                    result[i] = nothing;
+                    continue;
+                }
+                typename traits::sum total = term(begin_of_row(i));
+                for (std::size_t k = begin_of_row(i) + 1; k < begin_of_row(i + 1); ++k)
+                    traits::add(total, term(k));
+                result[i] = traits::store(total);
             }
-            typename traits::sum total = term(begin_of_row(i));
-            for (std::size_t k = begin_of_row(i) + 1; k < begin_of_row(i + 1); ++k)
-                traits::add(total, term(k));
-            result.push_back(traits::store(total));
-        }
+        });
         return result;
     }
 
@@ -166,6 +169,12 @@ inline subdivision_matrix make_matrix(std::span<const stencil_row> rows, std::si
 {
     subdivision_matrix result;
     result.columns = columns;
+    std::size_t entries = 0;
+    for (const auto& row : rows)
+        entries += row.entries.size();
+    result.row_start.reserve(rows.size() + 1);
+    result.column.reserve(entries);
+    result.weight.reserve(entries);
     for (const auto& row : rows) {
         for (const auto& [column, weight] : row.entries) {
             result.column.push_back(subdivision_matrix::index_type(column));
