@@ -74,7 +74,7 @@ public:
                 wanted.push_back(c);
                 models_of_wanted.push_back(models[c]);
             }
-        constexpr std::size_t worth_a_thread = 16;
+        constexpr std::size_t worth_threads = 8;
         detail::for_parts(
             wanted.size(),
             true,
@@ -87,7 +87,7 @@ public:
                                of_class[wanted[begin + i]] = kept.keep(key, std::move(made));
                            });
             },
-            2 * worth_a_thread);
+            worth_threads);
         return patched_level(classes, std::move(of_class), scheme, plan);
     }
 
