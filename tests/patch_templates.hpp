@@ -15,6 +15,7 @@
 inline constexpr kith::patch_costs all_templates{.in_patch = 0,
                                                  .among_few = 1,
                                                  .of_template = 0,
+                                                 .of_face_in_template = 0,
                                                  .of_look = 0,
                                                  .share_if_alike = 1, // whatever the control mesh looks like
                                                  .to_be_cheaper = std::numeric_limits<double>::infinity(),

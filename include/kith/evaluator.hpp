@@ -75,7 +75,8 @@ public:
 
 private:
     /// A template pays when it saves more than a few evaluations of the faces that it is for.
-    static constexpr patch_costs costs{.in_patch = .2, .of_template = 420, .to_be_cheaper = .5, .least_faces = 1};
+    static constexpr patch_costs costs{
+        .in_patch = .2, .of_template = 100, .of_face_in_template = 5, .to_be_cheaper = .5, .least_faces = 1};
 
     void make_patches()
     {

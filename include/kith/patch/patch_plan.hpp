@@ -108,7 +108,8 @@ struct patch_costs {
     double in_patch = .45;           ///< .3 (Butterfly) to .6
     double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
     double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
-    double of_template = 2100;       ///< of making one, in final faces: 2200 (Butterfly) to 4800, but it is kept
+    double of_template = 600;        ///< of making one, in final faces: half of what it takes, since templates are kept
+    double of_face_in_template = 20; ///< the same for each face of its patch: 15 (Butterfly) to 40 (Kobbelt)
     double of_look = 3;              ///< of finding the class of a face, per ring, in final faces
     double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
     double share_if_alike = .3;      ///< so few classes has a sample of faces of a control mesh whose faces are alike
@@ -130,6 +131,7 @@ struct patch_costs {
     {
         patch_costs costs = *this;
         costs.of_template /= 2;
+        costs.of_face_in_template /= 2;
         costs.most_of_looks /= 2;
         return costs;
     }
@@ -139,6 +141,7 @@ struct patch_costs {
     {
         patch_costs costs = *this;
         costs.of_template /= times;
+        costs.of_face_in_template /= times;
         costs.of_class_again = 250;
         return costs;
     }
@@ -156,6 +159,7 @@ public:
         , sizes_(std::move(sizes))
         , of_patch_(plan.faces_of_patch())
         , in_patch_(with_edges ? costs.in_patch_with_edges : costs.in_patch)
+        , of_template_(costs.of_template + costs.of_face_in_template * of_patch_)
     {
     }
 
@@ -163,7 +167,7 @@ public:
     [[nodiscard]] bool gains(std::size_t of_class) const
     {
         return double(sizes_[of_class]) * of_patch_ * (costs_.among_few - in_patch_) >
-               costs_.of_template + costs_.of_class_again;
+               of_template_ + costs_.of_class_again;
     }
     /// Whether patches are cheaper than going level by level, if each class does what is best.
     [[nodiscard]] bool is_gain_without_kept() const
@@ -182,7 +186,7 @@ public:
             const bool is_alone = choices[c] == template_choice::none;
             cost += double(sizes_[c]) * of_patch_ * (is_alone ? costs_.among_few : in_patch_);
             cost += is_alone ? 0 : costs_.of_class_again;
-            cost += choices[c] == template_choice::made ? costs_.of_template : 0;
+            cost += choices[c] == template_choice::made ? of_template_ : 0;
             faces += double(sizes_[c]) * of_patch_;
         }
         return cost <= costs_.to_be_cheaper * faces;
@@ -191,7 +195,7 @@ public:
 private:
     patch_costs costs_;
     std::vector<std::size_t> sizes_;
-    double of_patch_, in_patch_;
+    double of_patch_, in_patch_, of_template_;
 };
 
 } // namespace kith
