@@ -119,11 +119,25 @@ template <class F, element Element>
     f(element);
 }
 
+namespace detail {
+
 /// The same with all that f calls inlined.
 template <class F, element Element>
-[[gnu::noinline, KITH_FLATTEN]] void rarely_inlined(const F& f, Element element)
+[[gnu::noinline, KITH_FLATTEN]] void rarely_flattened(const F& f, Element element)
 {
     f(element);
+}
+
+} // namespace detail
+
+/// The same with all that f calls inlined, where masks are.
+template <class F, template <walkable_level> class Element, walkable_level Level>
+void rarely_inlined(const F& f, Element<Level> element)
+{
+    if constexpr (detail::inlines_masks<Level>)
+        detail::rarely_flattened(f, element);
+    else
+        rarely(f, element);
 }
 
 /// The same as for_each, in the order of the numbers on each thread: for bodies that look at their own element only and
