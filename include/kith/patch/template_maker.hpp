@@ -63,7 +63,6 @@ class template_maker {
     using numbering = numbering_of<Scheme, Index>;
     static constexpr int degree = int(numbering::common_degree);
     static constexpr double cost_of_cut = 0; // what is written down costs more
-    static constexpr std::size_t at_once = 64;
 
 public:
     /// For the level of a mesh that a plan begins with, which has its edges and, if there is one, the degree of refined
@@ -86,6 +85,8 @@ public:
     template <class Made>
     void make(std::span<const Index> models, const Made& made)
     {
+        // Neighbourhoods of one ring have little in common, and what is written down of few stays in the caches.
+        const std::size_t at_once = rings_.front() == 1 ? 8 : 64;
         for (std::size_t first = 0; first < models.size(); first += at_once)
             make_together(
                 models.subspan(first, std::min(at_once, models.size() - first)),
