@@ -86,20 +86,34 @@ public:
     void make(std::span<const Index> models, const Made& made)
     {
         // Neighbourhoods of one ring have little in common, and what is written down of few stays in the caches.
-        const std::size_t at_once = rings_.front() == 1 ? 8 : 64;
-        for (std::size_t first = 0; first < models.size(); first += at_once)
+        const std::size_t most_at_once = rings_.front() == 1 ? 8 : 64;
+        constexpr std::size_t most_faces = 4096; // around them: some megabytes are written down of these
+        std::size_t count = 0;
+        for (std::size_t first = 0; first < models.size(); first += count) {
+            count = std::min(most_at_once, models.size() - first);
+            std::vector<Index> faces = faces_around(models.subspan(first, count));
+            while (faces.size() > most_faces and count > 1) {
+                count /= 2;
+                faces = faces_around(models.subspan(first, count));
+            }
             make_together(
-                models.subspan(first, std::min(at_once, models.size() - first)),
-                [&](std::size_t i, const std::u16string& key, auto&& one) { made(first + i, key, std::move(one)); });
+                models.subspan(first, count), faces, [&](std::size_t i, const std::u16string& key, auto&& one) {
+                    made(first + i, key, std::move(one));
+                });
+        }
     }
 
 private:
-    template <class Made>
-    void make_together(std::span<const Index> models, const Made& made)
+    [[nodiscard]] std::vector<Index> faces_around(std::span<const Index> models)
     {
         std::vector<Index> seeds(models.begin(), models.end());
         std::ranges::sort(seeds);
-        const auto part = cutter_.cut(cutter_.faces_around(seeds, rings_.front()));
+        return cutter_.faces_around(seeds, rings_.front());
+    }
+    template <class Made>
+    void make_together(std::span<const Index> models, std::span<const Index> faces_around_them, const Made& made)
+    {
+        const auto part = cutter_.cut(faces_around_them);
         sources_of_part<Index> sources(
             part.mesh.topology(), std::size_t(degree), part.face_from, part.edge_is_turned, models);
 
