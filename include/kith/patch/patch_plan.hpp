@@ -109,7 +109,7 @@ struct patch_costs {
     double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
     double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
     double of_template = 600;        ///< of making one, in final faces: half of what it takes, since templates are kept
-    double of_face_in_template = 20; ///< the same for each face of its patch: 15 (Butterfly) to 40 (Kobbelt)
+    double of_face_in_template = 20; ///< the same for each face of its patch: small ones, with fewer, gain more of them
     double of_look = 3;              ///< of finding the class of a face, per ring, in final faces
     double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
     double share_if_alike = .3;      ///< so few classes has a sample of faces of a control mesh whose faces are alike
