@@ -18,8 +18,7 @@ template <scheme Scheme, std::unsigned_integral Index>
     requires orderable_scheme<Scheme, Index>
 bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme, int levels)
 {
-    const bool closed = control.corners() == 2 * control.edges();
-    return levels >= 2 and ignores_numbers(scheme) and detail::is_free_of_order<Scheme>(closed) and
+    return levels >= 2 and ignores_numbers(scheme) and detail::is_free_of_order<Scheme>(control.is_closed()) and
            is_scattered(control);
 }
 

@@ -49,7 +49,7 @@ public:
     [[nodiscard]] std::size_t edge_count() const { return topology_->edges(); }
     [[nodiscard]] std::size_t face_count() const { return topology_->faces; }
     [[nodiscard]] std::size_t corner_count() const { return topology_->corners(); }
-    [[nodiscard]] bool is_closed() const { return corner_count() == 2 * edge_count(); }
+    [[nodiscard]] bool is_closed() const { return topology_->is_closed(); }
     [[nodiscard]] kith::counts counts() const { return count(*topology_); }
 
     [[nodiscard]] vertex_handle vertex_at(std::size_t i) const { return {Index(i)}; }

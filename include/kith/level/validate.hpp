@@ -6,7 +6,6 @@
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/mesh/mesh_report.hpp>
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -173,7 +172,7 @@ void check_starts(const connectivity<Index>& mesh, mesh_report& report)
         else
             report.add_lost_fan(v);
     }
-    if (std::ranges::count(mesh.halfedge_corner, mesh.none) == 0) // so quickly that it pays
+    if (mesh.is_closed())
         return;
     for (std::size_t h = 0; h < mesh.halfedge_corner.size(); ++h)
         if (mesh.halfedge_corner[h] == mesh.none and mesh.halfedge_corner[h ^ 1] < mesh.corners()) {

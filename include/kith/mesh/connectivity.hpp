@@ -98,6 +98,8 @@ struct connectivity {
     /// The vertex that a corner's half-edge leads to.
     [[nodiscard]] Index target(Index corner) const { return corner_vertex[next(corner)]; }
 
+    /// No edge has a side without a face, nor are there faces without edges. Cost: O(1).
+    [[nodiscard]] bool is_closed() const { return corners() == 2 * edges(); }
     [[nodiscard]] bool is_boundary(std::size_t edge) const { return halfedge_corner[2 * edge + 1] == none; }
     /// The vertices of an edge, as it is directed.
     [[nodiscard]] std::array<Index, 2> ends(std::size_t edge) const
@@ -149,11 +151,13 @@ struct connectivity {
     }
 };
 
-/// Counts of a mesh, with the boundary classes. Cost: O(edges).
+/// Counts of a mesh, with the boundary classes. Cost: O(edges), of a closed mesh O(1).
 template <std::unsigned_integral Index>
 counts count(const connectivity<Index>& mesh)
 {
     counts result{.vertices = mesh.vertices, .edges = mesh.edges(), .faces = mesh.faces};
+    if (mesh.is_closed())
+        return result;
     for (std::size_t e = 0; e < mesh.edges(); ++e) {
         if (not mesh.is_boundary(e))
             continue;

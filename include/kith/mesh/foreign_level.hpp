@@ -154,7 +154,7 @@ template <class Point, std::unsigned_integral Index>
 void write_level(level_writer<Point, Index>& level, const basic_mesh<Point, Index>& mesh)
 {
     const connectivity<Index>& t = mesh.topology();
-    level.make_room(t.vertices, t.edges(), t.faces, t.corners() == 2 * t.edges());
+    level.make_room(t.vertices, t.edges(), t.faces, t.is_closed());
     Point* const points = level.points();
     detail::for_parts(t.vertices, std::is_trivially_copyable_v<Point>, [&](std::size_t begin, std::size_t end) {
         std::copy(mesh.points().data() + begin, mesh.points().data() + end, points + begin);

@@ -60,7 +60,7 @@ void for_each(const block_elements<Level, Element>& range, const F& f)
 {
     if constexpr (detail::met_by_faces<Level, Element>) {
         const std::size_t faces = range.all.level().face_count();
-        detail::for_faces(range.all, range.begin(faces), range.end(faces), f);
+        detail::for_faces_inlined(range.all, range.begin(faces), range.end(faces), f);
     } else {
         for_each_by_number(range, f);
     }
