@@ -19,8 +19,11 @@ inline constexpr kith::patch_costs all_templates{.in_patch = 0,
                                                  .of_look = 0,
                                                  .share_if_alike = 1, // whatever the control mesh looks like
                                                  .to_be_cheaper = std::numeric_limits<double>::infinity(),
+                                                 .least_if_late = 1,
                                                  .least_if_ordered = 1,
-                                                 .least_faces = 1};
+                                                 .least_if_ordered_with_edges = 1,
+                                                 .least_faces = 1,
+                                                 .least_faces_if_scattered = 1};
 
 /// The same with templates for classes that have some members, or for none.
 constexpr kith::patch_costs with_cost_of_template(double cost)

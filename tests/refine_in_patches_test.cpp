@@ -215,6 +215,33 @@ TEST(refine_in_patches, leaves_a_scattered_mesh_as_it_is_where_patches_are_no_ga
     EXPECT_TRUE(same_level(level, mesh));
 }
 
+TEST(refine_in_patches, leaves_small_patches_of_a_scattered_mesh_to_the_order_of_its_surface)
+{
+    const kith::patch_costs usual;
+    auto costs = all_templates;
+    costs.least_if_ordered = usual.least_if_ordered;
+    costs.least_if_ordered_with_edges = usual.least_if_ordered_with_edges;
+    costs.least_faces_if_scattered = usual.least_faces_if_scattered;
+    const auto makes = [&](auto mesh, auto scheme, int levels, connect last) {
+        const kith::patch_refinement<std::array<double, 3>, std::uint32_t, decltype(scheme)> patches(
+            mesh, scheme, levels, last, costs);
+        EXPECT_TRUE(patches.is_worth_looking()) << levels;
+        return patches.refine(mesh, scheme).has_value();
+    };
+    // Of sizes that no other test refines: what has been looked at in vain is not looked at again.
+    const auto scattered = native(shapes::shuffled(shapes::triangulated(shapes::torus(62, 66)), 3));
+    EXPECT_FALSE(makes(scattered, kith::loop{}, 1, connect::everything)); // patches of 4 faces
+    EXPECT_FALSE(makes(scattered, kith::loop{}, 2, connect::faces));      // of 16
+    EXPECT_TRUE(makes(scattered, kith::loop{}, 2, connect::everything));
+    EXPECT_TRUE(makes(scattered, kith::loop{}, 3, connect::faces));
+    EXPECT_TRUE(makes(native(shapes::triangulated(shapes::torus(61, 66))), kith::loop{}, 1, connect::everything));
+    // No order of the surface.
+    EXPECT_TRUE(makes(scattered, kith::doo_sabin{}, 2, connect::faces)); // from the first level on
+    costs.share_if_alike = 0;
+    EXPECT_FALSE(makes(scattered, kith::doo_sabin{}, 3, connect::faces));
+    EXPECT_TRUE(makes(native(shapes::torus(62, 65)), kith::doo_sabin{}, 3, connect::faces));
+}
+
 /// A scheme of a user's own: masks inside masks, weights by valence, and a ring that is walked twice.
 struct own_scheme {
     static constexpr auto traits()
@@ -637,6 +664,10 @@ TEST(refine_in_patches, is_left_out_where_it_would_be_wrong_or_of_no_use)
     EXPECT_TRUE(looks(unlike, kith::loop{}, 4));
     EXPECT_TRUE(looks(unlike, kith::loop{}, 3));
     EXPECT_FALSE(looks(unlike, kith::loop{}, 2));
+    EXPECT_FALSE(
+        looks(native(shapes::with_flips(shapes::triangulated(shapes::torus(50, 50)), 3, 5000)), kith::loop{}, 3));
+    EXPECT_FALSE(looks(unlike, kith::sqrt3{}, 4)); // small patches of the third level
+    EXPECT_FALSE(looks(unlike, kith::butterfly{}, 3));
     EXPECT_TRUE(looks(native(shapes::triangulated(shapes::torus(100, 100))), kith::loop{}, 3));
     EXPECT_TRUE(looks(native(shapes::tetrahedron()), kith::loop{}, 9)); // few kinds, whatever they are
     // Its columns ask where the boundary is.

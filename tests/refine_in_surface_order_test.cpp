@@ -69,7 +69,7 @@ TEST(refine_in_surface_order, makes_the_same_bits)
 
 TEST(refine_in_surface_order, is_what_refine_does_with_a_scattered_mesh)
 {
-    const auto expect_same = [](const mesh3d& mesh, const auto& scheme, int levels = 2, connect last = connect::faces) {
+    const auto expect_same = [](const mesh3d& mesh, const auto& scheme, int levels = 3, connect last = connect::faces) {
         ASSERT_TRUE(is_worth_ordering(mesh, scheme, levels, last));
         const auto given = refined_as_given(mesh, scheme, levels, last);
         for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 7}) {
@@ -90,9 +90,11 @@ TEST(refine_in_surface_order, is_left_out_where_it_would_be_wrong_or_of_no_use)
 {
     const auto torus = scattered_torus(), grid = scattered_grid();
     EXPECT_FALSE(is_worth_ordering(torus.topology(), kith::loop{}, 1));
-    // With all connectivity levels are to be large.
-    EXPECT_TRUE(is_worth_ordering(torus, kith::loop{}, 2, connect::faces));
-    EXPECT_FALSE(is_worth_ordering(torus, kith::loop{}, 2, connect::everything));
+    // Levels are to be large, those with all connectivity larger.
+    EXPECT_FALSE(is_worth_ordering(torus, kith::loop{}, 2, connect::faces));
+    EXPECT_TRUE(is_worth_ordering(torus, kith::loop{}, 3, connect::faces));
+    EXPECT_FALSE(is_worth_ordering(torus, kith::loop{}, 3, connect::everything));
+    EXPECT_TRUE(is_worth_ordering(torus, kith::loop{}, 4, connect::everything));
     EXPECT_FALSE(is_worth_ordering(native(shapes::torus(60, 60)).topology(), kith::catmull_clark{}, 2));
     // The columns of sqrt(3) ask where the boundary is, and creases are kept by the numbers of edges.
     EXPECT_FALSE(is_worth_ordering(grid.topology(), kith::sqrt3{}, 2));
@@ -110,11 +112,11 @@ TEST(refine_in_surface_order, is_left_out_where_it_would_be_wrong_or_of_no_use)
 TEST(refine_in_surface_order, is_left_out_where_memory_is_short)
 {
     const auto mesh = scattered_torus();
-    const auto levels = plan(count(mesh.topology()), kith::loop{}, 2);
+    const auto levels = plan(count(mesh.topology()), kith::loop{}, 3);
     const std::uint64_t least = peak_bytes(levels, false, true);
-    const auto given = refined_as_given(mesh, kith::loop{}, 2);
+    const auto given = refined_as_given(mesh, kith::loop{}, 3);
     for (const std::uint64_t limit : {least, 2 * least})
-        EXPECT_TRUE(same_bits(refine(mesh, kith::loop{}, 2, {connect::faces, limit}), given));
+        EXPECT_TRUE(same_bits(refine(mesh, kith::loop{}, 3, {connect::faces, limit}), given));
 }
 
 } // namespace

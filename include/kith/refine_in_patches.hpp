@@ -36,19 +36,16 @@ public:
         if (not plan_)
             return;
         faces_ = double(plan_->last().faces);
-        least_to_look_ = costs.least_to_look(*plan_);
         if (faces_ * plan_->faces_of_patch() < std::min(costs.least_faces, costs.least_faces_again))
             return;
         kept_.emplace(without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());
         demand_ = kept_->demand(plan_->last().faces, last_level_);
-        if (faces_ < least_to_look_ or demand_.next_look > 0)
-            costs_ = costs_.if_again(1 + demand_.made / faces_);
-        is_worth_looking_ = is_enough_for_looking();
+        ask_whether_to_look(costs);
         if (not is_worth_looking_)
             return;
         const std::size_t looks = std::clamp<std::size_t>(plan_->last().faces / 1024, 128, 1024);
         if (share_of_classes(control.topology(), 1, looks) > costs_.share_if_alike) // one ring tells
-            begin_where_faces_are_alike(scheme, levels);
+            begin_where_faces_are_alike(scheme, levels, costs);
     }
 
     /// Whether there are so many faces that patches may be worth while, or have been again and again, and not just
@@ -85,11 +82,14 @@ private:
     using numbers = element_numbers<Index>;
     using templates = kept_templates<Scheme, scalar_of<Point>, Index>;
 
-    [[nodiscard]] bool is_enough_for_looking() const
+    /// With the plan as it is.
+    void ask_whether_to_look(const patch_costs& costs)
     {
-        const double enough = faces_ >= least_to_look_ ? 0 : least_to_look_;
-        return costs_.of_look * plan_->rings <= costs_.most_of_looks * plan_->faces_of_patch() and
-               demand_.made + faces_ >= std::max(enough, demand_.next_look);
+        least_to_look_ = costs.least_to_look(*plan_);
+        const bool is_enough = faces_ >= least_to_look_;
+        costs_ = is_enough and demand_.next_look <= 0 ? costs : costs.if_again(1 + demand_.made / faces_);
+        is_worth_looking_ = costs.of_look * plan_->rings <= costs.most_of_looks * plan_->faces_of_patch() and
+                            demand_.made + faces_ >= std::max(is_enough ? 0 : least_to_look_, demand_.next_look);
     }
     /// f as for `with_patches`, if they are worth looking for and a gain; whether they were. The next time takes note.
     template <class F>
@@ -112,13 +112,27 @@ private:
 
     /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a class
     /// of its own. After as many steps as there are rings around a patch there are few classes; patches begin there.
-    void begin_where_faces_are_alike(const Scheme& scheme, int levels)
+    void begin_where_faces_are_alike(const Scheme& scheme, int levels, const patch_costs& costs)
     {
-        costs_ = costs_.if_unlike();
-        if (plan_->begin < plan_->rings and plan_->rings < levels)
+        if (plan_->begin < plan_->rings and plan_->rings < levels) {
+            is_late_ = plan_->rings > 1;
             plan_->begin_at(plan_->rings, scheme, last_generation_ - levels);
-        if (plan_->begin < plan_->rings or not plan_->has_room_for_classes())
+        }
+        if (plan_->begin < plan_->rings or not plan_->has_room_for_classes() or
+            (is_late_ and plan_->faces_of_patch() < costs.least_if_late))
             plan_.reset();
+        else
+            ask_whether_to_look(costs.if_unlike(is_late_));
+    }
+    /// Where the faces of the control mesh lie in no order, small patches gain less than the order of the surface does
+    /// or, for who has no such order, than is lost by looking at a large level from all over the memory.
+    [[nodiscard]] bool is_worth_while_if_scattered() const
+    {
+        if constexpr (orderable_scheme<Scheme, Index>)
+            return plan_->faces_of_patch() >=
+                   (last_level_ == connect::faces ? costs_.least_if_ordered : costs_.least_if_ordered_with_edges);
+        else
+            return not is_late_ or faces_ * plan_->faces_of_patch() >= costs_.least_faces_if_scattered;
     }
     /// f(level, patches, numbers): the level whose faces own patches, and the numbers that its elements have where the
     /// control mesh is refined as it is, if that has been put into the order of its surface: then what is read around a
@@ -127,11 +141,11 @@ private:
     template <class F>
     bool with_patches(basic_mesh<Point, Index>& mesh, Scheme& scheme, const F& f) const
     {
+        if (is_scattered(mesh.topology()) and not is_worth_while_if_scattered())
+            return false;
         if constexpr (orderable_scheme<Scheme, Index>)
             if (is_worth_ordering(mesh.topology(), scheme, plan_->begin + int(plan_->bases.size())) and
                 plan_->bases.size() > 1) { // else the numbers take memory that nobody has foreseen
-                if (last_level_ == connect::faces and plan_->faces_of_patch() < costs_.least_if_ordered)
-                    return false;
                 auto ordered = in_surface_order(mesh);
                 Scheme of_level = scheme;
                 refine_ordered(ordered, of_level, plan_->begin);
@@ -182,6 +196,7 @@ private:
     double faces_ = 0, least_to_look_ = 0; // of the last level; with fewer only who has templates gains by them
     std::optional<templates> kept_;        // where there are enough faces for these
     template_demand demand_;
+    bool is_late_ = false; // patches begin after several steps for the sake of alike faces: at a level that is large
     bool is_worth_looking_ = false;
 };
 

@@ -114,8 +114,11 @@ struct patch_costs {
     double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
     double share_if_alike = .3;      ///< so few classes has a sample of faces of a control mesh whose faces are alike
     double to_be_cheaper = .9;       ///< patches must come to less than so much
-    double least_if_ordered = 32;    ///< smaller patches do not gain on the order of the surface alone, faces only
+    double least_if_late = 12;    ///< smaller patches do not gain where they begin late since faces are unlike before
+    double least_if_ordered = 32; ///< smaller patches do not gain on the order of the surface alone, faces only
+    double least_if_ordered_with_edges = 16; ///< the same with all connectivity
     double least_faces = 12e6; ///< of the last level times those of a patch; for fewer nobody looks if one ring tells
+    double least_faces_if_scattered = 40e6; ///< the same where they lie in no order and cannot be put into one
     double least_faces_again = .8e6; ///< the same where such levels have been made without templates again and again
     double of_class_again = 0;       ///< of finding the template of a class there
 
@@ -126,13 +129,15 @@ struct patch_costs {
     }
 
     /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three
-    /// times as long there, making a template does not, and who looks reads from all over the memory.
-    [[nodiscard]] patch_costs if_unlike() const
+    /// times as long there, making a template does not, and who looks reads from all over the memory. Where patches
+    /// begin late for that reason, who looks has much to look at and finds many classes.
+    [[nodiscard]] patch_costs if_unlike(bool is_late) const
     {
         patch_costs costs = *this;
+        if (is_late)
+            costs.least_faces *= 8;
         costs.of_template /= 2;
         costs.of_face_in_template /= 2;
-        costs.most_of_looks /= 2;
         return costs;
     }
     /// The same for levels of few faces, or for which templates were no gain before, that are made so many times, the

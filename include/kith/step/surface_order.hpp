@@ -59,7 +59,7 @@ struct ordered_mesh {
 };
 
 /// Whether faces that share an edge often lie far apart in the order of the faces, as in many files from scanners and
-/// remeshing: across more than a third of the sides lies a face further than 1024 away, and not near one that lies
+/// remeshing: across more than half of the sides lies a face further than 1024 away, and not near one that lies
 /// across from one of the two faces before. Then most of what a step reads around a vertex comes from outside the
 /// caches. Faces that lie far away but follow one another, as where a mesh has been refined, are fetched ahead.
 /// Precondition: the mesh has its edges. Cost: that of a look at one or two thousand faces.
@@ -67,7 +67,7 @@ template <std::unsigned_integral Index>
 bool is_scattered(const connectivity<Index>& mesh)
 {
     constexpr std::size_t faces_in_cache = 1024; // with what a step reads and writes of them
-    constexpr std::size_t faces_ahead = 256, looks = 1024;
+    constexpr std::size_t faces_ahead = 32, looks = 1024;
     const auto distance = [](std::size_t a, std::size_t b) { return std::max(a, b) - std::min(a, b); };
     const auto for_across = [&](std::size_t face, const auto& f) {
         for (Index c = mesh.first_corner(face); c < mesh.first_corner(face + 1); ++c)
@@ -86,7 +86,7 @@ bool is_scattered(const connectivity<Index>& mesh)
             ++sides;
             far += distance(f, face) > faces_in_cache and not follows(face, f - 1) and not follows(face, f - 2);
         });
-    return far > sides / 3;
+    return far > sides / 2;
 }
 
 /// The faces in an order in which those that lie close together on the surface follow one another: clump after clump,
