@@ -103,8 +103,7 @@ private:
             demand = {.made = least_to_look_};
         } else {
             demand.made += faces_;
-            if (is_worth_looking_)
-                demand.next_look = 2 * demand.made;
+            demand.next_look = is_worth_looking_ ? 2 * demand.made : std::max(demand.next_look, least_to_look_);
         }
         kept_->keep(std::size_t(faces_), last_level_, demand);
         return is_gain;

@@ -127,12 +127,25 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
 template <std::unsigned_integral Index>
 void turn_boundary_fans(connectivity<Index>& fine, bool parallel)
 {
+    constexpr std::size_t edges_at_once = 16; // as few are at the boundary, most are looked at side by side
     for_parts(fine.edges(), parallel, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e)
-            if (fine.is_boundary(e)) {
-                const Index c = fine.halfedge_corner[2 * e];
-                fine.vertex_corner[fine.corner_vertex[c]] = c;
-            }
+        const Index* const sides = fine.halfedge_corner.data();
+        const auto turn = [&](std::size_t first, std::size_t last) {
+            for (std::size_t e = first; e < last; ++e)
+                if (fine.is_boundary(e)) {
+                    const Index c = sides[2 * e];
+                    fine.vertex_corner[fine.corner_vertex[c]] = c;
+                }
+        };
+        std::size_t e = begin;
+        for (; e + edges_at_once <= end; e += edges_at_once) {
+            Index without_face = 0;
+            for (std::size_t side = 0; side < 2 * edges_at_once; ++side)
+                without_face += Index(sides[2 * e + side] == fine.none);
+            if (without_face != 0)
+                turn(e, e + edges_at_once);
+        }
+        turn(e, end);
     });
 }
 
