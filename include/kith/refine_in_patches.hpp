@@ -82,7 +82,7 @@ private:
     using numbers = element_numbers<Index>;
     using templates = kept_templates<Scheme, scalar_of<Point>, Index>;
 
-    /// With the plan as it is.
+    /// At which of these costs, and whether at all the classes of faces are worth a look, by the plan as it is now.
     void ask_whether_to_look(const patch_costs& costs)
     {
         least_to_look_ = costs.least_to_look(*plan_);
@@ -123,8 +123,8 @@ private:
         else
             ask_whether_to_look(costs.if_unlike(is_late_));
     }
-    /// Where the faces of the control mesh lie in no order, small patches gain less than the order of the surface does
-    /// or, for who has no such order, than is lost by looking at a large level from all over the memory.
+    /// Whether patches gain where the faces of the control mesh lie in no order: small ones gain less than the order of
+    /// the surface alone does or, for a scheme that has no such order, less than looking at a large level costs there.
     [[nodiscard]] bool is_worth_while_if_scattered() const
     {
         if constexpr (orderable_scheme<Scheme, Index>)

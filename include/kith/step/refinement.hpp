@@ -127,7 +127,7 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
 template <std::unsigned_integral Index>
 void turn_boundary_fans(connectivity<Index>& fine, bool parallel)
 {
-    constexpr std::size_t edges_at_once = 16; // as few are at the boundary, most are looked at side by side
+    constexpr std::size_t edges_at_once = 16; // looked at side by side, since few are at the boundary
     for_parts(fine.edges(), parallel, [&](std::size_t begin, std::size_t end) {
         const Index* const sides = fine.halfedge_corner.data();
         const auto turn = [&](std::size_t first, std::size_t last) {
