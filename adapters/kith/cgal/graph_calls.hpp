@@ -14,61 +14,18 @@ void edge() = delete;
 void face() = delete;
 void target() = delete;
 
-template <class Graph>
-auto all_vertices(const Graph& g)
-{
-    return vertices(g);
-}
-template <class Graph>
-auto all_edges(const Graph& g)
-{
-    return edges(g);
-}
-template <class Graph>
-auto all_faces(const Graph& g)
-{
-    return faces(g);
-}
-template <class Graph, class Halfedge>
-auto next_of(const Graph& g, Halfedge h)
-{
-    return next(h, g);
-}
-template <class Graph, class Halfedge>
-auto prev_of(const Graph& g, Halfedge h)
-{
-    return prev(h, g);
-}
-template <class Graph, class Halfedge>
-auto opposite_of(const Graph& g, Halfedge h)
-{
-    return opposite(h, g);
-}
-template <class Graph, class Halfedge>
-auto source_of(const Graph& g, Halfedge h)
-{
-    return source(h, g);
-}
-template <class Graph, class Halfedge>
-auto target_of(const Graph& g, Halfedge h)
-{
-    return target(h, g);
-}
-template <class Graph, class Halfedge>
-auto face_beside(const Graph& g, Halfedge h)
-{
-    return face(h, g);
-}
-template <class Graph, class Element>
-auto halfedge_at(const Graph& g, Element x) // of a vertex, an edge or a face
-{
-    return halfedge(x, g);
-}
-template <class Graph, class Halfedge>
-auto edge_along(const Graph& g, Halfedge h)
-{
-    return edge(h, g);
-}
+inline constexpr auto all_vertices = [](const auto& g) { return vertices(g); };
+inline constexpr auto all_edges = [](const auto& g) { return edges(g); };
+inline constexpr auto all_faces = [](const auto& g) { return faces(g); };
+inline constexpr auto next_of = [](const auto& g, auto h) { return next(h, g); };
+inline constexpr auto prev_of = [](const auto& g, auto h) { return prev(h, g); };
+inline constexpr auto opposite_of = [](const auto& g, auto h) { return opposite(h, g); };
+inline constexpr auto source_of = [](const auto& g, auto h) { return source(h, g); };
+inline constexpr auto target_of = [](const auto& g, auto h) { return target(h, g); };
+inline constexpr auto face_beside = [](const auto& g, auto h) { return face(h, g); };
+inline constexpr auto edge_along = [](const auto& g, auto h) { return edge(h, g); };
+inline constexpr auto halfedge_at = [](const auto& g, auto element) { return halfedge(element, g); };
+
 template <class Graph>
 bool has_no_face(const Graph& g, typename boost::graph_traits<Graph>::halfedge_descriptor h)
 {

@@ -22,26 +22,16 @@ enum edge_sharpness_t { edge_sharpness };
 enum vertex_sharpness_t { vertex_sharpness };
 
 /// Edges and vertices with numbers: sharp for as many levels, infinitely_sharp for ever. `more` is a chain to go on
-/// from.
-template <class Map>
-auto edge_sharpness_map(const Map& map)
+/// from, if there is one.
+template <class Map, class... More>
+auto edge_sharpness_map(const Map& map, const More&... more)
 {
-    return CGAL::Named_function_parameters<Map, edge_sharpness_t>(map);
+    return CGAL::Named_function_parameters<Map, edge_sharpness_t, More...>(map, more...);
 }
-template <class Map, class More>
-auto edge_sharpness_map(const Map& map, const More& more)
+template <class Map, class... More>
+auto vertex_sharpness_map(const Map& map, const More&... more)
 {
-    return CGAL::Named_function_parameters<Map, edge_sharpness_t, More>(map, more);
-}
-template <class Map>
-auto vertex_sharpness_map(const Map& map)
-{
-    return CGAL::Named_function_parameters<Map, vertex_sharpness_t>(map);
-}
-template <class Map, class More>
-auto vertex_sharpness_map(const Map& map, const More& more)
-{
-    return CGAL::Named_function_parameters<Map, vertex_sharpness_t, More>(map, more);
+    return CGAL::Named_function_parameters<Map, vertex_sharpness_t, More...>(map, more...);
 }
 
 #if CGAL_VERSION_NR >= 1060101000
@@ -51,14 +41,10 @@ inline constexpr auto do_not_modify_geometry_tag = CGAL::internal_np::do_not_mod
 enum do_not_modify_geometry_t { do_not_modify_geometry_tag };
 
 /// Elements are split and nothing moves, as in CGAL from 6.1 on.
-inline auto do_not_modify_geometry(bool b)
+template <class... More>
+auto do_not_modify_geometry(bool b, const More&... more)
 {
-    return CGAL::Named_function_parameters<bool, do_not_modify_geometry_t>(b);
-}
-template <class More>
-auto do_not_modify_geometry(bool b, const More& more)
-{
-    return CGAL::Named_function_parameters<bool, do_not_modify_geometry_t, More>(b, more);
+    return CGAL::Named_function_parameters<bool, do_not_modify_geometry_t, More...>(b, more...);
 }
 #endif
 
