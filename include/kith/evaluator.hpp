@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace kith {
@@ -15,14 +18,102 @@ namespace kith {
 namespace detail {
 
 /// Patches, or nothing where a scheme has none.
-template <class Point, class Index, class Scheme>
+template <class Point, class Index, class Scheme, class Made>
 struct possible_patches {
     using type = std::optional<std::monostate>;
 };
-template <class Point, class Index, class Scheme>
+template <class Point, class Index, class Scheme, class Made>
     requires patchable_scheme<Scheme, Point, Index>
-struct possible_patches<Point, Index, Scheme> {
-    using type = std::optional<patched_level<Point, Index, Scheme>>;
+struct possible_patches<Point, Index, Scheme, Made> {
+    using type = std::optional<patched_level<Point, Index, Scheme, Made>>;
+};
+
+/// The levels of a refinement up to where patches begin, and the patches of all that is made of the last level again
+/// and again; all levels where there are no patches.
+template <class Point, std::unsigned_integral Index, scheme Scheme, made_at_last... Made>
+class patched_levels {
+public:
+    using levels_type = hierarchy<basic_mesh<Point, Index>, Scheme>;
+
+    /// `last_rings`: around a face of the last level that what is made for its vertices follows from. Errors and cost:
+    /// as evaluator.
+    patched_levels(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, int last_rings,
+                   const refine_options& options)
+        : levels_(control, scheme, options), count_(levels)
+    {
+        require_levels<Scheme>(levels);
+        require_room<Point, Index>(levels_.elements(0).counts(),
+                                   scheme,
+                                   levels,
+                                   control.generation(),
+                                   true,
+                                   {connect::everything, options.memory_limit});
+        make_patches(last_rings, control.generation());
+        levels_.refine(has_patches() ? 0 : levels - levels_.depth());
+    }
+
+    [[nodiscard]] bool has_patches() const { return std::get<0>(patches_).has_value(); }
+    [[nodiscard]] levels_type& levels() { return levels_; }
+    /// Of the last level. Precondition: there are patches.
+    [[nodiscard]] std::size_t last_vertices() const { return last_vertices_; }
+
+    /// By the points that the levels have now. Precondition: there are patches.
+    template <made_at_last What>
+    [[nodiscard]] storage<Point> make() const
+    {
+        storage<Point> result(last_vertices_);
+        if constexpr (patchable_scheme<Scheme, Point, Index>)
+            std::get<possible<What>>(patches_)->fill(levels_.finest(), {result.data()});
+        return result;
+    }
+
+private:
+    template <class What>
+    using possible = typename possible_patches<Point, Index, Scheme, What>::type;
+
+    /// A template pays when it saves more than a few evaluations of the faces that it is for.
+    static constexpr patch_costs costs{
+        .in_patch = .2, .of_template = 100, .of_face_in_template = 5, .to_be_cheaper = .5, .least_faces = 1};
+
+    void make_patches(int last_rings, int generation)
+    {
+        if constexpr (patchable_scheme<Scheme, Point, Index>) {
+            const connectivity<Index>& control = levels_[0].topology();
+            auto plan = plan_patches(count(control), control.degree, levels_.scheme(0), count_, generation, last_rings);
+            if (not plan)
+                return;
+            look(*plan);
+            if (not has_patches() and plan->begin + 1 < count_) { // faces of the next level are more alike
+                plan->begin_at(plan->begin + 1, levels_.scheme(0), generation);
+                if (plan->has_room_for_classes())
+                    look(*plan);
+            }
+            last_vertices_ = plan->last().vertices;
+            if (has_patches())
+                (std::get<possible<Made>>(patches_)->keep_what_is_found(levels_.finest()), ...);
+        }
+    }
+    void look(const patch_plan& plan)
+        requires patchable_scheme<Scheme, Point, Index>
+    {
+        levels_.refine(plan.begin - levels_.depth());
+        const auto& mesh = levels_.finest();
+        const auto& scheme = levels_.scheme(plan.begin);
+        const face_classes<Index> classes(mesh.topology(), plan.rings, state_marks<Index>(mesh.topology(), scheme));
+        const auto made_one = [&]<class What>(std::type_identity<What>) {
+            auto made = patched_level<Point, Index, Scheme, What>::make(mesh, classes, scheme, plan, costs);
+            if (made)
+                std::get<possible<What>>(patches_).emplace(std::move(*made));
+            return made.has_value();
+        };
+        if (not(made_one(std::type_identity<Made>()) and ...))
+            ((std::get<possible<Made>>(patches_).reset()), ...); // templates may be kept of one of them alone
+    }
+
+    levels_type levels_;
+    int count_;
+    std::size_t last_vertices_ = 0;
+    std::tuple<possible<Made>...> patches_;
 };
 
 } // namespace detail
@@ -39,17 +130,8 @@ public:
     /// another library's types have no patches.
     evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
               const refine_options& options = {})
-        : levels_(control, scheme, options), generation_(control.generation()), count_(levels)
+        : levels_(control, scheme, levels, 0, options)
     {
-        detail::require_levels<Scheme>(levels);
-        detail::require_room<Point, Index>(levels_.elements(0).counts(),
-                                           scheme,
-                                           levels,
-                                           generation_,
-                                           true,
-                                           {connect::everything, options.memory_limit});
-        make_patches();
-        levels_.refine(patches_ ? 0 : levels - levels_.depth());
     }
     /// For a mesh of another library, whose points are told in the order of its vertices.
     template <refinable_mesh M>
@@ -62,54 +144,17 @@ public:
     /// Errors: mesh_error unless there is a point for each control vertex, all finite. Cost: that of the masks.
     [[nodiscard]] storage<Point> evaluate(std::span<const Point> control)
     {
-        if constexpr (patchable_scheme<Scheme, Point, Index>)
-            if (patches_) {
-                levels_.move_points(0, control);
-                storage<Point> result(last_vertices_);
-                patches_->fill(levels_.finest(), {result.data()});
-                return result;
-            }
+        auto& levels = levels_.levels();
+        if (levels_.has_patches()) {
+            levels.move_points(0, control);
+            return levels_.template make<last_points>();
+        }
         require_finite(0, control);
-        return levels_.carry(0, count_, control);
+        return levels.carry(0, levels.depth(), control);
     }
 
 private:
-    /// A template pays when it saves more than a few evaluations of the faces that it is for.
-    static constexpr patch_costs costs{
-        .in_patch = .2, .of_template = 100, .of_face_in_template = 5, .to_be_cheaper = .5, .least_faces = 1};
-
-    void make_patches()
-    {
-        if constexpr (patchable_scheme<Scheme, Point, Index>) {
-            const connectivity<Index>& control = levels_[0].topology();
-            auto plan = plan_patches(count(control), control.degree, levels_.scheme(0), count_, generation_);
-            if (not plan)
-                return;
-            const auto look = [&] {
-                levels_.refine(plan->begin - levels_.depth());
-                const auto& mesh = levels_.finest();
-                const auto& scheme = levels_.scheme(plan->begin);
-                const face_classes<Index> classes(
-                    mesh.topology(), plan->rings, state_marks<Index>(mesh.topology(), scheme));
-                if (auto made = patched_level<Point, Index, Scheme>::make(mesh, classes, scheme, *plan, costs))
-                    patches_.emplace(std::move(*made));
-            };
-            look();
-            if (not patches_ and plan->begin + 1 < count_) { // faces of the next level are more alike
-                plan->begin_at(plan->begin + 1, levels_.scheme(0), generation_);
-                if (plan->has_room_for_classes())
-                    look();
-            }
-            last_vertices_ = plan->last().vertices;
-            if (patches_)
-                patches_->keep_what_is_found(levels_.finest());
-        }
-    }
-
-    hierarchy<basic_mesh<Point, Index>, Scheme> levels_; // all, or those before the patches
-    int generation_, count_;
-    std::size_t last_vertices_ = 0;
-    typename detail::possible_patches<Point, Index, Scheme>::type patches_;
+    detail::patched_levels<Point, Index, Scheme, last_points> levels_;
 };
 
 template <refinable_mesh M, scheme Scheme>

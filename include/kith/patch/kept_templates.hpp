@@ -57,8 +57,8 @@ public:
     using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
     static constexpr std::size_t most_bytes = std::size_t(64) << 20;
 
-    /// For so many steps that begin at a level of this generation.
-    kept_templates(const Scheme& scheme, int generation, int rings, std::size_t steps)
+    /// For so many steps that begin at a level of this generation; `made`: the kind of what is made_at_last.
+    kept_templates(const Scheme& scheme, int generation, int rings, std::size_t steps, std::size_t made)
     {
         std::size_t number = 0;
         if constexpr (comparable_scheme<Scheme>) {
@@ -69,7 +69,7 @@ public:
         } else {
             store_ = std::make_shared<store>();
         }
-        for (const std::size_t part : {number >> 16, number, std::size_t(generation), std::size_t(rings), steps})
+        for (const std::size_t part : {number >> 16, number, std::size_t(generation), std::size_t(rings), steps, made})
             purpose_ += char16_t(part);
     }
 

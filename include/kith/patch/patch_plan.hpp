@@ -31,6 +31,7 @@ struct patch_plan {
     int first;                       ///< the first level that is like refined ones: in degrees, valences and marks
     int begin;                       ///< the level whose faces own patches of the last one
     int rings;                       ///< by which the class of a face says all of its patch
+    int last_rings;                  ///< around a face of the last level that the values of its vertices follow from
     std::vector<counts> levels;      ///< from the control mesh to the last one
     std::vector<column_bases> bases; ///< of the steps from `begin` on
 
@@ -64,17 +65,17 @@ struct patch_plan {
         for (std::size_t i = 0; i + 1 < levels.size(); ++i, ++of_level)
             if (int(i) >= begin)
                 bases.push_back(bases_of_columns(*of_level, levels[i], of_level.generation()));
-        rings = rings_before_steps(scheme, bases.size()).front();
+        rings = rings_before_steps(scheme, bases.size(), last_rings).front();
     }
 };
 
 /// `degree`: of all faces of the control mesh; 0: they have several. A patch has at most some hundred faces. Nothing
 /// for a mesh on which the numbers of the scheme do not follow in one way, whose order it does not ignore even where
-/// its state says nothing, which is too large, or where there is no step to make. Precondition: the levels can be
-/// counted. Cost: O(levels).
+/// its state says nothing, which is too large, or where there is no step to make. `last_rings`: as in patch_plan.
+/// Precondition: the levels can be counted. Cost: O(levels).
 template <reaching_scheme Scheme>
 std::optional<patch_plan> plan_patches(const counts& control, int degree, const Scheme& scheme, int levels,
-                                       int generation)
+                                       int generation, int last_rings = 0)
 {
     constexpr std::uint64_t most_faces_of_patch = 100;
     if (levels < 1 or not ignores_numbers(without_state(scheme)))
@@ -82,7 +83,7 @@ std::optional<patch_plan> plan_patches(const counts& control, int degree, const 
     constexpr std::size_t degree_of_refined = numbering_of<Scheme, std::uint32_t>::common_degree;
     const bool is_like_refined = not has_faces_by_valence<Scheme> and not has_numbers_by_marks<Scheme> and
                                  (degree_of_refined == 0 or degree_of_refined == std::size_t(degree));
-    patch_plan plan{is_like_refined ? 0 : 1, levels, 0, {control}, {}};
+    patch_plan plan{is_like_refined ? 0 : 1, levels, 0, last_rings, {control}, {}};
     coming_scheme of_level(scheme, generation);
     for (int level = 0; level < levels; ++level, ++of_level) {
         plan.levels.push_back(next_counts(*of_level, plan.last(), of_level.generation()));

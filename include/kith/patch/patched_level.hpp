@@ -23,7 +23,7 @@
 
 namespace kith {
 
-template <class Point, std::unsigned_integral Index, scheme Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme, made_at_last Made = last_points>
     requires patchable_scheme<Scheme, Point, Index>
 class patched_level;
 
@@ -31,7 +31,7 @@ class patched_level;
 
 /// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of
 /// other classes are refined as meshes of their own.
-template <class Point, std::unsigned_integral Index, scheme Scheme>
+template <class Point, std::unsigned_integral Index, scheme Scheme, made_at_last Made>
     requires patchable_scheme<Scheme, Point, Index>
 class patched_level {
 public:
@@ -46,7 +46,7 @@ public:
         if (not plan.has_counts_of(mesh.topology(), scheme, mesh.generation()))
             return {};
         const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
-        const templates kept(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size());
+        const templates kept(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size(), Made::kind);
         constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little
         const bool may_be_kept = not kept.empty() and classes.count() * least_per_class <= mesh.face_count();
         if (not may_be_kept and not estimate.is_gain_without_kept())
@@ -81,7 +81,7 @@ public:
             [&](std::size_t begin, std::size_t end) {
                 if (begin == end) // often all are kept ones
                     return;
-                template_maker<Scheme, Point, Index> maker(mesh, scheme, plan);
+                template_maker<Scheme, Point, Index, Made> maker(mesh, scheme, plan);
                 maker.make(std::span(models_of_wanted).subspan(begin, end - begin),
                            [&](std::size_t i, const std::u16string& key, auto&& made) {
                                of_class[wanted[begin + i]] = kept.keep(key, std::move(made));
@@ -109,7 +109,7 @@ public:
         });
     }
 
-    /// Makes the points of the last level, and of its connectivity what there is room for. The mesh is that of `make`,
+    /// Makes the points of the last level, or what follows from them, and of its connectivity what there is room for. The mesh is that of `make`,
     /// or one with other points. Cost: that of the programs, and of refining the faces that have no template.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
@@ -204,7 +204,7 @@ private:
             }
         auto without_template = put_into_batches(classes, template_of_class);
         if (not without_template.empty())
-            clusters_.emplace(scheme, plan.bases, std::move(without_template));
+            clusters_.emplace(scheme, plan.bases, plan.last_rings, std::move(without_template));
     }
 
     /// As faces of one template come together, in their order. Those that have none are returned.
@@ -254,9 +254,9 @@ private:
     std::vector<typename templates::pointer> templates_;
     std::vector<std::vector<Index>> bases_; // of the multiples of each
     std::vector<batch> batches_;
-    std::vector<Index> faces_;                                    // batch after batch
-    storage<Index> found_;                                        // the same; empty where nothing is kept
-    std::optional<face_clusters<Point, Index, Scheme>> clusters_; // of the faces without a template
+    std::vector<Index> faces_;                                          // batch after batch
+    storage<Index> found_;                                              // the same; empty where nothing is kept
+    std::optional<face_clusters<Point, Index, Scheme, Made>> clusters_; // of the faces without a template
 };
 
 #endif

@@ -17,16 +17,29 @@
 
 namespace kith {
 
-/// The rings around some faces that are enough on each level before a step, if there are to be none on the last level.
-/// At least one, so that the fans of all their vertices are whole.
+/// What patches make for the vertices of the last level: their points.
+struct last_points {
+    static constexpr std::size_t kind = 0;
+};
+
+/// What patches make for the vertices of the last level: their points, or sums of the points around them. `kind` is
+/// another number for each, by which templates are kept. Where it is no points, replace(mesh, scheme, is_wanted) puts
+/// it in their places in a part of the last level, with the scheme there, for vertices that are wanted by their number.
+template <class Made>
+concept made_at_last = requires {
+    { Made::kind } -> std::convertible_to<std::size_t>;
+};
+
+/// The rings around some faces that are enough on each level before a step, if there are to be `last` on the last
+/// level. At least one, so that the fans of all their vertices are whole.
 template <reaching_scheme Scheme>
-std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps)
+std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps, int last)
 {
-    std::vector<int> rings(steps + 1, 0);
+    std::vector<int> rings(steps + 1, last);
     for (std::size_t step = steps; step > 0; --step)
         rings[step - 1] = std::max(1,
                                    detail::says_reach_of_steps<Scheme, traits_type<Scheme>>
-                                       ? reach_of(scheme, 0, int(steps - step + 1))
+                                       ? reach_of(scheme, last, int(steps - step + 1))
                                        : reach_of(scheme, rings[step]));
     rings.pop_back();
     return rings;

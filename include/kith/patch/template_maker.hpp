@@ -55,8 +55,8 @@ private:
     std::vector<std::uint32_t> places_;
 };
 
-/// Makes templates of a scheme for the faces of one level.
-template <scheme Scheme, class Point, std::unsigned_integral Index>
+/// Makes templates of a scheme for the faces of one level, of points or what follows from them.
+template <scheme Scheme, class Point, std::unsigned_integral Index, made_at_last Made = last_points>
 class template_maker {
     using scalar = scalar_of<Point>;
     using value = recorded<scalar>;
@@ -72,18 +72,18 @@ public:
         , scheme_(scheme)
         , plain_(without_state(scheme))
         , bases_(plan.bases)
-        , rings_(rings_before_steps(scheme, plan.bases.size()))
+        , rings_(rings_before_steps(scheme, plan.bases.size(), plan.last_rings))
         , cutter_(mesh)
         , walk_(mesh.topology(), plan.rings)
         , marks_(mesh.topology(), scheme)
     {
     }
 
-    /// Of some faces, the models. They are refined together, for their neighbourhoods often overlap. made(i, key,
+    /// Of some faces, the models. They are refined together, for their neighbourhoods often overlap. take(i, key,
     /// template) is called for the i-th, with the key of its walk and of the state there, but not where it is too large
     /// to be numbered.
-    template <class Made>
-    void make(std::span<const Index> models, const Made& made)
+    template <class Take>
+    void make(std::span<const Index> models, const Take& take)
     {
         // Neighbourhoods of one ring have little in common, and what is written down of few stays in the caches.
         const std::size_t most_at_once = rings_.front() == 1 ? 8 : 64;
@@ -98,7 +98,7 @@ public:
             }
             make_together(
                 models.subspan(first, count), faces, [&](std::size_t i, const std::u16string& key, auto&& one) {
-                    made(first + i, key, std::move(one));
+                    take(first + i, key, std::move(one));
                 });
         }
     }
@@ -110,8 +110,8 @@ private:
         std::ranges::sort(seeds);
         return cutter_.faces_around(seeds, rings_.front());
     }
-    template <class Made>
-    void make_together(std::span<const Index> models, std::span<const Index> faces_around_them, const Made& made)
+    template <class Take>
+    void make_together(std::span<const Index> models, std::span<const Index> faces_around_them, const Take& take)
     {
         const auto part = cutter_.cut(faces_around_them);
         sources_of_part<Index> sources(
@@ -142,8 +142,14 @@ private:
             cost_of_cut,
             refine);
         numbering ids;
-        const auto fine = refine(before_last, scheme, ids);
+        auto fine = refine(before_last, scheme, ids);
         numbers = numbers.next(before_last.topology(), ids, bases_.back());
+        if constexpr (not std::same_as<Made, last_points>) {
+            advance(scheme, level_of<basic_mesh<value, Index>>(before_last), before_last.generation(), ids, fine);
+            Made::replace(fine, scheme, [&](std::size_t v) {
+                return sources.owner(numbers.vertices[v].source) != sources.nobody;
+            });
+        }
 
         owned_elements vertices(numbers.vertices, sources, models.size());
         owned_elements faces(numbers.faces, sources, models.size());
@@ -151,7 +157,7 @@ private:
             walk_.around(models[i]);
             sources.walked(walk_.faces());
             if (auto one = assembler_.assemble(walk_, vertices.of(i), faces.of(i), sources, numbers, fine, tape_))
-                made(i, marks_.key(walk_), std::move(*one));
+                take(i, marks_.key(walk_), std::move(*one));
         }
     }
 

@@ -91,8 +91,17 @@ private:
     double factor_;
 };
 
-/// The unit normal that two tangent masks give; nothing where they give none. Where their sums overflow, or are so
-/// small that digits are lost, they are formed once more of scaled points.
+/// The sums of two tangent masks are finite, and not so small that digits are lost.
+inline bool are_in_range(const normal_vector& first, const normal_vector& second)
+{
+    common_exponent a, b;
+    a.add(first);
+    b.add(second);
+    return is_finite(first) and is_finite(second) and std::min(a.value(), b.value()) >= -900;
+}
+
+/// The unit normal that two tangent masks give; nothing where they give none. Where their sums are not in range, they
+/// are formed once more of scaled points.
 template <level Level, class First, class Second>
 std::optional<normal_vector> normal_of(const First& first, const Second& second)
 {
@@ -104,6 +113,8 @@ std::optional<normal_vector> normal_of(const First& first, const Second& second)
         return is_finite(tangents.first) and is_finite(tangents.second);
     };
     auto tangents = over(point_values<Level>());
+    if (are_in_range(tangents.first, tangents.second))
+        return unit_normal(tangents.first, tangents.second);
     if (not are_finite(tangents))
         tangents = over(scaled_points<Level>(std::scalbn(1., -100)));
     common_exponent a, b;

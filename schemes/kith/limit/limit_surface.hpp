@@ -66,6 +66,58 @@ void fill_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> p
         }
 }
 
+/// The limits of the vertices of a mesh while they are looked for.
+template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
+class wanted_limits {
+public:
+    using search_type = limit_search<Point, Index, Scheme>;
+
+    /// Those with a mark are looked for; all if there are no marks. Until they are found vertices are at `positions`.
+    wanted_limits(storage<Point> positions, std::span<const unsigned char> marks)
+        : surface_{std::move(positions), {}}, has_no_normal_(surface_.positions.size(), marks.empty() ? 1 : 0)
+    {
+        surface_.normals.resize(has_no_normal_.size());
+        std::ranges::copy(marks, has_no_normal_.begin());
+    }
+
+    void keep(std::size_t v, const typename search_type::found& limit)
+    {
+        if (limit.position)
+            surface_.positions[v] = *limit.position;
+        if (limit.normal and has_no_normal_[v] != 0) {
+            surface_.normals[v] = *limit.normal;
+            has_no_normal_[v] = 0;
+        }
+    }
+    /// Whether a normal may be known after further steps.
+    [[nodiscard]] bool awaits_normal(std::size_t v) const
+    {
+        return search_type::patience() > 0 and has_no_normal_[v] != 0;
+    }
+    /// There is a normal for each vertex for which it was looked for.
+    [[nodiscard]] bool has_normals() const { return std::ranges::all_of(has_no_normal_, std::logical_not<>()); }
+
+    /// The surface, where the limits of open vertices, which increase, are searched for. Errors: as limit_surface_of.
+    limit_surface<Point> complete(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
+                                  std::span<const Index> open, bool is_part) &&
+    {
+        if (not open.empty())
+            search_type(mesh, scheme).complete(open, is_part, [&](std::size_t v, const auto& limit) {
+                keep(v, limit);
+            });
+        const auto places = std::as_const(surface_.positions).data();
+        fill_normals(mesh, std::span<const Point>(places, mesh.vertex_count()), has_no_normal_, surface_.normals);
+        fill_normals(mesh, std::span<const Point>(mesh.points()), has_no_normal_, surface_.normals);
+        return std::move(surface_);
+    }
+    /// Precondition: has_normals().
+    limit_surface<Point> take() && { return std::move(surface_); }
+
+private:
+    limit_surface<Point> surface_;
+    std::vector<unsigned char> has_no_normal_;
+};
+
 } // namespace detail
 
 /// The limits of some vertices, those with a mark; all if there are no marks. All others stay, but for the neighbours
@@ -74,43 +126,27 @@ template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                           std::span<const unsigned char> marks)
 {
-    using search_type = detail::limit_search<Point, Index, Scheme>;
+    using wanted = detail::wanted_limits<Point, Index, Scheme>;
     require_edges(mesh);
     const auto is_needed = detail::needed_vertices(mesh, marks);
-    limit_surface<Point> result{storage<Point>(mesh.points()), {}};
-    result.normals.resize(mesh.vertex_count());
-    std::vector<unsigned char> has_no_normal(mesh.vertex_count(), marks.empty() ? 1 : 0);
-    std::ranges::copy(marks, has_no_normal.begin());
+    wanted limits(storage<Point>(mesh.points()), marks);
     std::vector<unsigned char> is_open(mesh.vertex_count(), 0); // some limit is not known by masks of this level
-    const auto keep = [&](std::size_t v, const typename search_type::found& limit) {
-        if (limit.position)
-            result.positions[v] = *limit.position;
-        if (limit.normal and has_no_normal[v] != 0) {
-            result.normals[v] = *limit.normal;
-            has_no_normal[v] = 0;
-        }
-    };
     with_native_level<Scheme>(mesh, [&](const auto& level) {
         const auto& rules = limit_rules<Scheme>::on(scheme, level);
         for_each_in_strips(level.vertices(), [&](const auto& v) {
             if (is_needed[v.index()] == 0)
                 return;
-            typename search_type::found limit;
-            search_type::take(v, rules, limit, 0);
-            keep(v.index(), limit);
-            is_open[v.index()] = not limit.position or (search_type::patience() > 0 and has_no_normal[v.index()] != 0);
+            typename wanted::search_type::found limit;
+            wanted::search_type::take(v, rules, limit, 0);
+            limits.keep(v.index(), limit);
+            is_open[v.index()] = not limit.position or limits.awaits_normal(v.index());
         });
     });
     std::vector<Index> open;
     for (std::size_t v = 0; v < is_open.size(); ++v)
         if (is_open[v] != 0)
             open.push_back(Index(v));
-    if (not open.empty())
-        search_type(mesh, scheme).complete(open, not marks.empty(), keep);
-    detail::fill_normals(
-        mesh, std::span<const Point>(result.positions.data(), mesh.vertex_count()), has_no_normal, result.normals);
-    detail::fill_normals(mesh, std::span<const Point>(mesh.points()), has_no_normal, result.normals);
-    return result;
+    return std::move(limits).complete(mesh, scheme, open, not marks.empty());
 }
 
 /// Where all vertices of a mesh end up when it is refined for ever. By closed masks where they are known; where not,

@@ -35,6 +35,8 @@ struct limit_rules<butterfly> : interpolating_limits {
         };
         use(two_rings(cosine_wave(6), cosine_wave(12)), two_rings(sine_wave(6), sine_wave(12)));
     }
+    /// The faces of the neighbours.
+    static constexpr int rings(const butterfly&) { return 1; }
 };
 
 } // namespace kith

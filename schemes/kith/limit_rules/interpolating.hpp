@@ -15,6 +15,11 @@ struct interpolating_limits : limit_defaults {
     {
         use(sum(v));
     }
+    template <scheme Scheme>
+    static constexpr int rings(const Scheme&)
+    {
+        return 0;
+    }
 };
 
 template <>

@@ -104,6 +104,12 @@ struct creased_scheme {
 
 /// The limit rules of schemes with sharp_rules; position and tangents take a creased_scheme.
 struct crease_limits : limit_defaults {
+    /// The masks ask about the vertex's own faces alone.
+    template <scheme_with_sharp_rules Scheme>
+    static constexpr int rings(const Scheme&)
+    {
+        return 0;
+    }
     template <scheme_with_sharp_rules Scheme, level Level>
     static creased_scheme<Scheme, Level> on(const Scheme& scheme, const Level& level)
     {

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "limit_surface.hpp"
+
+#include <kith/base/for_parts.hpp>
+#include <kith/evaluator.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+namespace detail {
+
+enum class limit_part : unsigned char { position, first_tangent, second_tangent };
+
+/// What patches make for the vertices of the last level: what a limit mask gives. Vertices without one keep their
+/// points.
+template <limit_part Part>
+struct made_limit {
+    static constexpr std::size_t kind = 1 + std::size_t(Part);
+
+    template <class Point, std::unsigned_integral Index, scheme Scheme, std::predicate<std::size_t> IsWanted>
+    static void replace(basic_mesh<Point, Index>& mesh, const Scheme& scheme, const IsWanted& is_wanted)
+    {
+        storage<Point> made(std::as_const(mesh).points());
+        with_native_level<Scheme>(mesh, [&]<level Level>(const Level& level) {
+            const auto& rules = limit_rules<Scheme>::on(scheme, level);
+            const auto vertices = level.vertices();
+            for (std::size_t v = 0; v < made.size(); ++v)
+                if (is_wanted(v)) {
+                    const auto use = [&](const auto& mask) {
+                        made[v] = affine<Point>::store(mask.evaluate(point_values<Level>()));
+                    };
+                    if constexpr (Part == limit_part::position)
+                        limit_rules<Scheme>::position(rules, vertices[v], use);
+                    else
+                        limit_rules<Scheme>::tangents(rules, vertices[v], [&](const auto& first, const auto& second) {
+                            if constexpr (Part == limit_part::first_tangent)
+                                use(first);
+                            else
+                                use(second);
+                        });
+                }
+        });
+        std::ranges::copy(made, mesh.points().begin());
+    }
+};
+
+/// The patches of the limits of a scheme: it may have masks for positions alone, or none.
+template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
+struct patched_limits {
+    using level_type = level_of<basic_mesh<Point, Index>>;
+    static constexpr bool have_positions = has_limit_positions<Scheme, vertex<level_type>, level_type>;
+    static constexpr bool have_normals = has_limit_tangents<Scheme, vertex<level_type>, level_type>;
+
+    using position = made_limit<limit_part::position>;
+    using first = made_limit<limit_part::first_tangent>;
+    using second = made_limit<limit_part::second_tangent>;
+    using type = std::conditional_t<have_normals, patched_levels<Point, Index, Scheme, position, first, second>,
+                                    patched_levels<Point, Index, Scheme, position>>;
+};
+
+} // namespace detail
+
+/// The limit surface of the last level of a refinement, made again and again while the control points move and what is
+/// connected stays: positions and normals as `limit_surface_of` finds them. Where faces look alike they come from the
+/// control points by templates. It may be used by one thread at a time; it works on those of OpenMP itself.
+template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
+    requires detail::patched_limits<Point, Index, Scheme>::have_positions
+class limit_evaluator {
+public:
+    /// For the vertices of `refine(control, scheme, levels)`. For points of three coordinates. Errors: those of
+    /// `refine`. Cost: that of refining, and that of three `evaluator`s of this level; where some limits have no masks,
+    /// the memory of the last level, too.
+    limit_evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
+                    const refine_options& options = {})
+        : options_(options)
+        , count_(levels)
+        , levels_(control, scheme, levels, limit_rules<Scheme>::rings(scheme) + 1, options)
+    {
+        if (not levels_.has_patches())
+            return;
+        make_whole();
+        find_masks();
+        if (is_closed_)
+            whole_.reset();
+    }
+    /// For a mesh of another library, whose points are told in the order of its vertices.
+    template <refinable_mesh M>
+    limit_evaluator(const M& control, const Scheme& scheme, int levels, const refine_options& options = {})
+        : limit_evaluator(lift_valid<M, Point>(control), scheme, levels, options)
+    {
+    }
+
+    /// The limit surface for these control points: the bits of `limit_surface_of` a mesh that is refined with them.
+    /// Errors: mesh_error unless there is a point for each control vertex, all finite; those of limit_surface_of. Cost:
+    /// that of the masks, and of the search where there are none.
+    [[nodiscard]] limit_surface<Point> evaluate(std::span<const Point> control)
+    {
+        levels_.levels().move_points(0, control);
+        if (not levels_.has_patches())
+            return limit_surface_of(levels_.levels(), count_);
+        wanted limits(levels_.template make<typename patched::position>(), {});
+        std::vector<Index> open = keep_normals(limits);
+        if (open.empty() and limits.has_normals())
+            return std::move(limits).take();
+        make_whole();
+        whole_->move(control);
+        look_again(limits, open);
+        return std::move(limits).complete(whole_->mesh, whole_->scheme, open, false);
+    }
+
+private:
+    using patched = detail::patched_limits<Point, Index, Scheme>;
+    using wanted = detail::wanted_limits<Point, Index, Scheme>;
+    using search_type = typename wanted::search_type;
+    static constexpr unsigned char has_position = 1, has_normal = 2; // by masks of the last level
+
+    /// The last level as a mesh, for limits that have no mask.
+    struct whole_level {
+        basic_mesh<Point, Index> mesh;
+        Scheme scheme;
+        evaluator<Point, Index, Scheme> points;
+
+        void move(std::span<const Point> control)
+        {
+            const auto moved = points.evaluate(control);
+            std::ranges::copy(moved, mesh.points().begin());
+        }
+    };
+
+    void make_whole()
+    {
+        if (whole_)
+            return;
+        const auto& control = levels_.levels()[0];
+        const Scheme& scheme = levels_.levels().scheme(0);
+        hierarchy<basic_mesh<Point, Index>, Scheme> all(control, scheme, options_);
+        all.keep_last(1);
+        all.refine(count_);
+        const Scheme of_last = all.scheme(count_);
+        whole_.emplace(
+            std::move(all).finest(), of_last, evaluator<Point, Index, Scheme>(control, scheme, count_, options_));
+    }
+    void find_masks()
+    {
+        masks_.assign(whole_->mesh.vertex_count(), 0);
+        with_native_level<Scheme>(whole_->mesh, [&](const auto& level) {
+            const auto& rules = limit_rules<Scheme>::on(whole_->scheme, level);
+            for_each_in_strips(level.vertices(), [&](const auto& v) {
+                unsigned char& masks = masks_[v.index()];
+                limit_rules<Scheme>::position(rules, v, [&](const auto&) { masks |= has_position; });
+                if constexpr (patched::have_normals)
+                    limit_rules<Scheme>::tangents(rules, v, [&](const auto&...) { masks |= has_normal; });
+            });
+        });
+        is_closed_ = patched::have_normals and std::ranges::all_of(masks_, [](unsigned char masks) {
+                         return masks == (has_position | has_normal);
+                     });
+    }
+
+    /// Keeps what the tangents give. What is handed back is to be looked at again, in the order of numbers.
+    std::vector<Index> keep_normals(wanted& limits)
+    {
+        storage<Point> first, second;
+        if constexpr (patched::have_normals) {
+            first = levels_.template make<typename patched::first>();
+            second = levels_.template make<typename patched::second>();
+        }
+        std::vector<unsigned char> is_open(masks_.size(), 0);
+        detail::for_parts(masks_.size(), true, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                if constexpr (patched::have_normals)
+                    if ((masks_[v] & has_normal) != 0) {
+                        const auto a = detail::scaled(affine<Point>::load(first[v]), 0);
+                        const auto b = detail::scaled(affine<Point>::load(second[v]), 0);
+                        if (detail::are_in_range(a, b))
+                            limits.keep(v, {{}, unit_normal(a, b)});
+                    }
+                is_open[v] = (masks_[v] & has_position) == 0 or limits.awaits_normal(v);
+            }
+        });
+        std::vector<Index> open;
+        for (std::size_t v = 0; v < is_open.size(); ++v)
+            if (is_open[v] != 0)
+                open.push_back(Index(v));
+        return open;
+    }
+    /// By the masks of the last level, where tangents were not in range, and leaves open what they do not tell.
+    void look_again(wanted& limits, std::vector<Index>& open) const
+    {
+        const typename patched::level_type level(whole_->mesh);
+        const auto& rules = limit_rules<Scheme>::on(whole_->scheme, level);
+        std::erase_if(open, [&](Index v) {
+            typename search_type::found limit;
+            search_type::take(level.vertices()[v], rules, limit, 0);
+            limits.keep(v, limit);
+            return limit.position and not limits.awaits_normal(v);
+        });
+    }
+
+    refine_options options_;
+    int count_;
+    typename patched::type levels_;
+    std::vector<unsigned char> masks_; // of each vertex of the last level
+    bool is_closed_ = false;           // all vertices have all masks
+    std::optional<whole_level> whole_; // where some limits have no masks
+};
+
+template <refinable_mesh M, searchable_scheme Scheme>
+limit_evaluator(const M&, const Scheme&, int, const refine_options& = {})
+    -> limit_evaluator<typename mesh_traits<M>::point, std::uint32_t, Scheme>;
+template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
+limit_evaluator(const basic_mesh<Point, Index>&, const Scheme&, int, const refine_options& = {})
+    -> limit_evaluator<Point, Index, Scheme>;
+
+} // namespace kith
