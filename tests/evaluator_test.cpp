@@ -9,15 +9,18 @@
 #include "under_sanitizers.hpp"
 
 #include <kith/compiled_schemes.hpp>
+#include <kith/property_mesh.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -31,6 +34,19 @@ mesh3d moved(const mesh3d& mesh, double by)
     for (std::size_t v = 0; v < points.size(); ++v)
         points[v][v % 3] += by * std::sin(double(v + 1));
     return {std::move(points), mesh.topology(), mesh.generation()};
+}
+
+template <class T>
+T value_at(double x)
+{
+    if constexpr (std::floating_point<T>) {
+        return std::sin(x);
+    } else {
+        T result;
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = typename T::value_type(std::sin(x + double(i)));
+        return result;
+    }
 }
 
 template <class Points>
@@ -89,6 +105,39 @@ TEST(evaluator, keeps_creases)
     creased.sharpness.sharpen_edge(5, 1.5);
     creased.sharpness.sharpen_vertex(7, 2.);
     expect_points_of_refine(torus, creased, 4);
+}
+
+/// Whether values that are carried again and again are those of `carry`.
+template <class T, class Levels>
+void expect_values_of_carry(const Levels& levels, int from, int to)
+{
+    auto carried = kith::evaluator_of<T>(levels, from, to);
+    std::vector<T> values(levels.elements(from).vertex_count());
+    for (const double by : {.3, 1.}) {
+        for (std::size_t v = 0; v < values.size(); ++v)
+            values[v] = value_at<T>(by * double(v));
+        const auto expected = levels.carry(from, to, std::span<const T>(values));
+        EXPECT_TRUE(std::ranges::equal(carried.evaluate(values), expected)) << from << ' ' << to << ' ' << by;
+    }
+}
+
+TEST(evaluator, carries_values_of_a_level)
+{
+    kith::catmull_clark creased;
+    creased.sharpness.sharpen_edge(5, 1.5);
+    kith::hierarchy levels(native(shapes::shaken(shapes::torus(12, 24))), creased);
+    levels.refine(4);
+    for (const auto& [from, to] : {std::pair(0, 4), std::pair(1, 4), std::pair(2, 3), std::pair(3, 3)}) {
+        expect_values_of_carry<std::array<float, 2>>(levels, from, to);
+        expect_values_of_carry<std::array<double, 4>>(levels, from, to);
+        expect_values_of_carry<double>(levels, from, to); // without patches
+    }
+    EXPECT_NE(error_text<kith::mesh_error>([&] { kith::evaluator_of<double>(levels, 3, 2); }), "");
+    EXPECT_NE(error_text<kith::mesh_error>([&] { kith::evaluator_of<double>(levels, 5, 6); }), "");
+
+    kith::hierarchy plates(kith::property_mesh<>(native(shapes::grid(15, 16))), kith::catmull_clark{});
+    plates.refine(3);
+    expect_values_of_carry<std::array<float, 2>>(plates, 0, 3);
 }
 
 TEST(evaluator, refuses_other_numbers_of_points_and_infinite_ones)

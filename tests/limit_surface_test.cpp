@@ -349,7 +349,7 @@ TEST(limit_surface, has_the_same_bits_on_any_number_of_threads)
         for (const int threads : {2, 3, 7}) {
             const auto of_many = limits(threads);
             EXPECT_TRUE(std::ranges::equal(of_many.positions, of_one.positions)) << threads;
-            EXPECT_EQ(of_many.normals, of_one.normals) << threads;
+            EXPECT_TRUE(std::ranges::equal(of_many.normals, of_one.normals)) << threads;
         }
     };
     const auto quads = native(shapes::shaken(shapes::grid(70, 70)));

@@ -187,7 +187,7 @@ TEST(limit, fields_beside_a_scheme_change_nothing)
     EXPECT_EQ(limit_normals(with.elements(1), with.scheme(1)), limit_normals(without.elements(1), without.scheme(1)));
     const auto one = limit_surface_of(with, 1), other = limit_surface_of(without, 1);
     EXPECT_TRUE(std::ranges::equal(one.positions, other.positions));
-    EXPECT_EQ(one.normals, other.normals);
+    EXPECT_TRUE(std::ranges::equal(one.normals, other.normals));
 }
 
 TEST(limit, has_no_mask_at_darts_and_while_creases_decay)

@@ -33,7 +33,7 @@ struct refine_request {
 struct refined_mesh {
     basic_mesh<> mesh; ///< of the last level; its edges need not be known
     std::uint64_t edges = 0;
-    std::vector<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
+    storage<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
     io::mesh_tags tags{};                         ///< the sharpness that is left, if it was asked for
     hole_field holes{};                           ///< if there are any
     attribute_fields attributes{};

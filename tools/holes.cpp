@@ -96,7 +96,7 @@ void leave_out_holes(refined_mesh& result, io::mesh_attributes& attributes)
     std::ranges::sort(edges);
     edges.erase(std::ranges::unique(edges).begin(), edges.end());
     result.edges = edges.size();
-    result.normals = std::move(normals);
+    result.normals = storage<std::array<double, 3>>(normals);
     keep_values(attributes.vertices, [&](std::size_t v) { return used[v]; });
     keep_values(attributes.faces, [&](std::size_t f) { return not result.holes[f]; });
     keep_values(attributes.corners, [&](std::size_t c) { return corner_is_left[c]; });

@@ -10,7 +10,7 @@
 
 namespace kith::tool {
 
-std::vector<std::array<double, 3>> move_to_limit(basic_mesh<>& mesh, const any_scheme& scheme,
+storage<std::array<double, 3>> move_to_limit(basic_mesh<>& mesh, const any_scheme& scheme,
                                                  std::span<const unsigned char> marks)
 {
     auto limits = std::visit([&](const auto& s) { return limit_surface_around(mesh, s, marks); }, scheme);
@@ -25,7 +25,7 @@ void move_to_limit(tile<std::array<double, 3>>& part, const any_scheme& scheme)
         if (part.owns_face(f))
             for (const auto v : part.mesh.face(f))
                 marks[v] = 1;
-    part.normals = storage<std::array<double, 3>>(move_to_limit(part.mesh, scheme, marks));
+    part.normals = move_to_limit(part.mesh, scheme, marks);
 }
 
 int rings_for_limit(const any_scheme& scheme)

@@ -164,4 +164,19 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
 evaluator(const basic_mesh<Point, Index>&, const Scheme&, int, const refine_options& = {})
     -> evaluator<Point, Index, Scheme>;
 
+/// An evaluator of values at the vertices of level `from` of a hierarchy, of a type that masks combine: what
+/// `levels.carry(from, to, values)` makes, again and again and, where faces look alike, from templates. Colours, weights
+/// or places in time are arrays of floats or doubles then. `evaluate` refuses values that are not finite. Errors:
+/// mesh_error unless from <= to; those of the evaluator. Cost: that of the evaluator; the hierarchy need not stay.
+template <affine_value T, mesh M, scheme Scheme>
+    requires(not selecting_scheme<Scheme, level_of<M>>)
+auto evaluator_of(const hierarchy<M, Scheme>& levels, int from, int to, const refine_options& options = {})
+{
+    detail::require_finer(to, from);
+    const auto& here = native_of(levels[from], levels.elements(from), generation_of(levels[0]) + from);
+    using index_type = typename std::remove_cvref_t<decltype(here)>::index_type;
+    const basic_mesh<T, index_type> mesh(storage<T>(here.vertex_count(), T{}), here.topology(), here.generation());
+    return evaluator<T, index_type, Scheme>(mesh, levels.scheme(from), to - from, options);
+}
+
 } // namespace kith

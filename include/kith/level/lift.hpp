@@ -88,4 +88,14 @@ auto lift(const M& mesh)
     return lift(level_elements<mesh_level<M>>(mesh), generation_of(mesh));
 }
 
+/// A level and its mesh as a native mesh: this one, or a copy.
+template <mesh M>
+decltype(auto) native_of(const M& mesh, const level_of<M>& level, int generation)
+{
+    if constexpr (requires { mesh.topology(); })
+        return (mesh);
+    else
+        return lift(level, generation);
+}
+
 } // namespace kith

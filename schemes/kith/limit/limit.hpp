@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -94,10 +95,8 @@ private:
 /// The sums of two tangent masks are finite, and not so small that digits are lost.
 inline bool are_in_range(const normal_vector& first, const normal_vector& second)
 {
-    common_exponent a, b;
-    a.add(first);
-    b.add(second);
-    return is_finite(first) and is_finite(second) and std::min(a.value(), b.value()) >= -900;
+    const auto is_in_range = [](std::uint64_t bits) { return is_usual(bits) and bits >= 1023 - 900; };
+    return is_in_range(exponent_bits(first)) and is_in_range(exponent_bits(second));
 }
 
 /// The unit normal that two tangent masks give; nothing where they give none. Where their sums are not in range, they

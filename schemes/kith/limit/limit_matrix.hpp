@@ -63,7 +63,7 @@ subdivision_matrix limit_matrix_of(const hierarchy<M, Scheme>& levels, int from,
     const std::size_t columns = levels.elements(from).vertex_count();
     const auto unit = unit_rows(columns);
     const auto rows = levels.carry(from, to, std::span<const stencil_row>(unit));
-    const auto& native = detail::native_of(levels, to);
+    const auto& native = native_of(levels[to], levels.elements(to), generation_of(levels[0]) + to);
     using index = typename std::remove_cvref_t<decltype(native)>::index_type;
     storage<traced> points(native.vertex_count());
     for (std::size_t v = 0; v < points.size(); ++v)

@@ -21,7 +21,7 @@ namespace kith {
 template <class Point>
 struct limit_surface {
     storage<Point> positions;
-    std::vector<normal_vector> normals;
+    storage<normal_vector> normals;
 };
 
 /// The rings of faces around some faces that limit_surface_around looks at for the vertices of these.
@@ -54,7 +54,7 @@ std::vector<unsigned char> needed_vertices(const basic_mesh<Point, Index>& mesh,
 /// shrink to a point or have no area at all.
 template <class Point, std::unsigned_integral Index>
 void fill_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> positions,
-                  std::vector<unsigned char>& marks, std::vector<normal_vector>& normals)
+                  std::vector<unsigned char>& marks, storage<normal_vector>& normals)
 {
     if (std::ranges::all_of(marks, std::logical_not<>()))
         return;
@@ -76,7 +76,7 @@ public:
     wanted_limits(storage<Point> positions, std::span<const unsigned char> marks)
         : surface_{std::move(positions), {}}, has_no_normal_(surface_.positions.size(), marks.empty() ? 1 : 0)
     {
-        surface_.normals.resize(has_no_normal_.size());
+        surface_.normals = storage<normal_vector>(has_no_normal_.size(), normal_vector{});
         std::ranges::copy(marks, has_no_normal_.begin());
     }
 
@@ -163,25 +163,12 @@ limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, cons
     return limit_surface_around(mesh, scheme, {});
 }
 
-namespace detail {
-
-/// A level of a hierarchy as a native mesh: itself, or a copy.
-template <mesh M, scheme Scheme>
-decltype(auto) native_of(const hierarchy<M, Scheme>& levels, int level)
-{
-    if constexpr (requires { levels[level].topology(); })
-        return levels[level];
-    else
-        return lift(levels.elements(level), generation_of(levels[0]) + level);
-}
-
-} // namespace detail
-
 /// The same of a level of a hierarchy, on any kind of mesh. Errors: mesh_error for a level that is not there; as above.
 template <mesh M, searchable_scheme Scheme>
 auto limit_surface_of(const hierarchy<M, Scheme>& levels, int level)
 {
-    return limit_surface_of(detail::native_of(levels, level), levels.scheme(level));
+    return limit_surface_of(native_of(levels[level], levels.elements(level), generation_of(levels[0]) + level),
+                            levels.scheme(level));
 }
 
 } // namespace kith

@@ -70,10 +70,27 @@ inline bool is_finite(const normal_vector& v)
     return std::isfinite(v[0]) and std::isfinite(v[1]) and std::isfinite(v[2]);
 }
 
-/// Brings the largest coordinate near to one, which changes no other bit.
-template <class Vector>
-normal_vector brought_near_one(const Vector& v)
+/// The bits of the exponent of the largest coordinate: nothing is branched on, since signs and sizes are in no order.
+inline std::uint64_t exponent_bits(const normal_vector& v)
 {
+    std::uint64_t largest = 0;
+    for (const double x : v)
+        largest = std::max(largest, std::bit_cast<std::uint64_t>(x) << 1);
+    return largest >> 53;
+}
+/// An exponent with these bits can be brought to zero by one multiplication.
+inline bool is_usual(std::uint64_t exponent_bits)
+{
+    return 0 < exponent_bits and exponent_bits < 0x7fe;
+}
+
+/// Brings the largest coordinate near to one, which changes no other bit.
+inline normal_vector brought_near_one(const normal_vector& v)
+{
+    if (const std::uint64_t bits = exponent_bits(v); is_usual(bits)) [[likely]] {
+        const double factor = std::bit_cast<double>((0x7fe - bits) << 52);
+        return {v[0] * factor, v[1] * factor, v[2] * factor};
+    }
     common_exponent exponent;
     exponent.add(v);
     return scaled(v, -exponent.value());
@@ -88,9 +105,9 @@ inline double length_of(const normal_vector& n)
 
 /// The vector of length one in the direction of v, whatever its size; nothing for zero and for what is not finite.
 template <class Vector>
-std::optional<normal_vector> unit_vector(const Vector& v)
+inline std::optional<normal_vector> unit_vector(const Vector& v)
 {
-    auto n = detail::brought_near_one(v);
+    auto n = detail::brought_near_one(detail::scaled(v, 0));
     const double length = detail::length_of(n);
     if (not(length > 0) or not std::isfinite(length))
         return std::nullopt;
@@ -101,9 +118,10 @@ std::optional<normal_vector> unit_vector(const Vector& v)
 
 /// The unit normal of the plane of two vectors, counter-clockwise; nothing where they are parallel or not finite.
 template <class Vector>
-std::optional<normal_vector> unit_normal(const Vector& first, const Vector& second)
+inline std::optional<normal_vector> unit_normal(const Vector& first, const Vector& second)
 {
-    const auto a = detail::brought_near_one(first), b = detail::brought_near_one(second);
+    const auto a = detail::brought_near_one(detail::scaled(first, 0));
+    const auto b = detail::brought_near_one(detail::scaled(second, 0));
     normal_vector n;
     for (std::size_t i = 0; i < 3; ++i)
         n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
