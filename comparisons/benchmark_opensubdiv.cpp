@@ -3,7 +3,7 @@
 #include "opensubdiv_peer.hpp"
 
 #include <kith/evaluator.hpp>
-#include <kith/limit/limit_surface.hpp>
+#include <kith/limit/limit_evaluator.hpp>
 #include <kith/presets.hpp>
 
 #include <algorithm>
@@ -66,10 +66,7 @@ contest make_evaluation_contest(const course& course, const Scheme& scheme)
         opensubdiv_peer::refine(topology, course.levels, false);
         return [table = std::shared_ptr(opensubdiv_peer::stencils<double>(topology)),
                 control_points = opensubdiv_peer::points_of<double>(*course.control)] {
-            const auto points = std::make_shared_for_overwrite<opensubdiv_point<double>[]>(
-                std::size_t(table->GetNumStencils()));
-            table->UpdateValues(control_points.data(), points.get());
-            return points;
+            return std::shared_ptr(opensubdiv_peer::evaluated<double>(*table, control_points));
         };
     };
     const auto ours = [=]() -> work {
@@ -116,6 +113,36 @@ contest make_limit_contest(const course& course, const Scheme& scheme)
              {"kith, positions and normals", ours, {}}}};
 }
 
+/// The limit surface at the vertices of the last level, for control points that have moved.
+template <class Scheme>
+contest make_limit_evaluation_contest(const course& course, const Scheme& scheme)
+{
+    const auto theirs = [=]() -> work {
+        const auto last = std::make_shared<refined<double>>(opensubdiv_peer::make(*course.control, scheme));
+        opensubdiv_peer::refine(last->topology, course.levels, true);
+        return [last,
+                table = std::shared_ptr(opensubdiv_peer::stencils<double>(last->topology)),
+                control_points = opensubdiv_peer::points_of<double>(*course.control)] {
+            last->points = opensubdiv_peer::evaluated<double>(*table, control_points);
+            return std::make_shared<decltype(opensubdiv_peer::limits(last->topology, last->points))>(
+                opensubdiv_peer::limits(last->topology, last->points));
+        };
+    };
+    const auto ours = [=]() -> work {
+        return [surface = std::make_shared<limit_evaluator<std::array<double, 3>, std::uint32_t, Scheme>>(
+                    *course.control, scheme, course.levels),
+                control = course.control] {
+            return std::make_shared<limit_surface<std::array<double, 3>>>(surface->evaluate(control->points()));
+        };
+    };
+    return {std::string(scheme_name<Scheme>()),
+            course.name + ", moved points, limit surface",
+            course.levels,
+            course.faces,
+            {{opensubdiv_peer::version() + ", stencil table, positions and tangents", theirs, {}},
+             {"kith, limit_evaluator, positions and normals", ours, {}}}};
+}
+
 template <class Scheme>
 void add_opensubdiv_contests(std::vector<contest>& list, const course_settings& settings)
 {
@@ -126,6 +153,7 @@ void add_opensubdiv_contests(std::vector<contest>& list, const course_settings& 
         list.push_back(make_contest<double>(course, scheme, true));
         list.push_back(make_evaluation_contest(course, scheme));
         list.push_back(make_limit_contest(course, scheme));
+        list.push_back(make_limit_evaluation_contest(course, scheme));
     }
 }
 

@@ -160,6 +160,16 @@ struct opensubdiv_peer {
         return std::unique_ptr<const OpenSubdiv::Far::StencilTableReal<Real>>(factory::Create(*refiner, options));
     }
 
+    /// The points of the last level by these weights.
+    template <class Real>
+    static opensubdiv_points<Real> evaluated(const OpenSubdiv::Far::StencilTableReal<Real>& table,
+                                             std::span<const opensubdiv_point<Real>> control)
+    {
+        auto points = std::make_unique_for_overwrite<opensubdiv_point<Real>[]>(std::size_t(table.GetNumStencils()));
+        table.UpdateValues(control.data(), points.get());
+        return points;
+    }
+
     /// The control points in the form that `interpolate` takes.
     template <class Real>
     static std::vector<opensubdiv_point<Real>> points_of(const basic_mesh<>& native)

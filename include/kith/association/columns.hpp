@@ -84,25 +84,28 @@ auto tuple_element(const Level& level, std::size_t index)
 /// Nobody has said what a count comes to; see next_counts.
 struct uncounted {};
 
-/// Which tuples of a column give birth: all of them, all or none as the form of the scheme says, all inner ones and
-/// some at the boundary, the latter only, or those that a condition picks anywhere. `how_many(counts)` says of a level
-/// with these counts how many tuples at the boundary are left out, are picked there, or are picked.
+/// All tuples of a column give birth.
 struct everywhere {};
+/// All tuples of a column give birth or none, as the form of the scheme says.
 struct all_or_none {
     bool all;
 };
+/// All inner tuples give birth, and those at the boundary that a condition picks. how_many(counts): of a level with
+/// these counts, how many at the boundary are left out.
 template <class Keep, class HowMany = uncounted>
 struct inside_or {
     static constexpr bool inner = true;
     Keep keep;
     HowMany how_many;
 };
+/// Those tuples at the boundary give birth that a condition picks, how_many(counts).
 template <class Keep, class HowMany = uncounted>
 struct boundary_where {
     static constexpr bool inner = false;
     Keep keep;
     HowMany how_many;
 };
+/// Those tuples give birth that a condition picks, how_many(counts).
 template <class Keep, class HowMany = uncounted>
 struct only_where {
     Keep keep;
@@ -206,17 +209,19 @@ template <tuple_kind Kind, class Where, class Degree>
     return c.of_degree(fixed_degree<4>{});
 }
 
-/// The columns that give birth to vertices, to edges and to faces; in this order their elements are numbered.
+/// The columns that give birth to vertices; in this order these are numbered.
 template <class... Columns>
 struct new_vertices {
     std::tuple<Columns...> list;
     constexpr explicit new_vertices(Columns... c) : list(c...) {}
 };
+/// The columns that give birth to edges, in the order of their numbers.
 template <class... Columns>
 struct new_edges {
     std::tuple<Columns...> list;
     constexpr explicit new_edges(Columns... c) : list(c...) {}
 };
+/// The columns that give birth to faces, in the order of their numbers.
 template <class... Columns>
 struct new_faces {
     std::tuple<Columns...> list;

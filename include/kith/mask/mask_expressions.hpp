@@ -15,6 +15,7 @@ namespace kith {
 /// What all masks derive from.
 struct mask_base {};
 
+/// a + b.
 template <class A, class B>
 struct mask_sum : mask_base {
     A a;
@@ -42,6 +43,7 @@ struct one_over {
     }
 };
 
+/// The weight times a.
 template <class A, class Weight>
 struct mask_scaled : mask_base {
     A a;
@@ -86,6 +88,7 @@ struct mask_range_sum : mask_base {
     }
 };
 
+/// The sum over a range divided by the number of its operands; never empty.
 template <class Range>
 struct mask_average : mask_base {
     mask_range_sum<Range> total;

@@ -11,6 +11,7 @@
 
 namespace kith {
 
+/// Positions and tangents over two rings of pairs of triangles.
 template <>
 struct limit_rules<four_eight> : limit_defaults {
     /// With the pairs of triangles seen as quads, which both kinds of steps do alike, a mask over two rings of

@@ -44,6 +44,7 @@ struct bisection_split {
             return (c.faces + (generation % 2 != 0 ? c.boundary_edges : 0)) / 2;
         }
     };
+    /// The column of edges that are bisected.
     struct marked_edge : of_marks {
         template <edge_element Edge>
         constexpr bool operator()(const Edge& e) const
@@ -53,6 +54,7 @@ struct bisection_split {
         static constexpr std::uint64_t before(std::uint64_t, std::uint64_t m) { return m; }
         static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t) { return r; }
     };
+    /// The column of edges that stay.
     struct unmarked_edge : of_marks {
         template <edge_element Edge>
         constexpr bool operator()(const Edge& e) const
@@ -62,9 +64,11 @@ struct bisection_split {
         static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return n - m; }
         static constexpr std::uint64_t picked(std::uint64_t r, std::uint64_t m) { return r + m; }
     };
+    /// The column of the halves of marked edges.
     struct end_of_marked_edge : marked_edge {
         static constexpr std::uint64_t before(std::uint64_t n, std::uint64_t m) { return 2 * m + n % 2; }
     };
+    /// The column of the two corners of a triangle at its marked edge.
     struct corner_at_marked_edge : of_marks {
         template <corner_element Corner>
         constexpr bool operator()(const Corner& c) const
