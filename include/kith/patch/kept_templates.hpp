@@ -58,7 +58,7 @@ public:
     static constexpr std::size_t most_bytes = std::size_t(64) << 20;
 
     /// For so many steps that begin at a level of this generation; `made`: the kind of what is made_at_last.
-    kept_templates(const Scheme& scheme, int generation, int rings, std::size_t steps, std::size_t made)
+    kept_templates(const Scheme& scheme, int generation, int rings, std::size_t steps, std::size_t made = 0)
     {
         std::size_t number = 0;
         if constexpr (comparable_scheme<Scheme>) {

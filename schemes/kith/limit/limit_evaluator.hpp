@@ -6,9 +6,11 @@
 #include <kith/base/for_parts.hpp>
 #include <kith/evaluator.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -21,8 +23,7 @@ namespace detail {
 
 enum class limit_part : unsigned char { position, first_tangent, second_tangent };
 
-/// What patches make for the vertices of the last level: what a limit mask gives. Vertices without one keep their
-/// points.
+/// What patches make for the vertices of the last level: what a limit mask gives, and no numbers where there is none.
 template <limit_part Part>
 struct made_limit {
     static constexpr std::size_t kind = 1 + std::size_t(Part);
@@ -30,27 +31,39 @@ struct made_limit {
     template <class Point, std::unsigned_integral Index, scheme Scheme, std::predicate<std::size_t> IsWanted>
     static void replace(basic_mesh<Point, Index>& mesh, const Scheme& scheme, const IsWanted& is_wanted)
     {
+        constexpr auto no_number = std::numeric_limits<scalar_of<Point>>::quiet_NaN();
         storage<Point> made(std::as_const(mesh).points());
         with_native_level<Scheme>(mesh, [&]<level Level>(const Level& level) {
             const auto& rules = limit_rules<Scheme>::on(scheme, level);
             const auto vertices = level.vertices();
             for (std::size_t v = 0; v < made.size(); ++v)
                 if (is_wanted(v)) {
+                    bool is_known = false;
                     const auto use = [&](const auto& mask) {
                         made[v] = affine<Point>::store(mask.evaluate(point_values<Level>()));
+                        is_known = true;
                     };
-                    if constexpr (Part == limit_part::position)
-                        limit_rules<Scheme>::position(rules, vertices[v], use);
-                    else
-                        limit_rules<Scheme>::tangents(rules, vertices[v], [&](const auto& first, const auto& second) {
-                            if constexpr (Part == limit_part::first_tangent)
-                                use(first);
-                            else
-                                use(second);
-                        });
+                    use_mask<Scheme>(rules, vertices[v], use);
+                    if (not is_known)
+                        use(no_number * vertices[v]);
                 }
         });
         std::ranges::copy(made, mesh.points().begin());
+    }
+
+private:
+    template <scheme Scheme, class Rules, vertex_element Vertex, class Use>
+    static void use_mask(const Rules& rules, const Vertex& v, const Use& use)
+    {
+        if constexpr (Part == limit_part::position)
+            limit_rules<Scheme>::position(rules, v, use);
+        else
+            limit_rules<Scheme>::tangents(rules, v, [&](const auto& first, const auto& second) {
+                if constexpr (Part == limit_part::first_tangent)
+                    use(first);
+                else
+                    use(second);
+            });
     }
 };
 
@@ -78,20 +91,14 @@ template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 class limit_evaluator {
 public:
     /// For the vertices of `refine(control, scheme, levels)`. For points of three coordinates. Errors: those of
-    /// `refine`. Cost: that of refining, and that of three `evaluator`s of this level; where some limits have no masks,
-    /// the memory of the last level, too.
+    /// `refine`. Cost: that of three `evaluator`s; from the first limit on that has no mask, the memory of the last
+    /// level, too.
     limit_evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                     const refine_options& options = {})
         : options_(options)
         , count_(levels)
         , levels_(control, scheme, levels, limit_rules<Scheme>::rings(scheme) + 1, options)
     {
-        if (not levels_.has_patches())
-            return;
-        make_whole();
-        find_masks();
-        if (is_closed_)
-            whole_.reset();
     }
     /// For a mesh of another library, whose points are told in the order of its vertices.
     template <refinable_mesh M>
@@ -109,7 +116,7 @@ public:
         if (not levels_.has_patches())
             return limit_surface_of(levels_.levels(), count_);
         wanted limits(levels_.template make<typename patched::position>(), {});
-        std::vector<Index> open = keep_normals(limits);
+        std::vector<Index> open = take_patches(limits);
         if (open.empty() and limits.has_normals())
             return std::move(limits).take();
         make_whole();
@@ -122,7 +129,6 @@ private:
     using patched = detail::patched_limits<Point, Index, Scheme>;
     using wanted = detail::wanted_limits<Point, Index, Scheme>;
     using search_type = typename wanted::search_type;
-    static constexpr unsigned char has_position = 1, has_normal = 2; // by masks of the last level
 
     /// The last level as a mesh, for limits that have no mask.
     struct whole_level {
@@ -150,42 +156,26 @@ private:
         whole_.emplace(
             std::move(all).finest(), of_last, evaluator<Point, Index, Scheme>(control, scheme, count_, options_));
     }
-    void find_masks()
-    {
-        masks_.assign(whole_->mesh.vertex_count(), 0);
-        with_native_level<Scheme>(whole_->mesh, [&](const auto& level) {
-            const auto& rules = limit_rules<Scheme>::on(whole_->scheme, level);
-            for_each_in_strips(level.vertices(), [&](const auto& v) {
-                unsigned char& masks = masks_[v.index()];
-                limit_rules<Scheme>::position(rules, v, [&](const auto&) { masks |= has_position; });
-                if constexpr (patched::have_normals)
-                    limit_rules<Scheme>::tangents(rules, v, [&](const auto&...) { masks |= has_normal; });
-            });
-        });
-        is_closed_ = patched::have_normals and std::ranges::all_of(masks_, [](unsigned char masks) {
-                         return masks == (has_position | has_normal);
-                     });
-    }
 
-    /// Keeps what the tangents give. What is handed back is to be looked at again, in the order of numbers.
-    std::vector<Index> keep_normals(wanted& limits)
+    /// Keeps the normals that the tangents give. The vertices that are handed back, in the order of their numbers, are
+    /// to be looked at again.
+    std::vector<Index> take_patches(wanted& limits)
     {
         storage<Point> first, second;
         if constexpr (patched::have_normals) {
             first = levels_.template make<typename patched::first>();
             second = levels_.template make<typename patched::second>();
         }
-        std::vector<unsigned char> is_open(masks_.size(), 0);
-        detail::for_parts(masks_.size(), true, [&](std::size_t begin, std::size_t end) {
+        std::vector<unsigned char> is_open(levels_.last_vertices(), 0);
+        detail::for_parts(is_open.size(), true, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
-                if constexpr (patched::have_normals)
-                    if ((masks_[v] & has_normal) != 0) {
-                        const auto a = detail::scaled(affine<Point>::load(first[v]), 0);
-                        const auto b = detail::scaled(affine<Point>::load(second[v]), 0);
-                        if (detail::are_in_range(a, b))
-                            limits.keep(v, {{}, unit_normal(a, b)});
-                    }
-                is_open[v] = (masks_[v] & has_position) == 0 or limits.awaits_normal(v);
+                if constexpr (patched::have_normals) {
+                    const auto a = detail::scaled(affine<Point>::load(first[v]), 0);
+                    const auto b = detail::scaled(affine<Point>::load(second[v]), 0);
+                    if (detail::are_in_range(a, b))
+                        limits.keep(v, {{}, unit_normal(a, b)});
+                }
+                is_open[v] = not limits.is_placed(v) or limits.awaits_normal(v);
             }
         });
         std::vector<Index> open;
@@ -194,7 +184,7 @@ private:
                 open.push_back(Index(v));
         return open;
     }
-    /// By the masks of the last level, where tangents were not in range, and leaves open what they do not tell.
+    /// At the masks of the last level, since tangents may not have been in range; leaves open what they do not tell.
     void look_again(wanted& limits, std::vector<Index>& open) const
     {
         const typename patched::level_type level(whole_->mesh);
@@ -210,8 +200,6 @@ private:
     refine_options options_;
     int count_;
     typename patched::type levels_;
-    std::vector<unsigned char> masks_; // of each vertex of the last level
-    bool is_closed_ = false;           // all vertices have all masks
     std::optional<whole_level> whole_; // where some limits have no masks
 };
 

@@ -89,6 +89,11 @@ public:
             has_no_normal_[v] = 0;
         }
     }
+    /// The place of the vertex is finite.
+    [[nodiscard]] bool is_placed(std::size_t v) const
+    {
+        return is_finite(scaled(affine<Point>::load(surface_.positions[v]), 0));
+    }
     /// Whether a normal may be known after further steps.
     [[nodiscard]] bool awaits_normal(std::size_t v) const
     {
