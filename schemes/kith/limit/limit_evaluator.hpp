@@ -193,7 +193,7 @@ private:
             typename search_type::found limit;
             search_type::take(level.vertices()[v], rules, limit, 0);
             limits.keep(v, limit);
-            return limit.position and not limits.awaits_normal(v);
+            return limit.position and not limits.awaits_normal(level.vertices()[v], rules);
         });
     }
 

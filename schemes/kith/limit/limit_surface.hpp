@@ -94,10 +94,15 @@ public:
     {
         return is_finite(scaled(affine<Point>::load(surface_.positions[v]), 0));
     }
-    /// Whether a normal may be known after further steps.
+    /// Whether a normal may be known after further steps, as far as the number tells, and by the rules of the level.
     [[nodiscard]] bool awaits_normal(std::size_t v) const
     {
         return search_type::patience() > 0 and has_no_normal_[v] != 0;
+    }
+    template <vertex_element Vertex, class Rules>
+    [[nodiscard]] bool awaits_normal(const Vertex& v, const Rules& rules) const
+    {
+        return awaits_normal(v.index()) and not limit_rules<Scheme>::never_has_tangents(rules, v);
     }
     /// There is a normal for each vertex for which it was looked for.
     [[nodiscard]] bool has_normals() const { return std::ranges::all_of(has_no_normal_, std::logical_not<>()); }
@@ -144,7 +149,7 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
             typename wanted::search_type::found limit;
             wanted::search_type::take(v, rules, limit, 0);
             limits.keep(v.index(), limit);
-            is_open[v.index()] = not limit.position or limits.awaits_normal(v.index());
+            is_open[v.index()] = not limit.position or limits.awaits_normal(v, rules);
         });
     });
     std::vector<Index> open;

@@ -52,6 +52,12 @@ public:
     }
     /// After how many further steps a normal may be known where a position is: beside irregular vertices one or two.
     static constexpr int tangent_steps = 2;
+    /// Whether a vertex without tangents will have none after further steps either.
+    template <class Rules, vertex_element Vertex>
+    static constexpr bool never_has_tangents(const Rules&, const Vertex&)
+    {
+        return false;
+    }
 
 protected:
     /// The weight of the j-th point of a ring by its angle, j/n of a turn: cos_turn and sin_turn, which are computed
@@ -125,12 +131,19 @@ struct crease_limits : limit_defaults {
         else if (kind == limit_kind::curve)
             use((ends[0] + 4. * v + ends[1]) / 6);
     }
+    /// Corners and vertices of creases stay what they are, unless these decay.
+    template <scheme_with_sharp_rules Scheme, level Level>
+    static bool never_has_tangents(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
+    {
+        return not s.sharp.is_smooth(v) and limit_of(s, v).kind != limit_kind::unknown and not turns_of_ring(s, v) and
+               not is_corner_of_one_face(s, v);
+    }
     /// A corner with one face lies in the plane of its two edges; at other corners and along creases each side has a
     /// plane of its own, and none is given.
     template <scheme_with_sharp_rules Scheme, level Level, class Use>
     static void tangents_at_corner(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
     {
-        if (v.is_boundary() and v.face_count() == 1 and limit_of(s, v).kind == limit_kind::corner)
+        if (is_corner_of_one_face(s, v))
             use(v.first_rim() - v, v.last_rim() - v);
     }
 
@@ -160,6 +173,11 @@ private:
         limit_kind kind;
         std::array<vertex<Level>, 2> ends; ///< the neighbours along the curve
     };
+    template <scheme_with_sharp_rules Scheme, level Level>
+    static bool is_corner_of_one_face(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
+    {
+        return v.is_boundary() and v.face_count() == 1 and limit_of(s, v).kind == limit_kind::corner;
+    }
     template <scheme_with_sharp_rules Scheme, level Level>
     static limit_rule<Level> limit_of(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
     {
