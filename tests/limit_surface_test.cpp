@@ -191,6 +191,58 @@ TEST(limit_surface, of_creases_darts_and_what_decays)
         }
 }
 
+namespace {
+
+/// Whether vertices of the first levels that are said never to have tangents have none there and on the levels after.
+template <class Scheme>
+void expect_no_later_tangents(const mesh3d& control, const Scheme& scheme, std::size_t& told)
+{
+    using rules_of = kith::limit_rules<Scheme>;
+    hierarchy levels(control, scheme);
+    levels.refine(3);
+    const auto has_tangents = [&](int level, std::size_t v) {
+        const auto& elements = levels.elements(level);
+        bool result = false;
+        rules_of::tangents(rules_of::on(levels.scheme(level), elements),
+                           elements.vertices()[v],
+                           [&](const auto&, const auto&) { result = true; });
+        return result;
+    };
+    for (int level = 0; level < 2; ++level)
+        for (const auto v : levels.elements(level).vertices())
+            if (rules_of::never_has_tangents(rules_of::on(levels.scheme(level), levels.elements(level)), v)) {
+                ++told;
+                std::size_t here = v.index();
+                for (int finer = level; finer <= 3; ++finer) {
+                    EXPECT_FALSE(has_tangents(finer, here)) << level << ' ' << v.index() << ' ' << finer;
+                    if (finer < 3)
+                        here = levels.assoc(finer, levels.elements(finer).vertices()[here].handle(), targets::V).value;
+                }
+            }
+}
+
+} // namespace
+
+TEST(limit_surface, is_not_asked_for_normals_that_no_later_level_has)
+{
+    std::size_t told = 0;
+    for (const auto& [name, shape] : shapes::all_shapes())
+        for (const auto corners : {kith::boundary_corner::kept, kith::boundary_corner::smoothed}) {
+            SCOPED_TRACE(name);
+            const auto mesh = native(shape);
+            auto quads = with_creases<kith::catmull_clark>(mesh, kith::crease_method::uniform);
+            quads.corners = corners;
+            expect_no_later_tangents(mesh, quads, told);
+            expect_no_later_tangents(mesh, kith::catmull_clark{.corners = corners, .sharpness = {}}, told);
+            if (mesh.topology().degree == 3) {
+                auto triangles = with_creases<kith::loop>(mesh, kith::crease_method::chaikin);
+                triangles.corners = corners;
+                expect_no_later_tangents(mesh, triangles, told);
+            }
+        }
+    EXPECT_GT(told, 100U);
+}
+
 TEST(limit_surface, of_edges_that_are_sharp_for_longer_than_digits_last)
 {
     const auto torus = native(shapes::shaken(shapes::torus(5, 7)));

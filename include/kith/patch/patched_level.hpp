@@ -109,8 +109,9 @@ public:
         });
     }
 
-    /// Makes the points of the last level, or what follows from them, and of its connectivity what there is room for. The mesh is that of `make`,
-    /// or one with other points. Cost: that of the programs, and of refining the faces that have no template.
+    /// Makes the points of the last level, or what follows from them, and of its connectivity what there is room for.
+    /// The mesh is that of `make`, or one with other points. Cost: that of the programs, and of refining the faces that
+    /// have no template.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
         constexpr std::size_t cached_bytes = std::size_t(4) << 20;
