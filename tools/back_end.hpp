@@ -34,8 +34,8 @@ struct refined_mesh {
     basic_mesh<> mesh; ///< of the last level; its edges need not be known
     std::uint64_t edges = 0;
     storage<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
-    io::mesh_tags tags{};                         ///< the sharpness that is left, if it was asked for
-    hole_field holes{};                           ///< if there are any
+    io::mesh_tags tags{};                     ///< the sharpness that is left, if it was asked for
+    hole_field holes{};                       ///< if there are any
     attribute_fields attributes{};
 };
 

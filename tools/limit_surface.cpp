@@ -11,7 +11,7 @@
 namespace kith::tool {
 
 storage<std::array<double, 3>> move_to_limit(basic_mesh<>& mesh, const any_scheme& scheme,
-                                                 std::span<const unsigned char> marks)
+                                             std::span<const unsigned char> marks)
 {
     auto limits = std::visit([&](const auto& s) { return limit_surface_around(mesh, s, marks); }, scheme);
     std::ranges::copy(limits.positions, mesh.points().begin());

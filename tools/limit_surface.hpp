@@ -16,7 +16,7 @@ namespace kith::tool {
 /// Moves the vertices of a level to the limit surface and gives the unit normals there; with marks, those of the marked
 /// vertices, of a mesh that may be a part. `scheme` is that of the level. Errors and cost: as limit_surface_of.
 storage<std::array<double, 3>> move_to_limit(basic_mesh<>& mesh, const any_scheme& scheme,
-                                                 std::span<const unsigned char> marks = {});
+                                             std::span<const unsigned char> marks = {});
 
 /// The same of the faces that a tile owns; it gets its normals. Precondition: it has its edges and as many rings of
 /// shadows as rings_for_limit says.
