@@ -4,6 +4,7 @@
 #include "all_shapes.hpp"
 #include "error_text.hpp"
 #include "hashes.hpp"
+#include "marks_and_parity.hpp"
 #include "native_shape.hpp"
 #include "own_state.hpp"
 #include "same_mesh.hpp"
@@ -261,6 +262,15 @@ TYPED_TEST_P(mesh_statements, sqrt3_twice_once_is_once_twice)
     }
 }
 
+TYPED_TEST_P(mesh_statements, marks_and_parity_are_fields)
+{
+    for (const bool open : {false, true})
+        marks_and_parity::expect_marks_and_parity(
+            kith::tri_quad(TestFixture::make(open ? shapes::triangulated(shapes::grid(3, 3)) : shapes::tetrahedron())),
+            TestFixture::make(
+                shapes::triangulated(open ? shapes::shaken(shapes::grid(4, 5)) : shapes::shaken(shapes::torus(6, 6)))));
+}
+
 TYPED_TEST_P(mesh_statements, vertices_have_the_types_that_creases_give_them)
 {
     for (const auto& [name, shape] : TestFixture::all()) {
@@ -317,5 +327,5 @@ REGISTER_TYPED_TEST_SUITE_P(mesh_statements, is_a_refinable_mesh, the_users_mesh
                             the_input_is_left_as_it_was, good_meshes_are_valid, a_mesh_without_faces_is_refused,
                             vertices_without_faces_are_refused, fans_that_only_meet_in_a_vertex_are_refused,
                             closed_fans_that_only_meet_in_a_vertex_are_refused, sqrt3_twice_once_is_once_twice,
-                            vertices_have_the_types_that_creases_give_them, dropped_levels_are_made_again,
-                            negative_levels_are_refused, too_much_memory_is_refused);
+                            marks_and_parity_are_fields, vertices_have_the_types_that_creases_give_them,
+                            dropped_levels_are_made_again, negative_levels_are_refused, too_much_memory_is_refused);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/field/field.hpp>
 #include <kith/refine_with_fields.hpp>
+#include <kith/split/bisection_split.hpp>
 #include <kith/split/choose_diagonals.hpp>
 #include <kith/split/tri_quad_splits.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -78,6 +81,19 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
         for (Index& c : *list)
             c = c == t.none ? t.none : new_corner[c];
     return {storage<Point>(mesh.points()), std::move(t), mesh.generation()};
+}
+
+/// The marks of a tri-quad mesh as a field on its edges. The rule is that of the scheme: an edge that was not marked is,
+/// the halves of those that were and the edges inside faces are not. So beside `four_eight`, in tiles and in files of
+/// levels, too, it has the marks of each level. Cost: O(edges).
+template <mesh M>
+auto marks_of(const M& mesh)
+{
+    const level_of<M> level(mesh);
+    storage<bool> marked(level.edge_count());
+    for (const auto e : level.edges())
+        marked[e.index()] = bisection_split::is_marked(e);
+    return on_edges(marked, along_edges<std::logical_not<>>{});
 }
 
 } // namespace kith

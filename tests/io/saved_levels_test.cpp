@@ -3,7 +3,9 @@
 
 #include "../error_text.hpp"
 #include "../every_scheme.hpp"
+#include "../marks_and_parity.hpp"
 #include "../same_mesh.hpp"
+#include "../some_fields.hpp"
 #include "../some_selections.hpp"
 
 #include <kith/field/with_fields.hpp>
@@ -151,6 +153,20 @@ TEST(saved_levels, have_their_fields)
             EXPECT_EQ(ours.template field<0>()[f], theirs.template field<0>()[f]);
         for (std::size_t c = 0; c < levels[level].corner_count(); ++c)
             EXPECT_EQ(ours.template field<1>()[c], theirs.template field<1>()[c]);
+    }
+}
+
+TEST(saved_levels, have_marks_and_parity_as_fields)
+{
+    const auto halved = marks_and_parity::some_tri_quad(true), triangles = marks_and_parity::some_triangles(true);
+    hierarchy bisected(halved, marks_and_parity::with_marks(halved));
+    hierarchy tripled(triangles, marks_and_parity::with_parity(triangles, false));
+    bisected.refine(3), tripled.refine(3);
+    const auto marks = loaded(saved(bisected), some_fields::without_values(bisected.scheme(0)));
+    const auto parity = loaded(saved(tripled), some_fields::without_values(tripled.scheme(0)));
+    for (int level = 0; level <= 3; ++level) {
+        EXPECT_EQ(marks_and_parity::wrong_marks(marks[level], marks.scheme(level)), "");
+        EXPECT_EQ(marks_and_parity::wrong_parity(parity[level], parity.scheme(level), level), "");
     }
 }
 

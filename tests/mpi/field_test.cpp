@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../all_shapes.hpp"
+#include "../marks_and_parity.hpp"
 #include "../some_fields.hpp"
 #include "on_ranks.hpp"
 
@@ -50,6 +51,24 @@ void expect_same_on_ranks(const mesh3d& mesh, const Scheme& plain, const kith::p
     }
 }
 
+/// What looks(mesh, scheme) says of each tile after two steps.
+template <class Scheme, class Looks>
+void expect_on_ranks(const mesh3d& mesh, const Scheme& given, const Looks& looks)
+{
+    const auto parts = scattered(mesh, 4, 2);
+    const auto mine = world().is_root() ? given : some_fields::without_values(given);
+    for (const auto how : {kith::mpi::sharing::spmd, kith::mpi::sharing::manager}) {
+        kith::mpi::rank_refinement refinement(world(), mesh, mine, 2, parts, 1);
+        refinement.refine(
+            how, [&](std::uint64_t, tile3d&& part, const auto& scheme) { EXPECT_EQ(looks(part.mesh, scheme), ""); });
+    }
+    kith::mpi::exchanging_refinement dealt(world(), mesh, mine, parts, kith::reach_of(given, 1));
+    for (int step = 0; step < 2; ++step)
+        dealt.refine();
+    for (std::size_t t = 0; t < dealt.tiles().size(); ++t)
+        EXPECT_EQ(looks(dealt.tiles()[t].part.mesh, dealt.schemes()[t]), "");
+}
+
 } // namespace
 
 TEST(field, is_the_same_on_all_ranks_in_both_modes_and_by_exchange)
@@ -60,4 +79,17 @@ TEST(field, is_the_same_on_all_ranks_in_both_modes_and_by_exchange)
     expect_same_on_ranks(joined, kith::catmull_clark{}, in_blocks(joined, 3));
     expect_same_on_ranks(house, kith::doo_sabin{}, scattered(house, 4, 2));
     expect_same_on_ranks(joined, kith::doo_sabin{}, in_blocks(joined, 3));
+}
+
+TEST(marks_and_parity, are_fields_on_all_ranks_in_both_modes_and_by_exchange)
+{
+    using namespace marks_and_parity;
+    for (const bool open : {false, true}) {
+        const auto halved = some_tri_quad(open), triangles = some_triangles(open);
+        expect_on_ranks(
+            halved, with_marks(halved), [](const auto& mesh, const auto& scheme) { return wrong_marks(mesh, scheme); });
+        expect_on_ranks(triangles, with_parity(triangles, false), [](const auto& mesh, const auto& scheme) {
+            return wrong_parity(mesh, scheme, 2);
+        });
+    }
 }
