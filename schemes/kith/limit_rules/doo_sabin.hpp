@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace kith {
 
@@ -58,11 +59,27 @@ private:
     {
         return s.boundary != doo_sabin_boundary::drop and f.is_boundary();
     }
+    /// The weights in a face of a degree, which are computed once for each that meshes have.
+    template <doo_sabin_weights Weights>
+    static const double* kept_weights(std::size_t degree)
+    {
+        static const rows_by_valence<double> rows([](std::size_t n) {
+            std::vector<double> row;
+            for (std::size_t j = 0; j < n; ++j)
+                row.push_back(doo_sabin{.weights = Weights}.weight(j, n));
+            return row;
+        });
+        return degree <= longest_row ? rows(degree) : nullptr;
+    }
     /// The point that a step makes of a corner, unless a boundary rule decides about it.
     template <corner_element Corner>
     static auto point_of(const doo_sabin& s, const Corner& c)
     {
-        return sum(c.vertices_from_here(), [&s, l = c.f().degree()](std::size_t j) { return s.weight(j, l); });
+        using enum doo_sabin_weights;
+        const std::size_t degree = c.f().degree();
+        const double* const row = s.weights == cosine ? kept_weights<cosine>(degree) : kept_weights<averaging>(degree);
+        return sum(c.vertices_from_here(),
+                   [&s, row, degree](std::size_t j) { return row != nullptr ? row[j] : s.weight(j, degree); });
     }
     template <level Level, class Use>
     static void position_without_rule(const doo_sabin& s, const vertex<Level>& v, const Use& use)

@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <ranges>
+#include <vector>
 
 namespace kith {
 
@@ -90,13 +92,11 @@ private:
             ++result;
         return result;
     }
-    template <vertex_element Vertex>
-    static bool is_inside(const Vertex& v) // with all triangles in pairs
+    /// A corner's triangle, which is one of a pair, does not end the fan.
+    template <corner_element Corner>
+    static bool is_inside(const Corner& c)
     {
-        for (const auto c : v.corners())
-            if (c.is_boundary() or (c.next().is_boundary() and bisection_split::is_marked(c.next().next_edge())))
-                return false;
-        return true;
+        return not c.is_boundary() and not(c.next().is_boundary() and bisection_split::is_marked(c.next().next_edge()));
     }
 
     /// Calls use(e, d, h, p, q) with the vertices around v: pair j lies between the neighbours e_j and e_j+1, d_j is
@@ -108,24 +108,33 @@ private:
         const auto next = [](const auto& c) { return bisection_split::next_in_pair(c); };
         const auto end = [](const auto& c) { return c.next().v(); };
         const auto is_regular = [](const Vertex& u) {
-            std::size_t corners = 0;
-            for ([[maybe_unused]] const auto& c : u.corners())
-                if (++corners > 8) // more than four pairs have; a large fan is not walked for each of its neighbours
+            std::size_t corners = 0, pairs = 0;
+            for (const auto c : u.corners()) {
+                if (++corners > 8 or not is_inside(c)) // a large fan is not walked for each of its neighbours
                     return false;
-            return is_inside(u) and pair_count(u) == 4;
+                pairs += not bisection_split::is_first(c);
+            }
+            return pairs == 4;
         };
-        if (not is_inside(v))
-            return;
+        for (const auto c : v.corners())
+            if (not is_inside(c))
+                return;
         for (const auto c : four_eight::sides(v))
             if (not is_regular(end(c)) or not is_regular(end(next(c))))
                 return;
         const auto behind = [=](const auto& c) { return next(next(c).across()); };       // from e_j to h_j
         const auto beside = [=](const auto& c) { return next(next(next(c)).across()); }; // from d_j to q_j
-        use(four_eight::sides(v).map(end),
-            four_eight::sides(v).map([=](const auto& c) { return end(next(c)); }),
-            four_eight::sides(v).map([=](const auto& c) { return end(behind(c)); }),
-            four_eight::sides(v).map([=](const auto& c) { return end(next(behind(c))); }),
-            four_eight::sides(v).map([=](const auto& c) { return end(beside(c)); }));
+        struct pair {
+            Vertex e, d, h, p, q;
+        };
+        std::vector<pair> pairs; // walked to once, since tangents read each several times
+        pairs.reserve(v.valence());
+        for (const auto c : four_eight::sides(v)) {
+            const auto h = behind(c);
+            pairs.push_back({end(c), end(next(c)), end(h), end(next(h)), end(beside(c))});
+        }
+        const auto all = [&](Vertex pair::* which) { return std::views::transform(pairs, which); };
+        use(all(&pair::e), all(&pair::d), all(&pair::h), all(&pair::p), all(&pair::q));
     }
 };
 
