@@ -83,9 +83,9 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
     return {storage<Point>(mesh.points()), std::move(t), mesh.generation()};
 }
 
-/// The marks of a tri-quad mesh as a field on its edges. The rule is that of the scheme: an edge that was not marked is,
-/// the halves of those that were and the edges inside faces are not. So beside `four_eight`, in tiles and in files of
-/// levels, too, it has the marks of each level. Cost: O(edges).
+/// The marks of a tri-quad mesh as a field on its edges. The rule is that of the scheme: an edge that was not marked
+/// is, the halves of those that were and the edges inside faces are not. So beside `four_eight`, in tiles and in files
+/// of levels, too, it has the marks of each level. Cost: O(edges).
 template <mesh M>
 auto marks_of(const M& mesh)
 {

@@ -73,7 +73,7 @@ void add_boundary_facts(const column<Kind, Where, Degree>& c, std::uint64_t i, c
             if constexpr (has_degree<Degree> and fixed_degree_of<Degree> == 0)
                 more = (keep ? std::int64_t(c.degree(element)) : 0) - std::int64_t(element.face_count());
             if (Where::inner or keep)
-                facts.push_back({i, in_whole(part, level, Kind, tuple).id, more, keep});
+                facts.push_back({i, in_whole<Kind>(part, parent(level, Kind, tuple), tuple).id, more, keep});
         });
 }
 

@@ -18,25 +18,26 @@ struct whole_tuple {
 
 namespace detail {
 
-template <tile_like Tile, level Level>
-whole_tuple in_whole(const Tile& tile, const Level& level, tuple_kind kind, std::size_t tuple)
+/// Of a tuple that is listed with an element of the tile (`parent_kind`).
+template <tuple_kind Kind, tile_like Tile>
+whole_tuple in_whole(const Tile& tile, std::size_t parent, std::size_t tuple)
 {
-    const auto marked = [&](std::size_t e) {
-        return tile.marked_before.empty() ? tile.edge_ids[e] : tile.marked_before[e];
-    };
+    const auto marked = [&] { return tile.marked_before.empty() ? tile.edge_ids[parent] : tile.marked_before[parent]; };
     const auto corner = [&](std::size_t c) {
-        const auto f = level.corners()[c].f();
-        return tile.corner_id(f.index(), c - f.first_corner().index());
+        return tile.corner_id(parent, c - tile.mesh.topology().first_corner(parent));
     };
-    switch (kind) {
-    case tuple_kind::v:
-        return {kind, tile.vertex_ids[tuple], tile.corners_before.empty() ? 0 : tile.corners_before[tuple]};
-    case tuple_kind::e: return {kind, tile.edge_ids[tuple], 0, marked(tuple)};
-    case tuple_kind::f: return {kind, tile.face_ids[tuple], tile.corner_id(tuple, 0)};
-    case tuple_kind::ve: return {kind, tile.end_id(tuple / 2, tuple % 2), 0, marked(tuple / 2)};
-    case tuple_kind::vfe: return {kind, 2 * corner(tuple / 2) + tuple % 2};
-    default: return {kind, corner(tuple)};
-    }
+    if constexpr (Kind == tuple_kind::v)
+        return {Kind, tile.vertex_ids[tuple], tile.corners_before.empty() ? 0 : tile.corners_before[tuple]};
+    else if constexpr (Kind == tuple_kind::e)
+        return {Kind, tile.edge_ids[tuple], 0, marked()};
+    else if constexpr (Kind == tuple_kind::f)
+        return {Kind, tile.face_ids[tuple], tile.corner_id(tuple, 0)};
+    else if constexpr (Kind == tuple_kind::ve)
+        return {Kind, tile.end_id(parent, tuple % 2), 0, marked()};
+    else if constexpr (Kind == tuple_kind::vfe)
+        return {Kind, 2 * corner(tuple / 2) + tuple % 2};
+    else
+        return {Kind, corner(tuple)};
 }
 
 } // namespace detail

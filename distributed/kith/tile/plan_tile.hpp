@@ -72,13 +72,13 @@ std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& 
                               2 * state.of(whole[level].counts, share(level)) +
                               2 * state.of(next.counts, share(level)) + state.of(next.counts, share(level + 1));
         if (level + 2 == whole.size() and not last_rings) {
-            const double marks = double(next.counts.faces) + 6 * double(next.counts.vertices);
+            const double marks = 5 * double(next.counts.faces) + 9 * double(next.counts.vertices);
             most = std::max(most,
                             before + share(level) * (double(next.least_bytes) + marks) +
                                 detail::bytes_of_last_tile(next, owned));
         } else {
             const counts& c = next.counts; // marks, and for all that is kept where it was and where it is
-            const double marks = 8 * double(c.vertices) + 11 * double(c.edges) + 9 * double(c.faces);
+            const double marks = 9 * double(c.vertices) + 12 * double(c.edges) + 9 * double(c.faces);
             most = std::max(most,
                             before + share(level) * (double(next.bytes) + marks) +
                                 detail::bytes_of_tile(next, share(level + 1)));
