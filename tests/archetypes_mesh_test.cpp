@@ -301,8 +301,10 @@ TEST(archetypes_mesh, what_reads_tiles_reads_any)
 
         const kith::level_of<mesh3d> level(own.mesh);
         for (std::size_t tuple = 0; tuple < 2 * level.corner_count(); ++tuple) {
-            const auto here = kith::detail::in_whole(own, level, kith::tuple_kind::vfe, tuple);
-            EXPECT_EQ(here.id, kith::detail::in_whole(known, level, kith::tuple_kind::vfe, tuple).id);
+            constexpr auto kind = kith::tuple_kind::vfe;
+            const std::size_t face = parent(level, kind, tuple);
+            const auto here = kith::detail::in_whole<kind>(own, face, tuple);
+            EXPECT_EQ(here.id, kith::detail::in_whole<kind>(known, face, tuple).id);
         }
         const auto columns = kith::catmull_clark::columns();
         const auto facts = kith::whole_numbering<decltype(columns)>::facts_at_boundary(columns, own);

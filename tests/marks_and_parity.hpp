@@ -42,7 +42,7 @@ struct other_parity {
 template <class M>
 auto with_marks(const M& mesh)
 {
-    return kith::with_fields(kith::four_eight{}, kith::marks_of(mesh));
+    return kith::with_fields(kith::four_eight{}, kith::marked_edges(mesh));
 }
 /// sqrt(3) with a field that says at each vertex whether the next step is an odd one.
 template <class M>

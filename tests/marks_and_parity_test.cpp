@@ -59,7 +59,7 @@ TEST(marks_and_parity, marks_of_a_users_own_come_back)
     const auto mesh = native(shapes::shape{{{0, 0, 0}, {2, 0, 0}, {2, 1, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
     for (const auto& [a, b] : {std::pair(0U, 2U), std::pair(2U, 0U)}) {
         const auto marked = kith::mark_edges(mesh, {{a, b}});
-        const auto marks = kith::marks_of(marked);
+        const auto marks = kith::marked_edges(marked);
         const kith::level_of<mesh3d> level(marked);
         for (const auto e : level.edges())
             EXPECT_EQ(marks[e.index()], e.org().index() + e.dst().index() == 2 and not e.is_boundary());

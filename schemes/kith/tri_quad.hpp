@@ -87,7 +87,7 @@ basic_mesh<Point, Index> mark_edges(const basic_mesh<Point, Index>& mesh, std::v
 /// is, the halves of those that were and the edges inside faces are not. So beside `four_eight`, in tiles and in files
 /// of levels, too, it has the marks of each level. Cost: O(edges).
 template <mesh M>
-auto marks_of(const M& mesh)
+auto marked_edges(const M& mesh)
 {
     const level_of<M> level(mesh);
     storage<bool> marked(level.edge_count());

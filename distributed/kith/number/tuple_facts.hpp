@@ -9,7 +9,22 @@
 #include <cstddef>
 #include <vector>
 
-namespace kith::detail {
+namespace kith {
+
+/// Per vertex, whether it has faces in the whole mesh that are not here. Precondition: the tile has its edges.
+template <tile_like Tile>
+std::vector<unsigned char> incomplete_vertices(const Tile& part)
+{
+    const auto& t = part.mesh.topology();
+    std::vector<unsigned char> result(part.mesh.vertex_count(), 0);
+    for (std::size_t e = 0; e < t.edges(); ++e)
+        if (part.is_cut(e))
+            for (const auto v : t.ends(e))
+                result[v] = 1;
+    return result;
+}
+
+namespace detail {
 
 /// Where elements of a tile end: at the boundary of the whole mesh, or where the tile was cut off.
 template <tile_like Tile>
@@ -19,12 +34,8 @@ public:
 
     /// Cost: O(elements).
     explicit tuple_facts(const Tile& coarse)
-        : coarse_(coarse), level_(coarse.mesh), is_at_cut_(coarse.mesh.vertex_count(), 0)
+        : coarse_(coarse), level_(coarse.mesh), is_incomplete_(incomplete_vertices(coarse))
     {
-        for (std::size_t e = 0; e < coarse.mesh.edge_count(); ++e)
-            if (coarse.is_cut(e))
-                for (const auto v : coarse.mesh.topology().ends(e))
-                    is_at_cut_[v] = 1;
     }
 
     [[nodiscard]] const level_type& level() const { return level_; }
@@ -42,12 +53,14 @@ public:
         }
     }
     /// All faces that a vertex has in the whole mesh are here.
-    [[nodiscard]] bool is_complete(std::size_t vertex) const { return is_at_cut_[vertex] == 0; }
+    [[nodiscard]] bool is_complete(std::size_t vertex) const { return is_incomplete_[vertex] == 0; }
 
 private:
     const Tile& coarse_;
     level_type level_;
-    std::vector<unsigned char> is_at_cut_; // vertices at cut edges
+    std::vector<unsigned char> is_incomplete_; // vertices
 };
 
-} // namespace kith::detail
+} // namespace detail
+
+} // namespace kith

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/number/tuple_facts.hpp>
 #include <kith/part/tile_like.hpp>
 #include <kith/step/children.hpp>
 #include <kith/step/submesh.hpp>
@@ -56,19 +57,6 @@ int rings_of_shadows(const Tile& part)
         reached = cutter.faces_around(owned, rings + 1).size();
     }
     return rings;
-}
-
-/// Per vertex, whether it has faces in the whole mesh that are not here. Precondition: the tile has its edges.
-template <tile_like Tile>
-std::vector<unsigned char> incomplete_vertices(const Tile& part)
-{
-    const auto& t = part.mesh.topology();
-    std::vector<unsigned char> result(part.mesh.vertex_count(), 0);
-    for (std::size_t e = 0; e < t.edges(); ++e)
-        if (part.is_cut(e))
-            for (const auto v : t.ends(e))
-                result[v] = 1;
-    return result;
 }
 
 /// The faces that another tile may see: the shadows, and those at a vertex that has faces elsewhere.
