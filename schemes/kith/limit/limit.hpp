@@ -69,22 +69,39 @@ auto limits(const all_elements<Level, Element>& elements, const Scheme& scheme, 
     return result;
 }
 
-/// Points times a factor.
+/// Of a point that carries more, such as weights, the point alone: what a normal follows from.
+template <class Point>
+struct bare_point {
+    using type = Point;
+    static const Point& of(const Point& point) { return point; }
+};
+
+/// The bare points of a level.
 template <level Level>
-class scaled_points {
-    using number = affine<typename Level::point_type>;
+class bare_points {
+    using bare = bare_point<typename Level::point_type>;
+    using number = affine<typename bare::type>;
 
 public:
     using scalar = typename number::scalar;
     using sum = typename number::sum;
 
-    explicit scaled_points(double factor) : factor_(factor) {}
     static void add(sum& total, const sum& more) { number::add(total, more); }
     static void scale(sum& total, const scalar& weight) { number::scale(total, weight); }
+    [[nodiscard]] decltype(auto) coarse(const vertex<Level>& v) const { return number::load(bare::of(v.point())); }
+};
+
+/// The same times a factor.
+template <level Level>
+class scaled_points : public bare_points<Level> {
+public:
+    using typename bare_points<Level>::scalar, typename bare_points<Level>::sum;
+
+    explicit scaled_points(double factor) : factor_(factor) {}
     [[nodiscard]] sum coarse(const vertex<Level>& v) const
     {
-        sum result = number::load(v.point());
-        scale(result, scalar(factor_));
+        sum result = bare_points<Level>::coarse(v);
+        this->scale(result, scalar(factor_));
         return result;
     }
 
@@ -111,7 +128,7 @@ std::optional<normal_vector> normal_of(const First& first, const Second& second)
     const auto are_finite = [](const auto& tangents) {
         return is_finite(tangents.first) and is_finite(tangents.second);
     };
-    auto tangents = over(point_values<Level>());
+    auto tangents = over(bare_points<Level>());
     if (are_in_range(tangents.first, tangents.second))
         return unit_normal(tangents.first, tangents.second);
     if (not are_finite(tangents))

@@ -23,6 +23,12 @@ struct traced_point {
     stencil_row row;
 };
 
+template <class Point>
+struct bare_point<traced_point<Point>> {
+    using type = Point;
+    static const Point& of(const traced_point<Point>& traced) { return traced.point; }
+};
+
 } // namespace detail
 
 template <class Point>
