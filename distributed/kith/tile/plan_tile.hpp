@@ -78,7 +78,7 @@ std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& 
                                 detail::bytes_of_last_tile(next, owned));
         } else {
             const counts& c = next.counts; // marks, and for all that is kept where it was and where it is
-            const double marks = 9 * double(c.vertices) + 12 * double(c.edges) + 9 * double(c.faces);
+            const double marks = 9 * double(c.vertices) + 11 * double(c.edges) + 9 * double(c.faces);
             most = std::max(most,
                             before + share(level) * (double(next.bytes) + marks) +
                                 detail::bytes_of_tile(next, share(level + 1)));

@@ -97,24 +97,7 @@ public:
         for (const Index f : faces)
             face_[f] = 0;
         std::size_t first_new = 0;
-        int ring = 0;
-        if (rings > 0 and seeds.size() > mesh_.face_count() / 4) { // a look at all faces is quicker than all fans
-            for (const Index f : seeds)
-                for (const Index v : mesh_.face(f))
-                    if (vertex_[v] == none) {
-                        vertex_[v] = 0;
-                        vertices.push_back(v);
-                    }
-            for (std::size_t f = 0; f < mesh_.face_count(); ++f)
-                if (face_[f] == none and
-                    std::ranges::any_of(mesh_.face(f), [&](Index v) { return vertex_[v] != none; }))
-                    faces.push_back(Index(f));
-            first_new = seeds.size();
-            for (std::size_t i = first_new; i < faces.size(); ++i)
-                face_[faces[i]] = 0;
-            ++ring;
-        }
-        for (; ring < rings; ++ring) {
+        for (int ring = 0; ring < rings; ++ring) {
             const std::size_t end = faces.size();
             for (; first_new < end; ++first_new)
                 for (const Index v : mesh_.face(faces[first_new]))
@@ -148,7 +131,7 @@ public:
         result.face_from.assign(faces.begin(), faces.end());
         for (std::size_t i = 0; i < faces.size(); ++i)
             face_[faces[i]] = Index(i);
-        const std::vector<unsigned char> sides = collect_elements(result);
+        collect_elements(result);
 
         connectivity<Index> fine;
         fine.allocate_faces(faces.size(), t.degree, [&](std::size_t i) { return mesh_.face(faces[i]).size(); });
@@ -156,8 +139,11 @@ public:
         result.edge_is_turned.resize(result.edge_from.size());
         result.edge_is_new_rim.resize(result.edge_from.size());
         for (std::size_t e = 0; e < result.edge_from.size(); ++e) {
-            result.edge_is_turned[e] = (sides[e] & left_side) == 0;
-            result.edge_is_new_rim[e] = sides[e] != (left_side | right_side) and not t.is_boundary(result.edge_from[e]);
+            const std::size_t side0 = 2 * std::size_t(result.edge_from[e]);
+            const bool left_is_here = is_here(t.halfedge_corner[side0]);
+            const bool right_is_here = is_here(t.halfedge_corner[side0 + 1]);
+            result.edge_is_turned[e] = not left_is_here;
+            result.edge_is_new_rim[e] = not t.is_boundary(side0 / 2) and not(left_is_here and right_is_here);
         }
         Index corner = 0;
         for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -197,8 +183,10 @@ public:
 private:
     static constexpr Index none = connectivity<Index>::none;
 
-    static constexpr unsigned char left_side = 1, right_side = 2;
-
+    [[nodiscard]] bool is_here(Index corner) const
+    {
+        return corner != none and face_[mesh_.topology().face_of(corner)] != none;
+    }
     /// Sorts what is marked: by looking at all marks where that is cheaper.
     static void put_in_order(std::vector<Index>& members, const std::vector<Index>& marks)
     {
@@ -211,35 +199,27 @@ private:
             if (marks[x] != none)
                 members[i++] = Index(x);
     }
-    /// The vertices and edges of the faces, and which sides of each edge have one of them.
-    std::vector<unsigned char> collect_elements(submesh<Point, Index>& result)
+    void collect_elements(submesh<Point, Index>& result)
     {
         const auto& t = mesh_.topology();
         for (const Index f : result.face_from)
             for (Index c = t.first_corner(f); c < t.first_corner(std::size_t(f) + 1); ++c) {
                 const Index v = t.corner_vertex[c], e = t.corner_halfedge[c] >> 1;
-                const Index side = t.corner_halfedge[c] % 2 == 0 ? left_side : right_side;
                 if (vertex_[v] == none) {
                     vertex_[v] = 0;
                     result.vertex_from.push_back(v);
                 }
                 if (edge_[e] == none) {
-                    edge_[e] = side;
+                    edge_[e] = 0;
                     result.edge_from.push_back(e);
-                } else {
-                    edge_[e] |= side;
                 }
             }
         put_in_order(result.vertex_from, vertex_);
         put_in_order(result.edge_from, edge_);
         for (std::size_t i = 0; i < result.vertex_from.size(); ++i)
             vertex_[result.vertex_from[i]] = Index(i);
-        std::vector<unsigned char> sides(result.edge_from.size());
-        for (std::size_t i = 0; i < sides.size(); ++i) {
-            sides[i] = static_cast<unsigned char>(edge_[result.edge_from[i]]);
+        for (std::size_t i = 0; i < result.edge_from.size(); ++i)
             edge_[result.edge_from[i]] = Index(i);
-        }
-        return sides;
     }
 
     const basic_mesh<Point, Index>& mesh_;
