@@ -90,12 +90,16 @@ void place_corners(const View& view, Mask& mask, const Ids& ids, const Points& p
 template <class Graph, class Np, class Step>
 void repeat(Graph& g, const Np& np, const Step& step)
 {
-    const int steps = steps_of(np);
-    if (steps < 0)
-        throw mesh_error(std::to_string(steps) + " steps by a mask were asked for; ask for 0 or more");
-    const auto points = points_of(g, np);
-    for (int i = 0; i < steps; ++i)
-        step(points, i);
+    if constexpr (cgal::steps<Np>) {
+        repeat(g, CGAL::parameters::number_of_iterations(np), step);
+    } else {
+        const int steps = steps_of(np);
+        if (steps < 0)
+            throw mesh_error(std::to_string(steps) + " steps by a mask were asked for; ask for 0 or more");
+        const auto points = points_of(g, np);
+        for (int i = 0; i < steps; ++i)
+            step(points, i);
+    }
 }
 /// For schemes whose steps are all alike.
 template <class Graph, class Np, scheme Scheme, class Place>
@@ -116,42 +120,33 @@ void repeat_by_mask(Graph& g, const Np& np, const Scheme& scheme, const Place& p
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void PQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
-    if constexpr (steps<Np>)
-        return PQQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
-    else
-        detail::repeat_by_mask(
-            pmesh, np, linear(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
-                detail::place_faces(view, mask, ids.vertices, points);
-                detail::place_edges_and_vertices(view, mask, ids.vertices, points);
-            });
+    detail::repeat_by_mask(
+        pmesh, np, linear(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+            detail::place_faces(view, mask, ids.vertices, points);
+            detail::place_edges_and_vertices(view, mask, ids.vertices, points);
+        });
 }
 
 /// The same for the split of triangles: CGAL's PTQMask_3, with edge_node, vertex_node and border_node.
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void PTQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
-    if constexpr (steps<Np>)
-        return PTQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
-    else
-        detail::repeat_by_mask(
-            pmesh, np, linear_triangles(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
-                detail::place_edges_and_vertices(view, mask, ids.vertices, points);
-            });
+    detail::repeat_by_mask(
+        pmesh, np, linear_triangles(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+            detail::place_edges_and_vertices(view, mask, ids.vertices, points);
+        });
 }
 
 /// The same for the dual split: CGAL's DQQMask_3, whose corner_node takes the half-edge to the corner in its face.
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void DQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
-    if constexpr (steps<Np>)
-        return DQQ(pmesh, mask, CGAL::parameters::number_of_iterations(np));
-    else
-        detail::repeat_by_mask(pmesh,
-                               np,
-                               doo_sabin{.boundary = doo_sabin_boundary::drop},
-                               [&](const auto& view, const auto&, const auto& ids, const auto& points) {
-                                   detail::place_corners(view, mask, ids.vertices, points);
-                               });
+    detail::repeat_by_mask(pmesh,
+                           np,
+                           doo_sabin{.boundary = doo_sabin_boundary::drop},
+                           [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                               detail::place_corners(view, mask, ids.vertices, points);
+                           });
 }
 
 /// The same for the sqrt(3) split: CGAL's Sqrt3Mask_3, with face_node, vertex_node and, in every second step of a call,
@@ -159,37 +154,34 @@ void DQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_value
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void Sqrt3(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
-    if constexpr (steps<Np>)
-        return Sqrt3(pmesh, mask, CGAL::parameters::number_of_iterations(np));
-    else
-        detail::repeat(pmesh, np, [&](const auto& vpm, int step) {
-            const auto place = [&](const auto& view, const auto& mesh, const auto& ids, const auto& points) {
-                const auto& numbers = ids.vertices;
-                const level_of<std::remove_cvref_t<decltype(view)>> level(view);
-                for (const auto v : level.vertices()) {
-                    auto& point = points[numbers.template id<tuple_kind::v>(v.index())];
-                    if (v.is_boundary())
-                        point = get(vpm, v.handle());
-                    else
-                        mask.vertex_node(v.handle(), point);
+    detail::repeat(pmesh, np, [&](const auto& vpm, int step) {
+        const auto place = [&](const auto& view, const auto& mesh, const auto& ids, const auto& points) {
+            const auto& numbers = ids.vertices;
+            const level_of<std::remove_cvref_t<decltype(view)>> level(view);
+            for (const auto v : level.vertices()) {
+                auto& point = points[numbers.template id<tuple_kind::v>(v.index())];
+                if (v.is_boundary())
+                    point = get(vpm, v.handle());
+                else
+                    mask.vertex_node(v.handle(), point);
+            }
+            for (const auto f : level.faces())
+                if (const auto id = numbers.template id<tuple_kind::f>(f.index()); id != numbers.none)
+                    mask.face_node(f.handle(), points[id]);
+            if (mesh.generation() % 2 == 0)
+                return;
+            for (const auto e : level.edges())
+                if (e.is_boundary()) {
+                    const auto h = detail::inner_side(view, e.handle());
+                    const std::size_t end = level.index(graph_calls::target_of(view.graph(), h));
+                    mask.border_node(h,
+                                     points[numbers.template id<tuple_kind::ve>(2 * e.index() + 1)],
+                                     points[numbers.template id<tuple_kind::ve>(2 * e.index())],
+                                     points[numbers.template id<tuple_kind::v>(end)]);
                 }
-                for (const auto f : level.faces())
-                    if (const auto id = numbers.template id<tuple_kind::f>(f.index()); id != numbers.none)
-                        mask.face_node(f.handle(), points[id]);
-                if (mesh.generation() % 2 == 0)
-                    return;
-                for (const auto e : level.edges())
-                    if (e.is_boundary()) {
-                        const auto h = detail::inner_side(view, e.handle());
-                        const std::size_t end = level.index(graph_calls::target_of(view.graph(), h));
-                        mask.border_node(h,
-                                         points[numbers.template id<tuple_kind::ve>(2 * e.index() + 1)],
-                                         points[numbers.template id<tuple_kind::ve>(2 * e.index())],
-                                         points[numbers.template id<tuple_kind::v>(end)]);
-                    }
-            };
-            detail::step_by_mask(pmesh, vpm, sqrt3(), step % 2, place);
-        });
+        };
+        detail::step_by_mask(pmesh, vpm, sqrt3(), step % 2, place);
+    });
 }
 
 // NOLINTEND(readability-identifier-naming)
