@@ -92,7 +92,7 @@ private:
             ++result;
         return result;
     }
-    /// A corner's triangle, which is one of a pair, does not end the fan.
+    /// Neither the edge after a corner lies at the boundary nor, if it is the marked one, the edge across from it.
     template <corner_element Corner>
     static bool is_inside(const Corner& c)
     {
