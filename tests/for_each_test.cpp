@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 TEST(for_each, visits_every_element_once)
@@ -22,7 +24,7 @@ TEST(for_each, visits_every_element_once)
         ASSERT_EQ(n, 1);
 }
 
-TEST(for_each, visits_every_element_once_in_strips)
+TEST(for_each, visits_every_element_once_on_any_threads)
 {
     const auto mesh = native(shapes::triangulated(shapes::torus(70, 70)));
     const level_type level(mesh);
@@ -30,7 +32,7 @@ TEST(for_each, visits_every_element_once_in_strips)
         for (const int threads : {1, 2, 3, 5, 64, 70}) {
             const thread_count count(threads);
             std::vector<std::atomic<int>> visits(range.size());
-            kith::for_each_in_strips(range, [&](const auto& x) { ++visits[x.index()]; });
+            kith::for_each(range, [&](const auto& x) { ++visits[x.index()]; });
             for (const auto& n : visits)
                 ASSERT_EQ(n, 1);
         }
@@ -49,7 +51,6 @@ TEST(for_each, finds_nothing_in_a_mesh_without_elements)
     kith::for_each(level.edges(), fail);
     kith::for_each(level.faces(), fail);
     kith::for_each(level.corners(), fail);
-    kith::for_each_in_strips(level.vertices(), fail);
 }
 
 TEST(for_each, an_error_in_a_body_reaches_the_caller)
@@ -74,6 +75,48 @@ TEST(for_each, of_several_errors_the_first_in_the_range_is_told)
                       });
                   }),
                   "0");
+}
+
+TEST(for_each, of_several_errors_in_shared_parts_the_first_in_the_range_is_told)
+{
+    for (const int threads : {1, 2, 4}) {
+        const thread_count count(threads);
+        for (int i = 0; i < 20; ++i)
+            EXPECT_EQ(error_text<std::runtime_error>([] {
+                          kith::detail::for_shared_parts(10000, 10, true, [](kith::detail::parts_to_do parts) {
+                              parts.for_each([](std::size_t begin, std::size_t) {
+                                  if (begin % 1500 == 700 or begin % 4000 == 3990)
+                                      throw std::runtime_error(std::to_string(begin));
+                              });
+                          });
+                      }),
+                      "700");
+    }
+}
+
+TEST(for_each, shared_parts_are_done_once_by_whoever_is_free)
+{
+    for (const int threads : {1, 2, 3, 7}) {
+        const thread_count count(threads);
+        for (const std::size_t size : {0U, 1U, 10U, 11U, 10007U}) {
+            std::vector<std::atomic<int>> visits(size);
+            kith::detail::for_shared_parts(size, 10, true, [&](kith::detail::parts_to_do parts) {
+                parts.for_each([&](std::size_t begin, std::size_t end) {
+                    EXPECT_LE(end - begin, 10);
+                    for (std::size_t i = begin; i < end; ++i)
+                        ++visits[i];
+                    // Who has the first part is held up until all others are done, which must not wait for it.
+                    const auto left = [&] {
+                        return std::ranges::count_if(visits, [](const auto& n) { return n == 0; });
+                    };
+                    while (begin == 0 and left() != 0 and threads > 1 and size > 10)
+                        std::this_thread::yield();
+                });
+            });
+            for (const auto& n : visits)
+                ASSERT_EQ(n, 1);
+        }
+    }
 }
 
 TEST(for_each, parts_are_ranges_without_gaps)

@@ -39,6 +39,29 @@ TEST_F(large_blocks_test, a_freed_block_is_the_next_of_its_size)
     blocks.free(second, 16 * mebibyte - 100);
 }
 
+TEST_F(large_blocks_test, the_same_work_once_more_gets_the_same_blocks)
+{
+    constexpr std::size_t bytes = std::size_t(1) << 17;
+    const auto allocate_all = [&] {
+        std::vector<void*> all;
+        for (const std::size_t size : {bytes, 2 * bytes, bytes, bytes})
+            all.push_back(blocks.allocate(size));
+        return all;
+    };
+    const auto free_all = [&](const std::vector<void*>& all) {
+        blocks.free(all[1], 2 * bytes);
+        blocks.free(all[3], bytes);
+        blocks.free(all[2], bytes);
+        blocks.free(all[0], bytes);
+    };
+    const auto first = allocate_all();
+    free_all(first);
+    for (int again = 0; again < 3; ++again) {
+        EXPECT_EQ(allocate_all(), first);
+        free_all(first);
+    }
+}
+
 TEST_F(large_blocks_test, all_start_at_a_huge_page_and_can_be_written)
 {
     const std::size_t bytes = 5 * mebibyte + 3;

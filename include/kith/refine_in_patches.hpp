@@ -144,7 +144,7 @@ private:
     template <class F>
     bool with_patches(basic_mesh<Point, Index>& mesh, Scheme& scheme, const F& f) const
     {
-        if (is_scattered(mesh.topology()) and not is_worth_while_if_scattered())
+        if (not is_worth_while_if_scattered() and is_scattered(mesh.topology()))
             return false;
         if constexpr (orderable_scheme<Scheme, Index>)
             if (is_worth_ordering(mesh.topology(), scheme, plan_->begin + int(plan_->bases.size())) and

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <limits>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #if defined(_OPENMP)
 #include <omp.h>
@@ -46,6 +53,125 @@ private:
     void (*call_)(const void*, std::size_t, std::size_t);
 };
 
+/// The numbers of parts that several threads share. Each begins with a range of its own, as large as those of the
+/// others: what it reads and writes lies together, so that threads rarely wait for each other's cache lines. Who is done
+/// with it takes the further half of what somebody else has left (work stealing: Blumofe & Leiserson 1999).
+class shared_parts {
+public:
+    /// Precondition: fewer than 2^32 parts. Cost: O(threads).
+    shared_parts(std::size_t parts, std::size_t threads) : left_(threads)
+    {
+        for (std::size_t thread = 0; thread < threads; ++thread)
+            left_[thread].range = range(parts * thread / threads, parts * (thread + 1) / threads);
+    }
+
+    /// A part that no thread has taken yet, the next ones first. Nothing: there is none left.
+    std::optional<std::size_t> take(std::size_t thread)
+    {
+        std::atomic<std::uint64_t>& own = left_[thread].range;
+        do
+            for (std::uint64_t now = own; begin_of(now) < end_of(now);)
+                if (own.compare_exchange_weak(now, range(begin_of(now) + 1, end_of(now))))
+                    return begin_of(now);
+        while (take_from_others(own));
+        return {};
+    }
+
+    /// Keeps the error of a part that was taken, if that is the first one. The thread takes no more: all parts before it
+    /// are done by others, so this is the error that one thread alone would meet.
+    void keep_error(std::size_t part, std::exception_ptr error)
+    {
+        const std::lock_guard lock(mutex_);
+        if (part < part_of_error_) {
+            part_of_error_ = part;
+            error_ = std::move(error);
+        }
+    }
+    /// When all threads are done.
+    void rethrow_error() const
+    {
+        if (error_)
+            std::rethrow_exception(error_);
+    }
+
+private:
+    /// Of parts, the first and the one behind the last, in one value.
+    static std::uint64_t range(std::size_t begin, std::size_t end) { return begin | std::uint64_t(end) << 32; }
+    static std::size_t begin_of(std::uint64_t range) { return std::uint32_t(range); }
+    static std::size_t end_of(std::uint64_t range) { return range >> 32; }
+
+    /// Whether somebody had something left.
+    bool take_from_others(std::atomic<std::uint64_t>& own)
+    {
+        for (;;) {
+            std::size_t most = 0;
+            std::uint64_t of_most = 0;
+            std::atomic<std::uint64_t>* who = nullptr;
+            for (auto& [other] : left_)
+                if (const std::uint64_t now = other; end_of(now) - begin_of(now) > most) {
+                    most = end_of(now) - begin_of(now);
+                    of_most = now;
+                    who = &other;
+                }
+            if (who == nullptr)
+                return false;
+            const std::size_t middle = begin_of(of_most) + most / 2;
+            if (who->compare_exchange_weak(of_most, range(begin_of(of_most), middle))) {
+                own = range(middle, end_of(of_most));
+                return true;
+            }
+        }
+    }
+
+    struct alignas(64) alone_in_line {
+        std::atomic<std::uint64_t> range = 0;
+    };
+
+    std::vector<alone_in_line> left_; // of each thread
+    std::mutex mutex_;
+    std::exception_ptr error_;
+    std::size_t part_of_error_ = std::numeric_limits<std::size_t>::max();
+};
+
+/// The parts of a range that one thread does: all, or those that it takes.
+class parts_to_do {
+public:
+    /// All parts of [0, size).
+    parts_to_do(std::size_t size, std::size_t size_of_part) : size_(size), size_of_part_(size_of_part) {}
+    /// Those that this thread takes of parts that are shared.
+    parts_to_do(std::size_t size, std::size_t size_of_part, shared_parts& shared, std::size_t thread)
+        : size_(size), size_of_part_(size_of_part), shared_(&shared), thread_(thread)
+    {
+    }
+
+    /// body(begin, end) on each of them.
+    template <class Body>
+    void for_each(const Body& body)
+    {
+        for (std::optional<std::size_t> part; (part = next());)
+            try {
+                body(*part * size_of_part_, std::min((*part + 1) * size_of_part_, size_));
+            } catch (...) {
+                if (shared_ == nullptr)
+                    throw;
+                return shared_->keep_error(*part, std::current_exception());
+            }
+    }
+
+private:
+    std::optional<std::size_t> next()
+    {
+        if (shared_ != nullptr)
+            return shared_->take(thread_);
+        return done_ * size_of_part_ < size_ ? std::optional(done_++) : std::nullopt;
+    }
+
+    std::size_t size_, size_of_part_;
+    shared_parts* shared_ = nullptr;
+    std::size_t thread_ = 0;
+    std::size_t done_ = 0; // where nothing is shared
+};
+
 // A program may have files with OpenMP and files without.
 #if defined(_OPENMP)
 inline namespace on_threads {
@@ -83,6 +209,38 @@ inline void for_parts(std::size_t size, [[maybe_unused]] bool parallel, part_bod
     }
 #endif
     body(std::size_t(0), size);
+}
+
+/// The threads that a parallel loop has at most.
+inline std::size_t most_threads()
+{
+#if defined(_OPENMP)
+    return std::size_t(omp_get_max_threads());
+#else
+    return 1;
+#endif
+}
+
+/// Calls body(parts) once on each thread, which does its parts of [0, size) by parts.for_each: where a body needs
+/// something for all that it does, and where elements cost more in one place than in another. Of several errors that of
+/// the first part is rethrown.
+template <class Body>
+void for_shared_parts(std::size_t size, std::size_t size_of_part, bool parallel, const Body& body)
+{
+    const std::size_t count = (size + size_of_part - 1) / size_of_part;
+    const std::size_t threads = parallel and count > 1 ? std::min(count, most_threads()) : 1;
+    if (threads == 1)
+        return body(parts_to_do(size, size_of_part));
+    shared_parts shared(count, threads);
+    for_parts(
+        threads,
+        true,
+        [&](std::size_t thread, std::size_t end) {
+            if (thread != end)
+                body(parts_to_do(size, size_of_part, shared, thread));
+        },
+        2);
+    shared.rethrow_error();
 }
 
 } // namespace

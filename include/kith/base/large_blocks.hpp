@@ -90,7 +90,10 @@ private:
     void* forget(std::size_t i)
     {
         const auto [block, bytes] = kept_[i];
-        kept_[i] = kept_[--kept_count_];
+        // In the order in which they were freed: work that is done again gets the blocks that it had, where each thread
+        // has had the same parts in its caches.
+        const auto place = kept_.begin() + std::ptrdiff_t(i);
+        std::copy(place + 1, kept_.begin() + std::ptrdiff_t(kept_count_--), place);
         kept_bytes_ -= bytes;
         return block;
     }

@@ -60,26 +60,6 @@ template <walkable_level Level, element Element, class F>
     for_numbers(range, begin, end, f);
 }
 
-/// Calls body(begin, end) on parts of the faces, of which each thread takes strips from everywhere.
-inline void for_strips_of_faces(std::size_t faces, bool parallel, const part_body& body)
-{
-    constexpr std::size_t side = 8, strips = side * side;
-    const auto strip = [&](std::size_t i) {
-        const std::size_t place = i % side * side + i / side;
-        body(faces * place / strips, faces * (place + 1) / strips);
-    };
-    for_parts(
-        strips,
-        parallel and faces >= worth_threads,
-        [&](std::size_t begin, std::size_t end) {
-            if (end - begin == strips)
-                return body(0, faces);
-            for (std::size_t i = begin; i < end; ++i)
-                strip(i);
-        },
-        1);
-}
-
 /// Calls f on the elements that belong to the faces [begin, end).
 template <walkable_level Level, element Element, class F>
 void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
@@ -161,27 +141,19 @@ void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 template <walkable_level Level, element Element, class F>
 void for_each(const all_elements<Level, Element>& range, const F& f)
 {
-    if constexpr (detail::met_by_faces<Level, Element>)
-        detail::for_parts(range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
-            detail::for_part_of_faces(range, begin, end, f);
+    if constexpr (detail::met_by_faces<Level, Element>) {
+        // Vertices and edges do not belong to all faces alike: after a step of Loop none belongs to the triangles in the
+        // middle of the old ones, which are the last quarter.
+        constexpr std::size_t faces_of_part = 256;
+        const std::size_t faces = range.level().face_count();
+        const bool parallel = Level::parallel and faces >= detail::worth_threads;
+        detail::for_shared_parts(faces, faces_of_part, parallel, [&](detail::parts_to_do parts) {
+            parts.for_each(
+                [&](std::size_t begin, std::size_t end) { detail::for_part_of_faces(range, begin, end, f); });
         });
-    else
+    } else {
         for_each_by_number(range, f);
-}
-
-/// The same for long bodies. Vertices and edges do not belong to all faces alike: after a step of Loop none belongs to
-/// the triangles in the middle of the old ones, which are the last quarter. Threads that take strips from everywhere
-/// have as much to do as one another; short bodies lose more where strips meet.
-template <walkable_level Level, element Element, class F>
-void for_each_in_strips(const all_elements<Level, Element>& range, const F& f)
-{
-    if constexpr (detail::met_by_faces<Level, Element>)
-        detail::for_strips_of_faces(
-            range.level().face_count(), Level::parallel, [&](std::size_t begin, std::size_t end) {
-                detail::for_part_of_faces(range, begin, end, f);
-            });
-    else
-        for_each_by_number(range, f);
+    }
 }
 
 } // namespace kith

@@ -8,6 +8,7 @@
 #include <kith/base/storage.hpp>
 #include <kith/mesh/connectivity.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -72,18 +73,29 @@ private:
             class_[f] = place->second;
         }
     }
+    /// The first of some vertices each, in the order of the faces that these lie at: threads that share them read and
+    /// write what lies in different places, and rarely wait for each other's cache lines. A mesh that was refined has
+    /// its vertices column by column, each in this order.
+    static std::vector<std::size_t> vertices_by_faces(const connectivity<Index>& mesh)
+    {
+        std::vector<std::size_t> firsts;
+        for (std::size_t v = 0; v < mesh.vertices; v += vertices_at_once)
+            firsts.push_back(v);
+        std::ranges::stable_sort(firsts, {}, [&](std::size_t v) { return mesh.vertex_corner[v]; });
+        return firsts;
+    }
     void look_at_fans(const connectivity<Index>& mesh)
     {
         sequence_numbers kinds;
         const auto degree = Index(mesh.degree);
-        detail::for_parts(mesh.vertices, true, [&](std::size_t begin, std::size_t end) {
+        const auto in_order = vertices_by_faces(mesh);
+        detail::for_shared_parts(in_order.size(), 1, true, [&](detail::parts_to_do parts) {
             sequence_numbers::reader kind(kinds);
             std::u32string fan;
             std::vector<Index> corners;
-            for (std::size_t v = begin; v < end; ++v) {
+            const auto look_at = [&](Index start) {
                 fan.clear();
                 corners.clear();
-                const Index start = mesh.vertex_corner[v];
                 Index c = start;
                 do {
                     const Index h = mesh.corner_halfedge[c];
@@ -98,24 +110,34 @@ private:
                 number place = kind(fan).first_item;
                 for (const Index corner : corners)
                     place_in_fan_[corner] = char32_t(place++);
-            }
+            };
+            parts.for_each([&](std::size_t part, std::size_t) {
+                const std::size_t first = in_order[part];
+                const std::size_t last = std::min(first + vertices_at_once, mesh.vertices);
+                for (std::size_t v = first; v < last; ++v)
+                    look_at(mesh.vertex_corner[v]);
+            });
         });
     }
     void look_at_faces(const connectivity<Index>& mesh, bool is_last)
     {
         sequence_numbers classes;
         const auto degree = std::size_t(mesh.degree);
-        detail::for_parts(mesh.faces, true, [&](std::size_t begin, std::size_t end) {
+        detail::for_shared_parts(mesh.faces, faces_at_once, true, [&](detail::parts_to_do parts) {
             sequence_numbers::reader class_of(classes);
-            for (std::size_t f = begin; f < end; ++f) {
-                const std::size_t first = degree != 0 ? degree * f : mesh.face_corner[f];
-                const std::size_t corners = degree != 0 ? degree : mesh.face_corner[f + 1] - first;
-                const auto made = class_of(std::u32string_view(place_in_fan_.data() + first, corners));
-                class_[f] = is_last ? made.sequence : made.first_item;
-            }
+            parts.for_each([&](std::size_t begin, std::size_t end) {
+                for (std::size_t f = begin; f < end; ++f) {
+                    const std::size_t first = degree != 0 ? degree * f : mesh.face_corner[f];
+                    const std::size_t corners = degree != 0 ? degree : mesh.face_corner[f + 1] - first;
+                    const auto made = class_of(std::u32string_view(place_in_fan_.data() + first, corners));
+                    class_[f] = is_last ? made.sequence : made.first_item;
+                }
+            });
         });
         count_ = classes.count();
     }
+
+    static constexpr std::size_t vertices_at_once = 256, faces_at_once = 2048;
 
     std::size_t count_ = 0;
     // Per face: its class; before the last round the number of the class's first item. There are as many items as

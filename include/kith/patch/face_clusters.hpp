@@ -39,16 +39,12 @@ public:
     /// Makes what these faces of the mesh own. Cost: that of the steps.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
     {
-        detail::for_parts((faces_.size() + at_once - 1) / at_once,
-                          true,
-                          [&](std::size_t begin, std::size_t end) {
-                              worker one(*this, mesh);
-                              for (std::size_t cluster = begin; cluster < end; ++cluster)
-                                  one.fill(std::span(faces_).subspan(
-                                               at_once * cluster, std::min(at_once, faces_.size() - at_once * cluster)),
-                                           to);
-                          },
-                          2);
+        detail::for_shared_parts(faces_.size(), at_once, true, [&](detail::parts_to_do parts) {
+            worker one(*this, mesh);
+            parts.for_each([&](std::size_t begin, std::size_t end) {
+                one.fill(std::span(faces_).subspan(begin, end - begin), to);
+            });
+        });
     }
 
 private:

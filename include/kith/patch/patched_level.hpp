@@ -116,14 +116,11 @@ public:
     {
         constexpr std::size_t cached_bytes = std::size_t(4) << 20;
         const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
-        detail::for_parts(
-            batches_.size(),
-            true,
-            [&](std::size_t begin, std::size_t end) {
-                filler one(mesh, to, past_caches);
-                storage<Index> here;
-                for (std::size_t i = begin; i < end; ++i) {
-                    const batch& b = batches_[i];
+        detail::for_shared_parts(batches_.size(), batches_at_once, true, [&](detail::parts_to_do parts) {
+            filler one(mesh, to, past_caches);
+            storage<Index> here;
+            parts.for_each([&](std::size_t begin, std::size_t end) {
+                for (const batch& b : std::span(batches_).subspan(begin, end - begin)) {
                     const auto& t = *templates_[b.of];
                     std::span<const Index> found;
                     if (found_.size() != 0) {
@@ -136,9 +133,9 @@ public:
                     one.call_for(t, found);
                     one.fill(t, bases_[b.of], found, b.count);
                 }
-                publish();
-            },
-            1);
+            });
+            publish();
+        });
         if (clusters_)
             clusters_->fill(mesh, to);
     }
@@ -147,6 +144,7 @@ private:
     using numbering = numbering_of<Scheme, Index>;
     using templates = kept_templates<Scheme, scalar_of<Point>, Index>;
     using class_number = typename face_classes<Index>::number;
+    static constexpr std::size_t batches_at_once = 8; // that a thread takes: some ten microseconds
     static constexpr class_number none = std::numeric_limits<class_number>::max();
     static constexpr Index no_face = std::numeric_limits<Index>::max();
     static constexpr std::size_t degree = numbering::common_degree;

@@ -76,15 +76,14 @@ void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
         constexpr std::size_t faces_of_block = 1024; // with all that belongs to them about half of a second-level cache
         const std::size_t faces = r.coarse.face_count();
         const std::size_t count = (faces + faces_of_block - 1) / faces_of_block;
-        const auto run = [&](std::size_t begin, std::size_t end) {
+        const bool parallel = Level::parallel and faces >= detail::worth_threads;
+        detail::for_shared_parts(count, 1, parallel, [&](detail::parts_to_do parts) {
             const detail::loop_body inside(true);
-            for (std::size_t number = begin; number < end; ++number) {
+            parts.for_each([&](std::size_t number, std::size_t) {
                 const block_of_level<Level> block(r.coarse, number, count);
-                const refinement<block_of_level<Level>, Space, Scalar> part{block, r.assoc, r.generation};
-                body(part);
-            }
-        };
-        detail::for_parts(count, Level::parallel, run, detail::worth_threads / faces_of_block);
+                body(refinement<block_of_level<Level>, Space, Scalar>{block, r.assoc, r.generation});
+            });
+        });
     } else {
         const detail::loop_body inside(true);
         body(r);

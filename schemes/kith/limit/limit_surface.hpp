@@ -143,7 +143,7 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
     std::vector<unsigned char> is_open(mesh.vertex_count(), 0); // some limit is not known by masks of this level
     with_native_level<Scheme>(mesh, [&](const auto& level) {
         const auto& rules = limit_rules<Scheme>::on(scheme, level);
-        for_each_in_strips(level.vertices(), [&](const auto& v) {
+        for_each(level.vertices(), [&](const auto& v) {
             if (is_needed[v.index()] == 0)
                 return;
             typename wanted::search_type::found limit;
