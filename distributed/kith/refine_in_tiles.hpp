@@ -19,10 +19,6 @@ namespace kith {
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class tiled_refinement {
 public:
-    using tile_type = tile<Point, Index>;
-    using job_type = tile_job<tile_type, Scheme>;
-    using kept_type = kept_tile<tile_type, Scheme>;
-
     /// The mesh must outlive this object. `last_rings`: of shadows on the last level, where it keeps its edges. Errors:
     /// mesh_error for everything that `refine` refuses but for lack of memory, for a mesh of face-vertex lists only,
     /// for a partition of another mesh, and for more elements than 64 bits can number.
@@ -46,18 +42,19 @@ public:
 
     /// The last level of one part, with its edges where asked for. Safe on several threads, each with a part of its own
     /// (see for_each_at_once). Errors: as `refine`.
-    [[nodiscard]] tile_type refine(std::size_t part, connect last = connect::faces)
+    [[nodiscard]] tile<Point, Index> refine(std::size_t part, connect last = connect::faces)
     {
         phase_seconds seconds;
         return refine(part, last, seconds);
     }
     /// The same, which tells how long it took to cut the part and to refine it.
-    [[nodiscard]] tile_type refine(std::size_t part, connect last, phase_seconds& seconds)
+    [[nodiscard]] tile<Point, Index> refine(std::size_t part, connect last, phase_seconds& seconds)
     {
         return std::move(refine_job(part, last, seconds).part);
     }
     /// The same with the scheme for the next level, if this one keeps its edges.
-    [[nodiscard]] job_type refine_job(std::size_t part, connect last, phase_seconds& seconds)
+    [[nodiscard]] tile_job<tile<Point, Index>, Scheme> refine_job(std::size_t part, connect last,
+                                                                  phase_seconds& seconds)
     {
         auto job = cut(part, seconds);
         const phase_timer timer(seconds[phase::refine]);
@@ -67,7 +64,7 @@ public:
     /// Hands over all levels of one part, each with its scheme (creases, fields) as it is there, from level 0 to the
     /// last: keep(kept_tile), which may move it away. All have their edges and the shadows that later levels need.
     /// Errors: as `refine`. Cost: as refine_job; two levels are in memory, and those that are kept.
-    template <std::invocable<kept_type> Keep>
+    template <std::invocable<kept_tile<tile<Point, Index>, Scheme>> Keep>
     void refine_levels(std::size_t part, const Keep& keep)
     {
         phase_seconds seconds;
@@ -75,7 +72,7 @@ public:
     }
 
 private:
-    job_type cut(std::size_t part, phase_seconds& seconds)
+    tile_job<tile<Point, Index>, Scheme> cut(std::size_t part, phase_seconds& seconds)
     {
         const std::lock_guard lock(cutting_);
         const phase_timer timer(seconds[phase::cut]);

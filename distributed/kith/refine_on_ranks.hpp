@@ -39,7 +39,6 @@ template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class rank_refinement {
 public:
     using tile_type = tile<Point, Index>;
-    using job_type = tile_job<tile_type, Scheme>;
     using kept_type = kept_tile<tile_type, Scheme>;
 
     /// Collective. `mesh` and `parts` are read on rank 0 only, where the mesh must outlive this object; `scheme` has
@@ -275,7 +274,7 @@ private:
     }
 
     template <class Use>
-    void refine_one(std::uint64_t number, job_type job, const Use& use, work_done& done)
+    void refine_one(std::uint64_t number, tile_job<tile_type, Scheme> job, const Use& use, work_done& done)
     {
         const work_done more = refine_counted(number, std::move(job), *whole_, last_, use, at_once_);
         const std::lock_guard lock(adding_);

@@ -22,6 +22,13 @@ struct loop {
     creases sharpness{}; ///< of this level's edges and vertices; handed on to the next level
     friend bool operator==(const loop&, const loop&) = default;
 
+    /// The weight of each neighbour of a vertex of valence n.
+    [[nodiscard]] constexpr double beta(std::size_t n) const
+    {
+        const double c = 3. / 8 + cos_turn(1, long(n)) / 4;
+        return weights == loop_weights::loop ? (5. / 8 - c * c) / double(n) : n == 3 ? 3. / 16 : 3. / (8. * double(n));
+    }
+
     static constexpr auto traits()
     {
         return scheme_traits{.name = "loop",
@@ -33,13 +40,6 @@ struct loop {
                              .ignores_numbers = [](const loop& s) { return s.sharpness.empty(); }};
     }
     static constexpr auto columns() { return triangle_split::columns(); }
-
-    /// The weight of each neighbour of a vertex of valence n.
-    [[nodiscard]] constexpr double beta(std::size_t n) const
-    {
-        const double c = 3. / 8 + cos_turn(1, long(n)) / 4;
-        return weights == loop_weights::loop ? (5. / 8 - c * c) / double(n) : n == 3 ? 3. / 16 : 3. / (8. * double(n));
-    }
 
     template <running_step R>
     void operator()(const R& r) const

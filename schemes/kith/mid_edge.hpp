@@ -10,20 +10,22 @@ namespace kith {
 /// in the regular part; triangles that stay are the weak spot). Meant for closed meshes: a boundary loop keeps its
 /// number of edges and contracts. Cost: O(corners).
 struct mid_edge {
-    /// Reach: two steps are one of the dual split, in which a point needs its face only, docs/distributed.md.
+    /// The rings before so many steps: two are one of the dual split, in which a point needs its face only,
+    /// docs/distributed.md.
+    static constexpr int rings_before(int steps, int rings)
+    {
+        rings += steps % 2;
+        for (; steps > 1; steps -= 2)
+            rings = rings / 2 + 1;
+        return rings;
+    }
     static constexpr auto traits()
     {
         return scheme_traits{.name = "mid-edge",
                              .trusted = true,
                              .valence = 4,
                              .require = three_faces_at_vertices,
-                             .reach =
-                                 [](int rings, int steps) {
-                                     rings += steps % 2;
-                                     for (; steps > 1; steps -= 2)
-                                         rings = rings / 2 + 1;
-                                     return rings;
-                                 },
+                             .reach = [](int rings, int steps) { return rings_before(steps, rings); },
                              .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns() { return mid_edge_split::columns(); }

@@ -27,8 +27,7 @@ namespace kith {
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class tile_cutter {
 public:
-    using tile_type = tile<Point, Index>;
-    using job_type = tile_job<tile_type, Scheme>;
+    using job_type = tile_job<tile<Point, Index>, Scheme>;
 
     /// `part_of[f]` is the part of face f, below `parts`. Parts may be empty, and need not be connected.
     /// Preconditions: `refine` takes the mesh, which has its edges, and the mesh outlives this object. Errors:
@@ -129,7 +128,7 @@ private:
         auto part = cutter_.cut(cutter_.faces_around(seeds, rings));
         for (const Index f : seeds)
             is_ours_[f] = 1;
-        tile_type result;
+        tile<Point, Index> result;
         fill_vertices(part, result);
         fill_edges(part, result);
         fill_faces(part, result);
@@ -139,7 +138,7 @@ private:
         result.mesh = std::move(part.mesh);
         return {std::move(result), std::move(scheme)};
     }
-    void fill_vertices(const submesh<Point, Index>& part, tile_type& result) const
+    void fill_vertices(const submesh<Point, Index>& part, tile<Point, Index>& result) const
     {
         result.vertex_ids = storage<global_id>(part.vertex_from);
         result.vertex_marks = storage<unsigned char>(part.vertex_from.size());
@@ -149,7 +148,7 @@ private:
         if constexpr (numbers_corners_at_vertices<Scheme>)
             result.corners_before = of_each(part.vertex_from, corners_before_);
     }
-    void fill_edges(const submesh<Point, Index>& part, tile_type& result) const
+    void fill_edges(const submesh<Point, Index>& part, tile<Point, Index>& result) const
     {
         result.edge_ids = storage<global_id>(part.edge_from);
         result.edge_marks = storage<unsigned char>(part.edge_from.size());
@@ -171,7 +170,7 @@ private:
         std::ranges::transform(elements, result.begin(), [&](Index x) { return values[x]; });
         return result;
     }
-    void fill_faces(const submesh<Point, Index>& part, tile_type& result) const
+    void fill_faces(const submesh<Point, Index>& part, tile<Point, Index>& result) const
     {
         const std::size_t size = part.face_from.size();
         const bool mixed = mesh_.topology().degree == 0;

@@ -50,12 +50,6 @@ public:
 
     edge_association(Space& space, std::size_t tuple) : space_(&space), tuple_(tuple) {}
 
-    /// Says that this is a mistake.
-    template <class Other>
-    void operator=(const Other&) const
-    {
-        static_cast<void>(refused::edge_that_is_set<(sizeof(Other) > 0)>());
-    }
     [[nodiscard]] index id() const { return space_->template edge_id<Kind>(tuple_); }
     [[nodiscard]] new_side<index> left() const { return {index(2 * id())}; }
     [[nodiscard]] new_side<index> right() const { return {index(2 * id() + 1)}; }
@@ -64,6 +58,12 @@ public:
     [[nodiscard]] new_side<index> along(const edge<Level>& e) const
     {
         return {index(2 * id() + (e.seen_from().halfedge() & 1))};
+    }
+    /// Says that this is a mistake.
+    template <class Other>
+    void operator=(const Other&) const
+    {
+        static_cast<void>(refused::edge_that_is_set<(sizeof(Other) > 0)>());
     }
 
 private:

@@ -142,12 +142,13 @@ template <walkable_level Level, element Element, class F>
 void for_each(const all_elements<Level, Element>& range, const F& f)
 {
     if constexpr (detail::met_by_faces<Level, Element>) {
+        const std::size_t faces = range.level().face_count();
+        if (not Level::parallel or faces < detail::worth_threads)
+            return detail::for_part_of_faces(range, 0, faces, f);
         // Vertices and edges do not belong to all faces alike: after a step of Loop none belongs to the triangles in the
         // middle of the old ones, which are the last quarter.
-        constexpr std::size_t faces_of_part = 256;
-        const std::size_t faces = range.level().face_count();
-        const bool parallel = Level::parallel and faces >= detail::worth_threads;
-        detail::for_shared_parts(faces, faces_of_part, parallel, [&](detail::parts_to_do parts) {
+        constexpr std::size_t faces_of_part = 1024;
+        detail::for_shared_parts(faces, faces_of_part, true, [&](detail::parts_to_do parts) {
             parts.for_each(
                 [&](std::size_t begin, std::size_t end) { detail::for_part_of_faces(range, begin, end, f); });
         });

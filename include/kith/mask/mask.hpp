@@ -59,7 +59,7 @@ concept mask_evaluator = requires(const S& space, const refused::any_mask& mask)
 template <mask A, mask B>
 [[nodiscard]] auto operator+(const A& a, const B& b)
 {
-    return mask_sum<A, B>(a, b);
+    return mask_operation<A, B, sum_of_two>(a, b);
 }
 
 /// The weight, a number or what becomes one in the scalar type of the values, stands on the left.
@@ -67,7 +67,7 @@ template <class Weight, mask A>
     requires(not mask<Weight>)
 [[nodiscard]] auto operator*(const Weight& weight, const A& a)
 {
-    return mask_scaled<A, Weight>(a, weight);
+    return mask_operation<A, Weight, weighted_mask>(a, weight);
 }
 
 /// Refused: no product of masks is affine, and a weight on the right is to stand on the left.
@@ -82,7 +82,7 @@ template <mask A, class B>
 template <mask A>
 [[nodiscard]] auto operator/(const A& a, double n)
 {
-    return mask_scaled<A, one_over>(a, one_over{n});
+    return mask_operation<A, one_over, weighted_mask>(a, one_over{n});
 }
 
 /// a + (-1) b.
@@ -114,13 +114,13 @@ template <mask_range Range, class Weight>
 [[nodiscard]] auto sum(const Range& range, const Weight* weights)
 {
     const auto weight_of = [weights](std::size_t i) { return weights[i]; };
-    return mask_weighted_sum<Range, decltype(weight_of)>(range, weight_of);
+    return mask_operation<Range, decltype(weight_of), weighted_operands>(range, weight_of);
 }
 /// The i-th operand times weight_of(i).
 template <mask_range Range, std::invocable<std::size_t> WeightOf>
 [[nodiscard]] auto sum(const Range& range, const WeightOf& weight_of)
 {
-    return mask_weighted_sum<Range, WeightOf>(range, weight_of);
+    return mask_operation<Range, WeightOf, weighted_operands>(range, weight_of);
 }
 /// The sum over a list of pairs (operand, weight); the list must outlive the mask.
 template <class List>

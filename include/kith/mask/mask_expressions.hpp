@@ -15,16 +15,25 @@ namespace kith {
 /// What all masks derive from.
 struct mask_base {};
 
-/// a + b.
-template <class A, class B>
-struct mask_sum : mask_base {
+/// What an operation makes of a and b.
+template <class A, class B, class Operation>
+struct mask_operation : mask_base {
     A a;
     B b;
 
-    mask_sum(A a, B b) : a(std::move(a)), b(std::move(b)) {}
+    mask_operation(A a, B b) : a(std::move(a)), b(std::move(b)) {}
 
     template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values& values) const
+    {
+        return Operation::evaluate(values, a, b);
+    }
+};
+
+/// The sum of two masks.
+struct sum_of_two {
+    template <value_space Values, class A, class B>
+    [[nodiscard]] static typename Values::sum evaluate(const Values& values, const A& a, const B& b)
     {
         auto total = a.evaluate(values);
         Values::add(total, b.evaluate(values));
@@ -32,34 +41,31 @@ struct mask_sum : mask_base {
     }
 };
 
-/// The weight 1/n, formed in the scalar type of the evaluation, so that it is exact over exact numbers.
+/// The weight 1/n.
 struct one_over {
     double n;
-
-    template <class Scalar>
-    [[nodiscard]] Scalar as() const
-    {
-        return Scalar(1) / Scalar(n);
-    }
 };
 
-/// The weight times a.
-template <class A, class Weight>
-struct mask_scaled : mask_base {
-    A a;
-    Weight weight;
+/// A weight in the scalar type of an evaluation. There 1/n is formed, so that it is exact over exact numbers.
+template <class Scalar, class Weight>
+[[nodiscard]] Scalar weight_as(const Weight& weight)
+{
+    return static_cast<Scalar>(weight);
+}
+template <class Scalar>
+[[nodiscard]] Scalar weight_as(const one_over& weight)
+{
+    return Scalar(1) / Scalar(weight.n);
+}
 
-    mask_scaled(A a, Weight weight) : a(std::move(a)), weight(std::move(weight)) {}
-
-    template <value_space Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
+/// The weight times a mask.
+struct weighted_mask {
+    template <value_space Values, class Mask, class Weight>
+    [[nodiscard]] static typename Values::sum evaluate(const Values& values, const Mask& mask, const Weight& weight)
     {
-        auto total = a.evaluate(values);
-        if constexpr (std::same_as<Weight, one_over>)
-            Values::scale(total, weight.template as<typename Values::scalar>());
-        else
-            Values::scale(total, static_cast<typename Values::scalar>(weight));
-        return total;
+        auto result = mask.evaluate(values);
+        Values::scale(result, weight_as<typename Values::scalar>(weight));
+        return result;
     }
 };
 
@@ -100,7 +106,7 @@ struct mask_average : mask_base {
     {
         std::size_t count = 0;
         auto result = total.evaluate(values, count);
-        Values::scale(result, one_over{double(count)}.as<typename Values::scalar>());
+        Values::scale(result, weight_as<typename Values::scalar>(one_over{double(count)}));
         return result;
     }
 };
@@ -127,16 +133,11 @@ template <value_space Values, class List, class OperandOf, class WeightOf>
 
 } // namespace detail
 
-/// The sum of weight_of(i) times the i-th operand.
-template <class Range, class WeightOf>
-struct mask_weighted_sum : mask_base {
-    Range range;
-    WeightOf weight_of;
-
-    mask_weighted_sum(Range range, WeightOf weight_of) : range(std::move(range)), weight_of(std::move(weight_of)) {}
-
-    template <value_space Values>
-    [[nodiscard]] typename Values::sum evaluate(const Values& values) const
+/// The sum of weight_of(i) times the i-th operand of a range.
+struct weighted_operands {
+    template <value_space Values, class Range, class WeightOf>
+    [[nodiscard]] static typename Values::sum evaluate(const Values& values, const Range& range,
+                                                       const WeightOf& weight_of)
     {
         std::size_t count = 0;
         return detail::sum_of_terms(
@@ -147,7 +148,7 @@ struct mask_weighted_sum : mask_base {
     }
 };
 
-/// The same over a list of operands with their weights. The list must outlive the mask.
+/// The sum over a list of operands with their weights. The list must outlive the mask.
 template <class List>
 struct mask_list_sum : mask_base {
     const List* list;

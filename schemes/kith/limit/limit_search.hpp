@@ -28,12 +28,12 @@ namespace detail {
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class limit_search {
 public:
-    using mesh_type = basic_mesh<Point, Index>;
-    using level_type = level_of<mesh_type>;
     struct found {
         std::optional<Point> position;
         std::optional<normal_vector> normal;
     };
+    using mesh_type = basic_mesh<Point, Index>;
+    using level_type = level_of<mesh_type>;
 
     /// Tangents are looked for a little longer than positions: beside irregular vertices they are known a step or two
     /// later.
