@@ -35,7 +35,7 @@ using kith::basic_mesh;
 using kith::catmull_clark;
 using kith::global_id;
 using cutter_type = kith::tile_cutter<std::array<double, 3>, std::uint32_t, catmull_clark>;
-using tile_type = cutter_type::tile_type;
+using tile_type = kith::tile<std::array<double, 3>, std::uint32_t>;
 using levels_type = kith::whole_levels<catmull_clark>;
 
 struct job {

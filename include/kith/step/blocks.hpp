@@ -81,7 +81,8 @@ void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
             const detail::loop_body inside(true);
             parts.for_each([&](std::size_t number, std::size_t) {
                 const block_of_level<Level> block(r.coarse, number, count);
-                body(refinement<block_of_level<Level>, Space, Scalar>{block, r.assoc, r.generation});
+                const refinement<block_of_level<Level>, Space, Scalar> part{block, r.assoc, r.generation};
+                body(part);
             });
         });
     } else {
