@@ -54,8 +54,8 @@ private:
 };
 
 /// The numbers of parts that several threads share. Each begins with a range of its own, as large as those of the
-/// others: what it reads and writes lies together, so that threads rarely wait for each other's cache lines. Who is done
-/// with it takes the further half of what somebody else has left (work stealing: Blumofe & Leiserson 1999).
+/// others: what it reads and writes lies together, so that threads rarely wait for each other's cache lines. Who has
+/// done all of it takes the further half of what somebody else has left (work stealing: Blumofe & Leiserson 1999).
 class shared_parts {
 public:
     /// Precondition: fewer than 2^32 parts. Cost: O(threads).
@@ -77,8 +77,8 @@ public:
         return {};
     }
 
-    /// Keeps the error of a part that was taken, if that is the first one. The thread takes no more: all parts before it
-    /// are done by others, so this is the error that one thread alone would meet.
+    /// Keeps the error of a part that was taken, if that is the first one. Then the thread takes no more: all parts
+    /// before it are done by others, so this is the error that one thread alone would meet.
     void keep_error(std::size_t part, std::exception_ptr error)
     {
         const std::lock_guard lock(mutex_);

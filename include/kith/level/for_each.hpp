@@ -145,8 +145,8 @@ void for_each(const all_elements<Level, Element>& range, const F& f)
         const std::size_t faces = range.level().face_count();
         if (not Level::parallel or faces < detail::worth_threads)
             return detail::for_part_of_faces(range, 0, faces, f);
-        // Vertices and edges do not belong to all faces alike: after a step of Loop none belongs to the triangles in the
-        // middle of the old ones, which are the last quarter.
+        // Vertices and edges do not belong to all faces alike: after a step of Loop none belongs to the triangles in
+        // the middle of the old ones, which are the last quarter.
         constexpr std::size_t faces_of_part = 1024;
         detail::for_shared_parts(faces, faces_of_part, true, [&](detail::parts_to_do parts) {
             parts.for_each(
