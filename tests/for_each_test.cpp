@@ -77,21 +77,45 @@ TEST(for_each, of_several_errors_the_first_in_the_range_is_told)
                   "0");
 }
 
+namespace {
+
+/// What is told where parts of several threads fail.
+std::string error_of_shared_parts()
+{
+    return error_text<std::runtime_error>([] {
+        kith::detail::for_shared_parts(10000, 10, true, [](kith::detail::parts_to_do parts) {
+            parts.for_each([](std::size_t begin, std::size_t) {
+                if (begin == 3000 or (begin > 3000 and begin % 1000 == 990))
+                    throw std::runtime_error(std::to_string(begin));
+            });
+        });
+    });
+}
+
+} // namespace
+
 TEST(for_each, of_several_errors_in_shared_parts_the_first_in_the_range_is_told)
 {
     for (const int threads : {1, 2, 4}) {
         const thread_count count(threads);
         for (int i = 0; i < 20; ++i)
-            EXPECT_EQ(error_text<std::runtime_error>([] {
-                          kith::detail::for_shared_parts(10000, 10, true, [](kith::detail::parts_to_do parts) {
-                              parts.for_each([](std::size_t begin, std::size_t) {
-                                  if (begin % 1500 == 700 or begin % 4000 == 3990)
-                                      throw std::runtime_error(std::to_string(begin));
-                              });
-                          });
-                      }),
-                      "700");
+            EXPECT_EQ(error_of_shared_parts(), "3000");
     }
+}
+
+TEST(for_each, of_several_errors_the_first_is_told_inside_a_loop_on_threads_too)
+{
+    const thread_count four(4);
+    std::vector<std::string> errors(4);
+    kith::detail::for_parts(
+        errors.size(),
+        true,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                errors[i] = error_of_shared_parts(); // here one thread has the parts of four
+        },
+        1);
+    EXPECT_EQ(errors, std::vector<std::string>(4, "3000"));
 }
 
 TEST(for_each, shared_parts_are_done_once_by_whoever_is_free)

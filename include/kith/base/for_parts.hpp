@@ -65,20 +65,24 @@ public:
             left_[thread].range = range(parts * thread / threads, parts * (thread + 1) / threads);
     }
 
-    /// A part that no thread has taken yet, the next ones first. Nothing: there is none left.
+    /// A part that no thread has taken yet and that lies before all errors, the next ones first. Nothing: there is none
+    /// left.
     std::optional<std::size_t> take(std::size_t thread)
     {
         std::atomic<std::uint64_t>& own = left_[thread].range;
         do
             for (std::uint64_t now = own; begin_of(now) < end_of(now);)
-                if (own.compare_exchange_weak(now, range(begin_of(now) + 1, end_of(now))))
-                    return begin_of(now);
+                if (own.compare_exchange_weak(now, range(begin_of(now) + 1, end_of(now)))) {
+                    if (begin_of(now) < part_of_error_)
+                        return begin_of(now);
+                    now = own;
+                }
         while (take_from_others(own));
         return {};
     }
 
-    /// Keeps the error of a part that was taken, if that is the first one. Then the thread takes no more: all parts
-    /// before it are done by others, so this is the error that one thread alone would meet.
+    /// Keeps the error of a part that was taken, if that is the first one. What lies before it is still done, so this
+    /// is the error that one thread alone would meet.
     void keep_error(std::size_t part, std::exception_ptr error)
     {
         const std::lock_guard lock(mutex_);
@@ -130,7 +134,7 @@ private:
     std::vector<alone_in_line> left_; // of each thread
     std::mutex mutex_;
     std::exception_ptr error_;
-    std::size_t part_of_error_ = std::numeric_limits<std::size_t>::max();
+    std::atomic<std::size_t> part_of_error_ = std::numeric_limits<std::size_t>::max();
 };
 
 /// The parts of a range that one thread does: all, or those that it takes.
@@ -154,7 +158,7 @@ public:
             } catch (...) {
                 if (shared_ == nullptr)
                     throw;
-                return shared_->keep_error(*part, std::current_exception());
+                shared_->keep_error(*part, std::current_exception());
             }
     }
 
