@@ -3,7 +3,6 @@
 
 #include <kith/text/file_error.hpp>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
@@ -13,7 +12,9 @@
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
@@ -30,28 +31,51 @@ namespace {
 constexpr std::string_view mark_of_unfinished = ".incomplete-";
 constexpr std::string_view mark_of_directory = ".pieces";
 
-/// What a signal has to remove, files and directories. Never destroyed, as a signal may come while the program ends.
-struct unfinished_paths {
+/// All files that a signal has to remove, as a list through the files themselves, so that adding and removing one cannot
+/// fail. Never destroyed, as a signal may come while the program ends.
+struct unfinished_files {
     std::recursive_mutex mutex;
-    std::vector<std::string> paths;
+    unfinished_file* first = nullptr;
 };
 
-unfinished_paths& unfinished()
+unfinished_files& unfinished()
 {
-    static auto* const all = new unfinished_paths;
+    static auto* const all = new unfinished_files;
     return *all;
 }
 
-/// Tries again for a second, since others may be putting more into a directory.
-void remove_for_good(const std::string& path)
-{
-    std::error_code failed;
-    for (int attempt = 0; attempt < 100; ++attempt) {
-        fs::remove_all(path, failed);
-        if (not failed)
-            return;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+/// Closes a directory at the end of a scope.
+struct open_directory {
+    explicit open_directory(const char* path) : stream(::opendir(path)) {}
+    open_directory(const open_directory&) = delete;
+    open_directory& operator=(const open_directory&) = delete;
+    ~open_directory()
+    {
+        if (stream != nullptr)
+            ::closedir(stream);
     }
+    /// The name of the next entry, or null after the last one.
+    [[nodiscard]] const char* next() const
+    {
+        const dirent* const entry = stream == nullptr ? nullptr : ::readdir(stream);
+        return entry == nullptr ? nullptr : entry->d_name;
+    }
+
+    DIR* stream;
+};
+
+/// Removes a directory with the files in it. Returns false if something of it is left. Makes no object on the heap, as
+/// it is called when memory has ended.
+bool remove_directory(const char* path) noexcept
+{
+    {
+        const open_directory directory(path);
+        if (directory.stream == nullptr)
+            return errno == ENOENT;
+        while (const char* const name = directory.next())
+            ::unlinkat(::dirfd(directory.stream), name, 0);
+    }
+    return ::rmdir(path) == 0;
 }
 
 sigset_t ending_signals()
@@ -76,9 +100,9 @@ void* wait_for_signal(void*)
         return nullptr;
     auto& all = unfinished();
     all.mutex.lock(); // for ever: nothing is begun or gets its name any more
-    for (const auto& path : all.paths)
-        remove_for_good(path);
-    if (all.paths.empty())
+    for (const unfinished_file* file = all.first; file != nullptr; file = file->next())
+        file->remove_for_good();
+    if (all.first == nullptr)
         std::this_thread::sleep_for(patience_without_work);
     struct sigaction otherwise = {};
     otherwise.sa_handler = SIG_DFL;
@@ -86,12 +110,6 @@ void* wait_for_signal(void*)
     kill(getpid(), signal);
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     return nullptr;
-}
-
-void forget(const std::string& path)
-{
-    const auto lock = hold_interruptions();
-    std::erase(unfinished().paths, path);
 }
 
 /// Opens a file for writing and locks it, unless another process holds it; -1 then, and errno tells why.
@@ -122,22 +140,27 @@ void remove_stale(const std::string& target)
 {
     const fs::path place(target);
     const std::string prefix = place.filename().string().append(mark_of_unfinished);
-    std::error_code failed;
+    const fs::path parent = place.has_parent_path() ? place.parent_path() : ".";
     std::vector<std::string> found;
-    for (fs::directory_iterator entry(place.has_parent_path() ? place.parent_path() : ".", failed), end; entry != end;
-         entry.increment(failed)) {
-        const std::string name = entry->path().filename().string();
+    // Not std::filesystem's iterator, whose steps end the program when an allocation fails (libstdc++ 12).
+    const open_directory directory(parent.c_str());
+    while (const char* const entry = directory.next()) {
+        const std::string_view name = entry;
         if (name.size() > prefix.size() and name.starts_with(prefix) and
-            name.find_first_not_of("0123456789", prefix.size()) == std::string::npos and
-            entry->symlink_status(failed).type() == fs::file_type::regular)
-            found.push_back(entry->path().string());
+            name.find_first_not_of("0123456789", prefix.size()) == std::string::npos)
+            found.push_back((parent / name).string());
     }
-    for (const auto& path : found)
+    for (const auto& path : found) {
+        const std::string pieces = path + std::string(mark_of_directory);
+        struct stat status = {};
+        if (::lstat(path.c_str(), &status) != 0 or not S_ISREG(status.st_mode))
+            continue;
         if (const int descriptor = open_locked(path, 0); descriptor >= 0) {
-            fs::remove_all(path + std::string(mark_of_directory), failed);
-            fs::remove(path, failed);
+            remove_directory(pieces.c_str());
+            ::unlink(path.c_str());
             ::close(descriptor);
         }
+    }
 }
 
 } // namespace
@@ -193,11 +216,12 @@ void give_name(const std::string& finished, const std::string& target)
     fs::rename(finished, target, failed);
     if (failed)
         throw file_error(target + ": could not be given its name: " + failed.message());
-    std::erase(unfinished().paths, finished);
 }
 
-unfinished_file::unfinished_file(const std::string& path) : path_(path), target_(target_of(path))
+unfinished_file::unfinished_file(const std::string& path) : unfinished_file() // so that its destructor tidies up
 {
+    path_ = path;
+    target_ = target_of(path);
     std::error_code failed;
     const fs::file_status before = fs::status(target_, failed);
     const bool exists = fs::exists(before);
@@ -226,12 +250,9 @@ void unfinished_file::create()
     if (descriptor_ < 0)
         refuse(std::string("cannot be written: ") +
                (errno == EWOULDBLOCK ? "another process of the same number writes it" : std::strerror(errno)));
-    unfinished().paths.push_back(name_);
-    if (::ftruncate(descriptor_, 0) != 0) {
-        const std::string reason = std::strerror(errno);
-        remove();
-        refuse("cannot be written: " + reason);
-    }
+    next_ = std::exchange(unfinished().first, this);
+    if (::ftruncate(descriptor_, 0) != 0)
+        refuse(std::string("cannot be written: ") + std::strerror(errno));
 }
 
 unfinished_file::~unfinished_file()
@@ -245,39 +266,53 @@ void unfinished_file::remove() noexcept
         return;
     if (not is_direct()) {
         const auto lock = hold_interruptions();
-        std::error_code ignored; // what cannot be removed either has been reported already
         if (not directory_.empty())
-            fs::remove_all(directory_, ignored);
-        fs::remove(name_, ignored);
-        std::erase(unfinished().paths, directory_);
-        std::erase(unfinished().paths, name_);
+            remove_directory(directory_.c_str());
+        ::unlink(name_.c_str()); // if that cannot be removed either, the error has been reported already
+        forget();
     }
     ::close(std::exchange(descriptor_, -1)); // and with it the lock
+}
+
+void unfinished_file::remove_for_good() const
+{
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        // The directory first: the file tells later processes that it is there.
+        if ((directory_.empty() or remove_directory(directory_.c_str())) and
+            (::unlink(name_.c_str()) == 0 or errno == ENOENT))
+            return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
+
+void unfinished_file::forget() noexcept
+{
+    unfinished_file** link = &unfinished().first;
+    while (*link != this)
+        link = &(*link)->next_;
+    *link = next_;
 }
 
 void unfinished_file::make_directory(const std::string& directory)
 {
     const auto lock = hold_interruptions();
-    std::error_code failed;
-    fs::remove_all(directory, failed);
-    fs::create_directory(directory, failed);
-    if (failed)
-        throw file_error(directory + ": cannot be made: " + failed.message());
     directory_ = directory;
-    auto& paths = unfinished().paths;
-    paths.insert(std::ranges::find(paths, name_), directory); // before the file, which tells that it is there
+    remove_directory(directory_.c_str());
+    if (::mkdir(directory_.c_str(), 0777) != 0)
+        throw file_error(directory + ": cannot be made: " + std::strerror(errno));
 }
 
 void unfinished_file::commit()
 {
     if (not is_direct()) {
+        const auto lock = hold_interruptions();
         try {
             give_name(name_, target_);
-        } catch (const file_error&) {
+        } catch (...) {
             remove();
             throw;
         }
-        forget(directory_);
+        forget();
     }
     ::close(std::exchange(descriptor_, -1));
 }
@@ -288,7 +323,7 @@ void unfinished_file::refuse(const std::string& what) const
 }
 
 output_file::output_file(const std::string& path)
-    : path_(path), file_(path), buffer_(::dup(file_.descriptor())), stream_(&buffer_)
+    : path_(path), file_(path), buffer_(file_.descriptor()), stream_(&buffer_)
 {
 }
 
@@ -302,8 +337,8 @@ void output_file::commit()
     file_.commit();
 }
 
-output_file::buffer::buffer(int descriptor)
-    : descriptor_(descriptor), error_(descriptor < 0 ? errno : 0), bytes_(std::size_t(1) << 20)
+output_file::buffer::buffer(int file)
+    : bytes_(std::size_t(1) << 20), descriptor_(::dup(file)), error_(descriptor_ < 0 ? errno : 0)
 {
     setp(bytes_.data(), bytes_.data() + bytes_.size());
 }

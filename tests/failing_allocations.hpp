@@ -10,8 +10,6 @@
 #include <new>
 #include <string>
 
-extern "C" void* __libc_memalign(std::size_t, std::size_t);
-
 /// Lets allocations fail on purpose, in all threads.
 namespace failing_allocations {
 
@@ -94,7 +92,8 @@ void try_all(const Prepare& prepare, const Run& run, const Check& check, long st
 // NOLINTBEGIN(misc-definitions-in-headers): one file of a program includes this
 extern "C" void* aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept
 {
-    return failing_allocations::fails() ? nullptr : __libc_memalign(alignment, bytes);
+    void* result = nullptr; // posix_memalign is known to the sanitizers, too
+    return failing_allocations::fails() or posix_memalign(&result, alignment, bytes) != 0 ? nullptr : result;
 }
 void* operator new(std::size_t bytes)
 {
@@ -109,7 +108,7 @@ void* operator new[](std::size_t bytes)
 }
 void* operator new(std::size_t bytes, std::align_val_t alignment)
 {
-    void* const result = failing_allocations::fails() ? nullptr : __libc_memalign(std::size_t(alignment), bytes);
+    void* const result = aligned_alloc(std::size_t(alignment), bytes);
     if (result == nullptr)
         throw std::bad_alloc();
     return result;

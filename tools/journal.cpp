@@ -110,7 +110,7 @@ found_recipe recipe_for(const std::string& directory, const tile_request& reques
     return {std::move(*kept), true};
 }
 
-journal_share::journal_share(std::string directory) : directory_(std::move(directory))
+journal_share::journal_share(std::string directory) : directory_(std::move(directory)), recipe_(recipe_in(directory_))
 {
     while (not hold()) // another job has just given this surface its name
         ;
@@ -126,14 +126,18 @@ journal_share::journal_share(std::string directory, const found_recipe& recipe, 
     if (not there and recipe.is_kept)
         leave();
     else if (not there)
-        write_recipe(recipe_in(directory_), recipe.value);
+        write_recipe(recipe_, recipe.value);
     std::error_code failed;
     if (is_over() and not fs::exists(output, failed))
         throw file_error(directory_ + ": was removed while this job began; call it once more");
 }
 
 journal_share::journal_share(journal_share&& other) noexcept
-    : directory_(std::move(other.directory_)), descriptor_(std::exchange(other.descriptor_, -1))
+    : directory_(std::move(other.directory_))
+    , surface_(std::move(other.surface_))
+    , records_(std::move(other.records_))
+    , recipe_(std::move(other.recipe_))
+    , descriptor_(std::exchange(other.descriptor_, -1))
 {
 }
 
@@ -159,16 +163,15 @@ bool journal_share::hold()
     fs::create_directory(directory_, failed);
     if (failed)
         throw file_error(directory_ + ": cannot be made: " + failed.message());
-    const std::string surface = surface_in(directory_);
-    descriptor_ = ::open(surface.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    descriptor_ = ::open(surface_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0 and errno != ENOENT)
-        throw file_error(surface + ": cannot be opened for writing: " + std::strerror(errno));
+        throw file_error(surface_ + ": cannot be opened for writing: " + std::strerror(errno));
     if (descriptor_ < 0)
         return false;
     if (is_of_others()) {
         ::close(std::exchange(descriptor_, -1));
-        throw file_error(surface + ": is there without a recipe, so it may be somebody's; remove it, or name another "
-                                   "directory for the journal");
+        throw file_error(surface_ + ": is there without a recipe, so it may belong to another program; remove it, or "
+                                    "name another directory for the journal");
     }
     lock(descriptor_, LOCK_SH);
     if (holds_surface())
@@ -181,15 +184,14 @@ bool journal_share::hold()
 bool journal_share::is_of_others() const
 {
     struct stat mine = {};
-    std::error_code failed;
-    return ::fstat(descriptor_, &mine) == 0 and mine.st_size > 0 and not fs::exists(recipe_in(directory_), failed) and
+    return ::fstat(descriptor_, &mine) == 0 and mine.st_size > 0 and ::access(recipe_.c_str(), F_OK) != 0 and
            (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 or errno != EWOULDBLOCK) and holds_surface();
 }
 
 bool journal_share::holds_surface() const
 {
     struct stat mine = {}, there = {};
-    return ::fstat(descriptor_, &mine) == 0 and ::stat(surface_in(directory_).c_str(), &there) == 0 and
+    return ::fstat(descriptor_, &mine) == 0 and ::stat(surface_.c_str(), &there) == 0 and
            mine.st_ino == there.st_ino and mine.st_dev == there.st_dev;
 }
 
@@ -197,7 +199,7 @@ bool journal_share::holds_surface() const
 void journal_share::leave() noexcept
 {
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 and holds_surface()) {
-        std::remove(surface_in(directory_).c_str());
+        std::remove(surface_.c_str());
         std::remove(directory_.c_str());
     }
     ::close(std::exchange(descriptor_, -1));
@@ -215,8 +217,8 @@ bool journal_share::own()
 
 void journal_share::remove() noexcept
 {
-    std::remove(records_in(directory_).c_str());
-    std::remove(recipe_in(directory_).c_str());
+    std::remove(records_.c_str());
+    std::remove(recipe_.c_str());
     std::remove(directory_.c_str());
 }
 

@@ -61,7 +61,11 @@ private:
     [[nodiscard]] bool is_of_others() const;
     [[nodiscard]] bool holds_surface() const;
 
+    // The names are made once, so that removing the files needs no memory.
     std::string directory_;
+    std::string surface_ = surface_in(directory_);
+    std::string records_ = records_in(directory_);
+    std::string recipe_;
     int descriptor_ = -1;
 };
 

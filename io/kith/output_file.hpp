@@ -56,9 +56,17 @@ public:
     /// then.
     void commit();
 
+    /// For the thread that waits for signals, with interruptions held: removes the file and its directory, and tries
+    /// again for a second, since others may be putting more into the directory.
+    void remove_for_good() const;
+    /// The unfinished file that was begun before this one.
+    [[nodiscard]] const unfinished_file* next() const { return next_; }
+
 private:
+    unfinished_file() = default;
     void create();
     void remove() noexcept;
+    void forget() noexcept;
     [[noreturn]] void refuse(const std::string& what) const;
 
     std::string path_;   ///< for messages
@@ -66,6 +74,7 @@ private:
     std::string name_;
     std::string directory_;
     int descriptor_ = -1;
+    unfinished_file* next_ = nullptr; ///< in the list of all that a signal has to remove
 };
 
 /// A file that appears under its name only when it is complete, written as a stream. Errors: file_error.
@@ -83,7 +92,8 @@ private:
     /// Writes large chunks; flushing is left to `finish`, since some writers flush after every line.
     class buffer : public std::streambuf {
     public:
-        explicit buffer(int descriptor);
+        /// For another descriptor of a file that is open; closing it tells what could not be written.
+        explicit buffer(int file);
         ~buffer() override;
         /// Writes the rest and closes. Returns the error (errno), or 0.
         int finish();
@@ -95,9 +105,9 @@ private:
     private:
         bool write_out();
 
+        std::vector<char> bytes_; // the only allocation comes first
         int descriptor_;
         int error_ = 0;
-        std::vector<char> bytes_;
     };
 
     std::string path_;

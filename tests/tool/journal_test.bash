@@ -252,7 +252,7 @@ rm -r kept/*
 echo mine >kept/surface
 run refine cube.off -s catmull-clark -n 3 -o out.vtu --tiles 3 --journal kept
 exits 1
-says "kept/surface: is there without a recipe, so it may be somebody's; remove it, or name another directory"
+says "kept/surface: is there without a recipe, so it may belong to another program; remove it, or name another directory"
 check "it is untouched" test "$(cat kept/surface)" = mine
 leaves cube.off kept whole.ply whole.vtu
 rm -r kept
