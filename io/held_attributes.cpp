@@ -2,12 +2,12 @@
 #include <kith/format/held_attributes.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 namespace kith::io {
@@ -40,25 +40,25 @@ attribute_list take_if(const std::vector<attribute>& from, const Which& which)
 /// Whether a format has room for an attribute among these.
 class held_test {
 public:
-    held_test(mesh_format format, const mesh_attributes& attributes) : held_(held_by(format, attributes)) {}
-
-    bool operator()(const attribute& a) const
+    held_test(mesh_format format, const mesh_attributes& attributes)
     {
-        const std::array lists{&held_.colors,
-                               &held_.normals,
-                               &held_.textures,
-                               &held_.face_colors,
-                               &held_.corner_normals,
-                               &held_.corner_textures,
-                               &held_.labels,
-                               &held_.vertices,
-                               &held_.faces};
-        return std::ranges::any_of(lists,
-                                   [&](const auto* list) { return std::ranges::find(*list, &a) != list->end(); });
+        const held_attributes held = held_by(format, attributes);
+        for (const auto* list : {&held.colors,
+                                 &held.normals,
+                                 &held.textures,
+                                 &held.face_colors,
+                                 &held.corner_normals,
+                                 &held.corner_textures,
+                                 &held.labels,
+                                 &held.vertices,
+                                 &held.faces})
+            held_.insert(list->begin(), list->end());
     }
 
+    bool operator()(const attribute& a) const { return held_.contains(&a); }
+
 private:
-    held_attributes held_;
+    std::unordered_set<const attribute*> held_;
 };
 
 } // namespace
@@ -95,7 +95,8 @@ held_attributes held_by(mesh_format format, const mesh_attributes& all)
         result.textures = take(all.vertices, texture_names, 2, 2);
         result.face_colors = take(all.faces, color_names, 3, 4);
         break;
-    default: break;
+    case mesh_format::stl:
+    case mesh_format::vtu: break; // in tiles, see tile_attributes
     }
     return result;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 namespace kith::io {
@@ -67,8 +68,9 @@ bool take_odd_generation(mesh_attributes& attributes)
 std::vector<std::string> topics_of(const mesh_attributes& attributes)
 {
     std::vector<std::string> result;
+    std::unordered_set<std::string> told;
     const auto add = [&](const std::string& topic) {
-        if (std::ranges::find(result, topic) == result.end())
+        if (told.insert(topic).second)
             result.push_back(topic);
     };
     for (const auto& a : attributes.vertices)

@@ -32,7 +32,7 @@ std::optional<mesh_format> find_format(const std::string& path)
         return mesh_format::ply;
     if (extension == ".stl")
         return mesh_format::stl;
-    if (extension == ".vtu")
+    if (extension == ".vtu" or extension == ".vtp" or extension == ".pvtu" or extension == ".pvtp")
         return mesh_format::vtu;
     return std::nullopt;
 }
@@ -43,9 +43,8 @@ mesh_format format_of(const std::string& path)
 {
     if (const auto format = find_format(path))
         return *format;
-    const std::string extension = extension_of(path);
-    const std::string written = extension == ".pvtu" ? "; .pvtu is written in tiles and not read" : "";
-    throw file_error(path + ": the extension decides the format and must be .off, .obj, .ply, .stl or .vtu" + written);
+    throw file_error(path + ": the extension decides the format and must be .off, .obj, .ply, .stl, .vtu, .vtp, .pvtu "
+                            "or .pvtp");
 }
 
 mesh_format output_format_of(const std::string& path)

@@ -17,14 +17,16 @@ std::size_t texture_list(const ply_element& element)
     return std::size_t(found - element.properties.begin());
 }
 
-bool is_attribute(const ply_element& element, std::size_t property)
+std::vector<std::size_t> attributes_in(const ply_element& element)
 {
-    if (element.properties[property].is_list())
-        return false;
-    if (not element.is_vertex())
-        return true;
-    const auto place = element.place();
-    return std::ranges::find(place, property) == place.end();
+    std::vector<std::size_t> result;
+    for (std::size_t p = 0; p < element.properties.size(); ++p)
+        if (not element.properties[p].is_list())
+            result.push_back(p);
+    if (element.is_vertex())
+        for (const std::size_t coordinate : element.place())
+            std::erase(result, coordinate);
+    return result;
 }
 
 void take_words(const ply_header& header, mesh_attributes& attributes)
@@ -47,11 +49,10 @@ mesh_attributes kinds_in(const ply_header& header)
 {
     mesh_attributes result;
     for (const auto& element : header.elements)
-        for (std::size_t p = 0; p < element.properties.size(); ++p)
-            if (element.is_vertex() or element.is_face())
-                if (is_attribute(element, p))
-                    (element.is_vertex() ? result.vertices : result.faces)
-                        .push_back({element.properties[p].name, element.properties[p].value, {}, {}});
+        if (element.is_vertex() or element.is_face())
+            for (const std::size_t p : attributes_in(element))
+                (element.is_vertex() ? result.vertices : result.faces)
+                    .push_back({element.properties[p].name, element.properties[p].value, {}, {}});
     take_words(header, result);
     return result;
 }
@@ -66,6 +67,12 @@ std::vector<std::string> not_kept(const ply_header& header)
 {
     std::vector<std::string> result;
     for (const auto& element : header.elements) {
+        if (element.is_strips()) {
+            for (std::size_t p = 0; p < element.properties.size(); ++p)
+                if (p != element.corner_list())
+                    result.push_back(topic_of(element.properties[p].name, "strips"));
+            continue;
+        }
         if (not element.is_vertex() and not element.is_face()) {
             if (element.count != 0)
                 result.push_back("the elements '" + shown(element.name) + "'");

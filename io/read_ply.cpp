@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/text/counted.hpp>
+#include "triangle_strip.hpp"
+
 #include <kith/format/ply_attributes.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/text/text_cursor.hpp>
@@ -135,12 +136,15 @@ public:
                 read_vertices(element);
             else if (element.is_face())
                 read_faces(element);
+            else if (element.is_strips())
+                read_strips(element);
             else
                 for (std::uint64_t item = 0; item < element.count; ++item)
                     for (const auto& property : element.properties)
                         skip(element, property, item);
         }
         numbers_.expect_end();
+        add_strips();
         return std::move(soup_);
     }
 
@@ -193,16 +197,52 @@ private:
                 soup_.attributes.corners.push_back(
                     {std::string(texture_names[i]), element.properties[texture].value, std::move(texture_[i]), {}});
     }
+    /// Reads lists of vertices in which -1 ends a strip.
+    void read_strips(const ply_element& element)
+    {
+        const std::size_t list = element.corner_list();
+        std::vector<std::size_t> strip;
+        for (std::uint64_t item = 0; item < element.count; ++item)
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                const ply_property& property = element.properties[p];
+                if (p != list) {
+                    skip(element, property, item);
+                    continue;
+                }
+                const auto end_strip = [&] {
+                    append_strip(strips_, strip, element.name + " " + std::to_string(item));
+                    strip.clear();
+                };
+                for (std::int64_t left = read_length(element, property, item); left > 0; --left) {
+                    const auto vertex = numbers_.whole(property.value, [&] { return name(element, property, item); });
+                    if (vertex == -1)
+                        end_strip();
+                    else
+                        strip.push_back(checked_vertex(vertex, element.name, item));
+                }
+                end_strip();
+            }
+    }
+    /// Adds the triangles of the strips behind the faces. They have no attributes.
+    void add_strips()
+    {
+        for (std::size_t f = 0; f < strips_.size(); ++f)
+            soup_.faces.push_back(strips_[f]);
+        constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+        for (attribute& a : soup_.attributes.faces)
+            a.values.resize(soup_.faces.size(), no_number);
+        for (attribute& a : soup_.attributes.corners)
+            a.values.resize(soup_.faces.vertices.size(), no_number);
+    }
     /// The attributes that the properties of an element become, by their numbers in `attributes`; those that are left
     /// out have the number of none.
     static std::vector<std::size_t> columns_of(const ply_element& element, std::vector<attribute>& attributes)
     {
         std::vector<std::size_t> result(element.properties.size(), none);
-        for (std::size_t p = 0; p < result.size(); ++p)
-            if (is_attribute(element, p)) {
-                result[p] = attributes.size();
-                attributes.push_back({element.properties[p].name, element.properties[p].value, {}, {}});
-            }
+        for (const std::size_t p : attributes_in(element)) {
+            result[p] = attributes.size();
+            attributes.push_back({element.properties[p].name, element.properties[p].value, {}, {}});
+        }
         return result;
     }
     void read_value(const ply_element& element, const ply_property& property, std::uint64_t item,
@@ -247,13 +287,17 @@ private:
         const std::int64_t length = read_length(element, property, face);
         for (std::int64_t i = 0; i < length; ++i) {
             const std::int64_t vertex = numbers_.whole(property.value, what);
-            if (vertex < 0 or std::uint64_t(vertex) >= header_->vertices)
-                numbers_.refuse("face " + std::to_string(face) + ": vertex " + std::to_string(vertex) +
-                                " does not exist, there are " + std::to_string(header_->vertices) +
-                                "; correct the index");
-            soup_.faces.vertices.push_back(std::size_t(vertex));
+            soup_.faces.vertices.push_back(checked_vertex(vertex, "face", face));
         }
         soup_.faces.first.push_back(soup_.faces.vertices.size());
+    }
+    /// Errors: file_error for a vertex that is not in the file.
+    std::size_t checked_vertex(std::int64_t vertex, const std::string& element, std::uint64_t item) const
+    {
+        if (vertex < 0 or std::uint64_t(vertex) >= header_->vertices)
+            numbers_.refuse(element + " " + std::to_string(item) + ": vertex " + std::to_string(vertex) +
+                            " does not exist, there are " + std::to_string(header_->vertices) + "; correct the index");
+        return std::size_t(vertex);
     }
     void skip(const ply_element& element, const ply_property& property, std::uint64_t item)
     {
@@ -268,6 +312,7 @@ private:
     Numbers numbers_;
     const ply_header* header_;
     polygon_soup soup_;
+    face_list strips_;                    ///< their triangles
     std::vector<double> texture_of_face_; ///< of the face that is read
     std::array<std::vector<double>, 2> texture_;
 };

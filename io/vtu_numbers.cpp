@@ -12,8 +12,13 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <system_error>
 #include <utility>
+
+#ifdef KITH_HAS_ZLIB
+#include <zlib.h>
+#endif
 
 namespace kith::io {
 
@@ -104,6 +109,49 @@ bool append_whole(vtu_values& values, std::string_view word)
     return true;
 }
 
+/// Returns the first bytes of what is encoded, at most `size`.
+std::string decoded(std::string_view text, bool raw, std::size_t size)
+{
+    return raw ? std::string(text.substr(0, size)) : from_base64(text, size);
+}
+
+/// Errors: file_error where an array has another length. `length` is nothing where it is beyond all that is needed.
+void require_length(const vtu_array& array, std::optional<std::uint64_t> length, std::size_t size)
+{
+    if (length != size)
+        throw file_error(called(array) + " should have " + std::to_string(size) + " bytes, it has " +
+                         (length ? std::to_string(*length) : "more"));
+}
+
+[[noreturn]] void refuse_end(const vtu_array& array)
+{
+    throw file_error("the file ends in " + called(array));
+}
+
+constexpr std::string_view zlib_compressor = "vtkZLibDataCompressor";
+
+/// Appends so many bytes that are compressed in a block; returns false where the block holds others. Memory is taken
+/// only as far as a block of this size can become larger.
+bool append_inflated(std::string& result, std::string_view block, std::uint64_t size)
+{
+#ifdef KITH_HAS_ZLIB
+    constexpr std::uint64_t most_growth = 1040; // zlib's is 1032
+    if (size / most_growth > block.size())
+        return false;
+    const std::size_t before = result.size();
+    result.resize(before + size);
+    uLongf made = uLongf(size);
+    return uncompress(reinterpret_cast<Bytef*>(result.data() + before),
+                      &made,
+                      reinterpret_cast<const Bytef*>(block.data()),
+                      uLong(block.size())) == Z_OK and
+           made == size;
+#else
+    (void)result, (void)block, (void)size;
+    throw file_error("is compressed, and kith was built without zlib; write it without a compressor");
+#endif
+}
+
 } // namespace
 
 vtu_array vtu_array_of(const xml_tag& tag)
@@ -135,7 +183,7 @@ vtu_numbers::vtu_numbers(const xml_tag& file)
 {
     static_assert(std::endian::native == std::endian::little, "numbers are read as they lie");
     is_big_endian_ = file.attribute("byte_order") == "BigEndian";
-    is_compressed_ = not file.attribute("compressor").empty();
+    compressor_ = file.attribute("compressor");
     bytes_of_length_ = file.attribute("header_type") == "UInt64" ? 8 : 4;
 }
 
@@ -148,17 +196,10 @@ void vtu_numbers::set_appended(const xml_tag& tag, std::string_view rest)
     raw_ = tag.attribute("encoding") == "raw";
 }
 
-std::string vtu_numbers::decoded(std::string_view text, bool raw, std::size_t size) const
-{
-    return raw ? std::string(text.substr(0, size)) : from_base64(text, size);
-}
-
 std::string vtu_numbers::bytes_of(const vtu_array& array, std::size_t size) const
 {
     if (is_big_endian_)
         throw file_error("its numbers are big-endian, which is not read; write it on another machine, or as text");
-    if (is_compressed_)
-        throw file_error("is compressed, which is not read; write it without a compressor, or as text");
     const bool is_appended = array.tag.attribute("format") == "appended";
     std::string_view text = array.tag.text;
     if (is_appended) {
@@ -166,17 +207,63 @@ std::string vtu_numbers::bytes_of(const vtu_array& array, std::size_t size) cons
         text = appended_.substr(std::min(offset, appended_.size()));
     }
     const bool raw = is_appended and raw_;
+    if (not compressor_.empty())
+        return inflated(array, text, raw, size);
     std::uint64_t length = 0;
     const std::string head = decoded(text, raw, bytes_of_length_);
+    if (head.size() != bytes_of_length_)
+        refuse_end(array);
     std::memcpy(&length, head.data(), head.size());
-    if (head.size() < bytes_of_length_ or length != size)
-        throw file_error(called(array) + " should have " + std::to_string(size) + " bytes, it has " +
-                         std::to_string(length));
+    require_length(array, length, size);
     std::string bytes = decoded(text, raw, bytes_of_length_ + size);
-    if (bytes.size() < bytes_of_length_ + size)
-        throw file_error("the file ends in " + called(array));
+    if (bytes.size() != bytes_of_length_ + size)
+        refuse_end(array);
     bytes.erase(0, bytes_of_length_);
     return bytes;
+}
+
+/// A compressed array begins with the number of its blocks, the bytes of a block, those of the last one if it is a
+/// smaller one, and the compressed bytes of each block.
+std::string vtu_numbers::inflated(const vtu_array& array, std::string_view text, bool raw, std::size_t size) const
+{
+    if (compressor_ != zlib_compressor)
+        throw file_error("is compressed by " + shown(compressor_) + ", which is not read; write it with " +
+                         std::string(zlib_compressor) + ", or without a compressor");
+    const auto word = [&](const std::string& head, std::size_t i) {
+        std::uint64_t result = 0;
+        std::memcpy(&result, head.data() + i * bytes_of_length_, bytes_of_length_);
+        return result;
+    };
+    constexpr std::size_t words = 3;
+    std::string head = decoded(text, raw, words * bytes_of_length_);
+    if (head.size() != words * bytes_of_length_)
+        refuse_end(array);
+    const std::uint64_t blocks = word(head, 0), block_bytes = word(head, 1), last_bytes = word(head, 2);
+    if (blocks > text.size() / bytes_of_length_ or last_bytes > block_bytes)
+        throw file_error("the blocks of " + called(array) + " are no blocks of " + std::string(zlib_compressor));
+    const bool is_far_more = blocks > 1 and block_bytes > size / (blocks - 1);
+    const std::uint64_t last = last_bytes != 0 ? last_bytes : block_bytes;
+    const std::uint64_t length = blocks == 0 ? 0 : (blocks - 1) * block_bytes + last;
+    require_length(array, is_far_more ? std::nullopt : std::optional(length), size);
+    head = decoded(text, raw, (words + blocks) * bytes_of_length_);
+    if (head.size() != (words + blocks) * bytes_of_length_)
+        refuse_end(array);
+    std::size_t begin = head.size(), end = begin;
+    for (std::uint64_t i = 0; i < blocks; ++i)
+        end += std::min<std::uint64_t>(word(head, words + i), text.size() + 1); // more than there are
+    const std::string bytes = decoded(text, raw, end);
+    if (bytes.size() != end)
+        refuse_end(array);
+    std::string result;
+    for (std::uint64_t i = 0; i < blocks; ++i) {
+        const std::size_t compressed = word(head, words + i);
+        if (not append_inflated(
+                result, std::string_view(bytes).substr(begin, compressed), i + 1 == blocks ? last : block_bytes))
+            throw file_error("block " + std::to_string(i) + " of " + called(array) +
+                             " is damaged; write the file again");
+        begin += compressed;
+    }
+    return result;
 }
 
 vtu_values vtu_numbers::text_values(const vtu_array& array, std::size_t numbers) const

@@ -32,19 +32,20 @@ struct vtu_values {
 class vtu_numbers {
 public:
     explicit vtu_numbers(const xml_tag& file);
-    /// What comes behind the arrays: the element AppendedData, and all that follows.
+    /// Tells what comes behind the arrays: the element AppendedData, and all that follows.
     void set_appended(const xml_tag& tag, std::string_view rest);
 
-    /// So many values for each component. Errors: file_error where they are not there, or do not fit their type, and
-    /// for an order of bytes or a compression that is not read.
+    /// Returns so many values for each component. Errors: file_error where they are not there, or do not fit their
+    /// type, and for an order of bytes or a compressor that is not read.
     [[nodiscard]] vtu_values values(const vtu_array& array, std::size_t count) const;
 
 private:
     [[nodiscard]] vtu_values text_values(const vtu_array& array, std::size_t numbers) const;
     [[nodiscard]] std::string bytes_of(const vtu_array& array, std::size_t size) const;
-    [[nodiscard]] std::string decoded(std::string_view text, bool raw, std::size_t size) const;
+    [[nodiscard]] std::string inflated(const vtu_array& array, std::string_view text, bool raw, std::size_t size) const;
 
-    bool is_big_endian_, is_compressed_; ///< what is not text
+    bool is_big_endian_;     ///< what is not text
+    std::string compressor_; ///< of what is not text; empty: none
     std::size_t bytes_of_length_ = 4;
     std::string_view appended_;
     bool raw_ = false;

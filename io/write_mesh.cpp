@@ -30,10 +30,17 @@ bool fits_float(const point& p)
     return std::ranges::all_of(p, [](double x) { return std::isfinite(float(x)); });
 }
 
+[[noreturn]] void refuse_vtu()
+{
+    throw file_error("files of VTK are written in tiles, by kith::vtu_file; choose .off, .obj, .ply or .stl");
+}
+
 } // namespace
 
 void require_writable(mesh_format format, const written_mesh& what)
 {
+    if (format == mesh_format::vtu)
+        refuse_vtu();
     const basic_mesh<>& mesh = what.mesh;
     const bool in_floats = format == mesh_format::stl and what.binary;
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -62,13 +69,10 @@ void require_writable(mesh_format format, const written_mesh& what)
                     throw file_error("a value of '" + shown(a->name) +
                                      "' would not be finite; the values of the input are too large, or choose .ply");
     }
-    const std::size_t most = format == mesh_format::stl   ? 3
-                             : format == mesh_format::ply ? std::numeric_limits<std::uint8_t>::max()
-                                                          : mesh.vertex_count();
-    for (std::size_t f = 0; f < mesh.face_count(); ++f)
-        if (mesh.face(f).size() > most)
+    for (std::size_t f = 0; format == mesh_format::stl and f < mesh.face_count(); ++f)
+        if (mesh.face(f).size() > 3)
             throw file_error("face " + std::to_string(f) + " has " + std::to_string(mesh.face(f).size()) +
-                             " corners, this format holds " + std::to_string(most) + " at most; choose .off or .obj");
+                             " corners, this format holds 3 at most; choose .off, .obj or .ply");
     constexpr std::size_t most_in_ply = std::numeric_limits<std::int32_t>::max();
     if (format == mesh_format::ply and vertices_of(what) > most_in_ply)
         throw file_error("the mesh has " + std::to_string(vertices_of(what)) +
@@ -79,10 +83,11 @@ void require_writable(mesh_format format, const written_mesh& what)
 void write_mesh(std::ostream& out, mesh_format format, const written_mesh& what)
 {
     switch (format) {
+    case mesh_format::off: write_off(out, what); break;
     case mesh_format::obj: write_obj(out, what); break;
     case mesh_format::ply: write_ply(out, what); break;
     case mesh_format::stl: write_stl(out, what); break;
-    default: write_off(out, what);
+    case mesh_format::vtu: refuse_vtu();
     }
 }
 

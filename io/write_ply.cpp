@@ -56,36 +56,59 @@ ply_number type_of_list(const attribute_list& list)
     return are_of_one ? list[0]->type : ply_number{8, true, true};
 }
 
-/// The texture coordinates of the corners of a face, two each; none where one is missing.
-void write_texture(text_block& text, bool binary, bool short_lists, const attribute_list& uv, std::size_t first,
+/// Writes the length of a list.
+void write_length(text_block& text, bool binary, const ply_count& type, std::size_t entries)
+{
+    if (not binary)
+        text << entries;
+    else if (type.bytes == 1)
+        text.raw(std::uint8_t(entries));
+    else if (type.bytes == 2)
+        text.raw(std::uint16_t(entries));
+    else
+        text.raw(std::uint32_t(entries));
+}
+
+/// The degrees of the faces, and the types in which a file counts the entries of their lists.
+struct list_lengths {
+    std::size_t largest_degree = 0;
+    ply_count corners, textures;
+
+    explicit list_lengths(const basic_mesh<>& mesh)
+    {
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            largest_degree = std::max<std::size_t>(largest_degree, mesh.face(f).size());
+        corners = ply_count::of(largest_degree);
+        textures = ply_count::of(2 * largest_degree);
+    }
+};
+
+/// Writes the texture coordinates of the corners of a face, two each, or an empty list where one is missing.
+void write_texture(text_block& text, bool binary, const ply_count& count, const attribute_list& uv, std::size_t first,
                    std::size_t degree)
 {
     bool is_there = true;
     for (std::size_t c = first; c < first + degree; ++c)
         is_there &= has_all(uv, c);
-    const std::size_t length = is_there ? 2 * degree : 0;
     if (not binary)
-        text << ' ' << length;
-    else if (short_lists)
-        text.raw(std::uint8_t(length));
-    else
-        text.raw(std::uint16_t(length));
+        text << ' ';
+    write_length(text, binary, count, is_there ? 2 * degree : 0);
     const ply_number type = type_of_list(uv);
     for (std::size_t c = first; is_there and c < first + degree; ++c)
         for (const attribute* a : uv)
             write_number(text, binary, type, a->values[c]);
 }
 
-ply_contents contents_of(const written_mesh& what, const held_attributes& held, bool short_lists)
+ply_contents contents_of(const written_mesh& what, const held_attributes& held, const list_lengths& lengths)
 {
-    ply_contents result{vertices_of(what), what.mesh.face_count(), not what.normals.empty()};
+    ply_contents result{vertices_of(what), what.mesh.face_count(), not what.normals.empty(), lengths.largest_degree};
     if (what.attributes != nullptr)
         result.comments = ply_file_lines(what.attributes->file_lines);
     for (const attribute* a : held.faces)
         result.comments += ply_word_lines(a->name, a->labels);
     result.vertex_properties = properties_of(held.vertices);
     if (not held.corner_textures.empty())
-        result.face_properties = std::string("property list ") + (short_lists ? "uchar " : "ushort ") +
+        result.face_properties = "property list " + std::string(lengths.textures.word) + " " +
                                  std::string(name_of(type_of_list(held.corner_textures))) + " texcoord\n";
     result.face_properties += properties_of(held.faces);
     return result;
@@ -98,10 +121,8 @@ void write_ply(std::ostream& out, const written_mesh& what)
     static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
     const bool has_normals = not what.normals.empty();
     const held_attributes held = held_by(mesh_format::ply, what);
-    bool short_lists = true; // some programs read no others
-    for (std::size_t f = 0; f < what.mesh.face_count(); ++f)
-        short_lists &= 2 * what.mesh.face(f).size() <= std::numeric_limits<std::uint8_t>::max();
-    out << ply_head(what.binary, contents_of(what, held, short_lists));
+    const list_lengths lengths(what.mesh);
+    out << ply_head(what.binary, contents_of(what, held, lengths));
     write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
         if (what.binary) {
             text.raw(point_of(what, v));
@@ -119,19 +140,16 @@ void write_ply(std::ostream& out, const written_mesh& what)
     });
     write_blocks(out, what.mesh.face_count(), [&](text_block& text, std::size_t f) {
         const auto face = what.mesh.face(f);
-        if (what.binary) {
-            text.raw(std::uint8_t(face.size()));
-            for (const auto v : face)
+        write_length(text, what.binary, lengths.corners, face.size());
+        for (const auto v : face)
+            if (what.binary)
                 text.raw(std::int32_t(v));
-        } else {
-            text << face.size();
-            for (const auto v : face)
+            else
                 text << ' ' << std::size_t(v);
-        }
         if (not held.corner_textures.empty())
             write_texture(text,
                           what.binary,
-                          short_lists,
+                          lengths.textures,
                           held.corner_textures,
                           what.mesh.topology().first_corner(f),
                           face.size());

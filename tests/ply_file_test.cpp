@@ -12,11 +12,16 @@
 #include <kith/doo_sabin.hpp>
 #include <kith/field/with_fields.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/number/largest_degree.hpp>
+#include <kith/refine.hpp>
 #include <kith/slices/ply_header.hpp>
+#include <kith/tile/cut_tiles.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -243,10 +248,103 @@ TEST(ply_file, refuses_what_the_format_has_no_room_for)
         face.push_back(i);
     }
     const auto disk = kith::make_mesh(points, std::vector<std::vector<int>>{face});
-    EXPECT_EQ(error_text<kith::mesh_error>([&] {
-                  write(kith::ply_file(counts_of(disk), false, arrays),
-                        here.path / "file",
-                        last_tiles(disk, with_values(kith::catmull_clark(), disk), 0, in_blocks(disk, 1)));
-              }),
-              "face 0 has 128 corners, PLY holds 127 at most with their values; write .vtu");
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([&] {
+            write(kith::ply_file(counts_of(disk), false, arrays),
+                  here.path / "file",
+                  last_tiles(disk, with_values(kith::catmull_clark(), disk), 0, in_blocks(disk, 1)));
+        }),
+        "face 0 has 128 corners, the lists of this file count 127; give ply_file the largest degree of all faces");
+}
+
+namespace {
+
+/// A cone over a polygon of n corners, which is its base: closed, or without the base.
+mesh3d cone(int n, bool closed)
+{
+    std::vector<shapes::point> points{{0, 0, 2}};
+    std::vector<std::vector<int>> faces(closed ? 1 : 0);
+    for (int i = 0; i < n; ++i) {
+        points.push_back({std::cos(6.28 * i / n), std::sin(6.28 * i / n), 0});
+        faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+        if (closed)
+            faces[0].insert(faces[0].begin(), 1 + i);
+    }
+    return kith::make_mesh(points, faces);
+}
+
+/// Looks at the largest degree of the mesh, at that of its tiles, and at the types that files count in.
+template <class Scheme>
+void expect_largest_degree(const mesh3d& control, const Scheme& scheme, int levels)
+{
+    const auto mesh = kith::refine(control, scheme, levels);
+    std::size_t largest = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        largest = std::max<std::size_t>(largest, mesh.face(f).size());
+    const std::size_t told = kith::largest_degree(control, scheme, levels);
+    EXPECT_EQ(told, largest);
+    const auto parts = in_blocks(control, 3);
+    kith::tile_cutter cutter(control, scheme, parts.part_of, parts.parts);
+    std::size_t of_tiles = 0;
+    for (std::size_t t = 0; t < 3; ++t)
+        of_tiles = std::max(of_tiles, kith::largest_degree(cutter.cut(t, 1).part, scheme, levels));
+    EXPECT_EQ(of_tiles, largest);
+}
+
+} // namespace
+
+TEST(ply_file, knows_the_largest_degree_before_there_are_faces)
+{
+    for (const bool closed : {true, false}) {
+        const mesh3d control = cone(300, closed);
+        for (const int levels : {1, 2}) {
+            expect_largest_degree(control, kith::doo_sabin(), levels);
+            expect_largest_degree(control, kith::catmull_clark(), levels);
+        }
+        expect_largest_degree(control, kith::catmull_clark(), 0);
+    }
+}
+
+TEST(ply_file, counts_the_corners_of_large_faces_in_wider_numbers)
+{
+    const directory here;
+    for (const int n : {120, 200, 300, 40000}) {
+        std::vector<shapes::point> points;
+        std::vector<int> face;
+        for (int i = 0; i < n; ++i) {
+            points.push_back({double(i), double(i) * i, 0});
+            face.push_back(i);
+        }
+        const auto disk = kith::make_mesh(points, std::vector<std::vector<int>>{face});
+        const kith::ply_file layout(counts_of(disk), false, arrays, {}, std::uint64_t(n));
+        write(layout,
+              here.path / "file",
+              last_tiles(disk, with_values(kith::catmull_clark(), disk), 0, in_blocks(disk, 1)));
+        const std::string bytes = bytes_of(here.path / "file");
+        ASSERT_EQ(bytes.size(), layout.size());
+        const std::string corners = n > 255 ? "ushort" : "uchar", values = n == 40000 ? "uint"
+                                                                           : n > 127  ? "ushort"
+                                                                                      : "uchar";
+        EXPECT_NE(
+            bytes.find("property list " + corners + " int vertex_indices\nproperty list " + values + " float texcoord"),
+            std::string::npos);
+        reader in(bytes);
+        for (int v = 0; v < n; ++v) {
+            EXPECT_EQ(in.next<shapes::point>(), points[std::size_t(v)]);
+            (void)in.next<double>(), (void)in.next<std::uint8_t>();
+        }
+        const auto count = [&](const std::string& type) {
+            return type == "uchar"    ? std::size_t(in.next<std::uint8_t>())
+                   : type == "ushort" ? std::size_t(in.next<std::uint16_t>())
+                                      : std::size_t(in.next<std::uint32_t>());
+        };
+        EXPECT_EQ(count(corners), n);
+        for (int v = 0; v < n; ++v)
+            EXPECT_EQ(in.next<std::int32_t>(), v);
+        EXPECT_EQ(count(values), 2 * n);
+        for (int c = 0; c < n; ++c)
+            EXPECT_EQ(in.next<uv_type>(), (uv_type{float(c), 1 / float(c + 1)}));
+        (void)in.next<std::int16_t>();
+        EXPECT_TRUE(in.is_at_end());
+    }
 }

@@ -39,11 +39,12 @@ double bytes_of(double vertices, double edges, double faces, const planned_level
 double bytes_on_mesh(const planned_level& level, mesh_kind mesh)
 {
     switch (mesh) {
+    case mesh_kind::native: break;
     case mesh_kind::cgal:
         return bytes_of(28.125, 32.125, 4.125, level);           // points, half-edges of 16 bytes, bits for removed
     case mesh_kind::openmesh: return bytes_of(29, 35, 5, level); // and a byte of properties for each element
-    default: return double(level.bytes);
     }
+    return double(level.bytes);
 }
 
 /// Of a vertex on the way to the limit surface: its place there, a mark, the normal with the vertex that it is of, and

@@ -9,9 +9,11 @@
 #include <kith/part/checksum.hpp>
 #include <kith/tile/pack.hpp>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -183,8 +185,10 @@ std::vector<std::byte> pack_recipe(const recipe& recipe)
     add_settings(out, recipe);
     out.add_array(recipe.output);
     add_mesh(out, recipe);
-    out.add(checksum_of(recipe));
-    return out.take();
+    auto bytes = out.take();
+    const auto sum = packer().add(kith::detail::checksum_of_bytes(bytes)).take();
+    bytes.insert(bytes.end(), sum.begin(), sum.end());
+    return bytes;
 }
 
 recipe unpack_recipe(const std::vector<std::byte>& bytes)
@@ -201,7 +205,9 @@ recipe unpack_recipe(const std::vector<std::byte>& bytes)
     result.control = in.get_array<std::vector<std::byte>>();
     result.parts.part_of = in.get_array<std::vector<std::uint32_t>>();
     result.parts.parts = in.get<std::uint64_t>();
-    if (in.get<std::uint64_t>() != checksum_of(result) or not in.is_at_end())
+    constexpr std::size_t sum_bytes = sizeof(std::uint64_t);
+    const auto summed = std::span(bytes).first(bytes.size() - std::min(sum_bytes, bytes.size()));
+    if (in.get<std::uint64_t>() != kith::detail::checksum_of_bytes(summed) or not in.is_at_end())
         throw pack_error("the recipe is damaged, its checksum is wrong");
     return result;
 }

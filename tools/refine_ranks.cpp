@@ -15,6 +15,7 @@
 #include "tile_attributes.hpp"
 #include "tile_output.hpp"
 
+#include <kith/number/largest_degree.hpp>
 #include <kith/part/checksum.hpp>
 #include <kith/refine.hpp>
 #include <kith/slices/tiles_of_slices.hpp>
@@ -143,6 +144,12 @@ std::uint64_t number_on_root(mpi::communicator& comm, std::uint64_t number)
     return comm.sum(std::array{comm.is_root() ? number : 0})[0];
 }
 
+/// Collective: the largest of the numbers of all ranks.
+std::uint64_t largest_on_all(mpi::communicator& comm, std::size_t number)
+{
+    return std::uint64_t(comm.maximum(std::array{double(number)})[0]);
+}
+
 void print(mpi::communicator& comm, const rank_request& request, const whole_counts& counts,
            const std::optional<mesh_checksum>& checksum)
 {
@@ -171,11 +178,12 @@ mesh_checksum checksum_on_one_rank(const tile_request& what, const Scheme& schem
             .mesh);
 }
 
-/// Refines, and writes the surface. `kept` is on rank 0, and `seconds` is what was spent so far.
+/// Refines and writes the surface. `kept` is on rank 0, `largest_degree` that of the last level as far as this rank
+/// knows its control mesh, and `seconds` what was spent so far.
 template <class Scheme>
 void write_surface(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, const found_recipe& kept,
                    mpi::rank_refinement<std::array<double, 3>, std::uint32_t, Scheme>& refinement,
-                   phase_seconds& seconds)
+                   std::size_t largest_degree, phase_seconds& seconds)
 {
     const tile_request& what = request.what;
     const whole_counts counts = refinement.whole().counts(what.levels);
@@ -183,6 +191,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
 
     const std::uint64_t recipe_sum = comm.is_root() and not request.journal.empty() ? checksum_of(kept.value) : 0;
     const output_surface surface{.counts = counts,
+                                 .largest_degree = largest_on_all(comm, largest_degree),
                                  .tiles = refinement.tiles(),
                                  .recipe = number_on_root(comm, recipe_sum),
                                  .process = number_on_root(comm, std::uint64_t(getpid()))};
@@ -238,7 +247,13 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
     const auto sums = comm.sum(std::array{done.owned_faces, sum.bits});
     const mesh_checksum all{sums[1] + job.checksum.bits};
     seconds += done.seconds;
-    mpi::in_agreement(comm, [&] { timed(seconds[phase::write], [&] { output.close(); }); });
+    byte_sum found;
+    mpi::in_agreement(comm, [&] {
+        const phase_timer timer(seconds[phase::write]);
+        found = output.sum_of_share(std::uint64_t(comm.rank()), std::uint64_t(comm.size()));
+        output.close();
+    });
+    found.bits = comm.sum(std::array{found.bits})[0];
     mpi::in_agreement(comm, [&] {
         if (not comm.is_root())
             return;
@@ -247,7 +262,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
                                    std::to_string(counts.faces) + "; this is an error in kith");
         if (request.verify and checksum_on_one_rank(what, plain(scheme)) != all)
             throw std::logic_error("the surface differs from that of one rank; this is an error in kith");
-        timed(seconds[phase::write], [&] { output.commit(); });
+        timed(seconds[phase::write], [&] { output.commit(found); });
     });
     for (const phase p : {phase::send, phase::wait})
         seconds[p] += comm.seconds()[p];
@@ -275,7 +290,12 @@ void refine_by(mpi::communicator& comm, const rank_request& request, const Schem
     });
     mpi::rank_refinement refinement(
         comm, request.what.control, scheme, request.what.levels, kept.value.parts, last_rings(request.what));
-    write_surface(comm, request, scheme, kept, refinement, seconds);
+    std::size_t degree = 0;
+    mpi::in_agreement(comm, [&] {
+        if (comm.is_root())
+            degree = largest_degree(request.what.control, scheme, request.what.levels);
+    });
+    write_surface(comm, request, scheme, kept, refinement, degree, seconds);
 }
 
 template <class Scheme>
@@ -295,9 +315,11 @@ void refine_slices(mpi::communicator& comm, rank_request& request, const Scheme&
     });
     with_attributes(scheme, what, [&]<class Whole>(const Whole& whole) {
         std::vector<kept_tile<tile<std::array<double, 3>>, Whole>> tiles;
+        std::size_t degree = 0;
         mpi::in_agreement(comm, [&] {
             const phase_timer timer(seconds[phase::read]);
             for (auto& [number, part] : read.tiles) {
+                degree = std::max(degree, largest_degree(part, scheme, what.levels));
                 Whole here = whole;
                 if constexpr (scheme_beside_state<Whole>)
                     here = with_fields(scheme, attributes->of_tile(part));
@@ -305,7 +327,7 @@ void refine_slices(mpi::communicator& comm, rank_request& request, const Scheme&
             }
         });
         mpi::rank_refinement refinement(comm, std::move(tiles), read.counts, whole, what.levels, last_rings(what));
-        write_surface(comm, request, whole, {}, refinement, seconds);
+        write_surface(comm, request, whole, {}, refinement, degree, seconds);
     });
 }
 

@@ -7,6 +7,7 @@
 #include "tile_attributes.hpp"
 #include "tile_output.hpp"
 
+#include <kith/number/largest_degree.hpp>
 #include <kith/refine_in_tiles.hpp>
 
 #include <algorithm>
@@ -89,6 +90,7 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     output.verify = how.verify;
     tile_output file(output,
                      {.counts = result.counts,
+                      .largest_degree = largest_degree(request.control, scheme, request.levels),
                       .tiles = result.tiles,
                       .recipe = how.journal.empty() ? 0 : checksum_of(kept.value),
                       .process = std::uint64_t(getpid())});
@@ -122,9 +124,11 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
         throw std::logic_error("the tiles have " + std::to_string(done.faces) + " faces, not " +
                                std::to_string(result.counts.faces) + "; this is an error in kith");
     timed(done.seconds[phase::write], [&] {
+        const bool is_complete = result.finished_tiles == result.tiles;
+        const byte_sum found = is_complete ? file.sum_of_share(0, 1) : byte_sum();
         file.close();
-        if (result.finished_tiles == result.tiles)
-            file.commit();
+        if (is_complete)
+            file.commit(found);
     });
     result.seconds = done.seconds;
     return result;

@@ -12,12 +12,16 @@
 #include <kith/level/lift.hpp>
 #include <kith/plan.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace kith::tool {
 
@@ -31,15 +35,46 @@ struct planned_job {
     std::uint64_t bytes = 0;
 };
 
+/// A column of a table: its heading, which may have blanks before it, and its entries.
+struct table_column {
+    std::string heading;
+    std::vector<std::uint64_t> entries{};
+
+    /// At least two blanks stand before the longest entry.
+    [[nodiscard]] std::size_t width() const
+    {
+        std::size_t result = heading.size();
+        for (const std::uint64_t entry : entries)
+            result = std::max(result, std::to_string(entry).size() + 2);
+        return result;
+    }
+};
+
+/// Prints columns of the same length, aligned to the right.
+void print_columns(const std::vector<table_column>& columns)
+{
+    const auto print_row = [&](const auto& text_of) {
+        for (const table_column& column : columns)
+            std::cout << std::setw(int(column.width())) << text_of(column);
+        std::cout << '\n';
+    };
+    print_row([](const table_column& column) { return column.heading; });
+    for (std::size_t row = 0; row < columns.front().entries.size(); ++row)
+        print_row([&](const table_column& column) { return std::to_string(column.entries[row]); });
+}
+
 void print_table(const planned_job& job)
 {
     const auto& levels = job.levels;
-    std::cout << "level        vertices           edges           faces           bytes\n";
+    std::vector<table_column> columns{
+        {"level"}, {"        vertices"}, {"           edges"}, {"           faces"}, {"           bytes"}};
     for (std::size_t level = 0; level < levels.size(); ++level) {
         const auto& [counts, bytes, least_bytes] = levels[level];
-        std::cout << std::setw(5) << level << std::setw(16) << counts.vertices << std::setw(16) << counts.edges
-                  << std::setw(16) << counts.faces << std::setw(16) << bytes << '\n';
+        const std::array<std::uint64_t, 5> row{level, counts.vertices, counts.edges, counts.faces, bytes};
+        for (std::size_t i = 0; i < row.size(); ++i)
+            columns[i].entries.push_back(row[i]);
     }
+    print_columns(columns);
     std::cout << "refining needs " << job.bytes << " bytes at once, keeping all levels " << peak_bytes(levels, true)
               << '\n';
 }
@@ -64,14 +99,23 @@ void print_json(const planned_job& job)
 
 void print_table(const planned_ranks& plan)
 {
-    std::cout << "rings of shadows on level 0: " << plan.rings
-              << "\n rank  tiles     faces   shadows  message bytes      last faces     tile bytes    output bytes\n";
+    std::cout << "rings of shadows on level 0: " << plan.rings << '\n';
+    std::vector<table_column> columns{{" rank"},
+                                      {"  tiles"},
+                                      {"     faces"},
+                                      {"   shadows"},
+                                      {"  message bytes"},
+                                      {"      last faces"},
+                                      {"     tile bytes"},
+                                      {"    output bytes"}};
     for (std::size_t rank = 0; rank < plan.ranks.size(); ++rank) {
         const planned_rank& r = plan.ranks[rank];
-        std::cout << std::setw(5) << rank << std::setw(7) << r.tiles << std::setw(10) << r.faces << std::setw(10)
-                  << r.shadows << std::setw(15) << r.message_bytes << std::setw(16) << r.last_faces << std::setw(15)
-                  << r.tile_bytes << std::setw(16) << r.output_bytes << '\n';
+        const std::array<std::uint64_t, 8> row{
+            rank, r.tiles, r.faces, r.shadows, r.message_bytes, r.last_faces, r.tile_bytes, r.output_bytes};
+        for (std::size_t i = 0; i < row.size(); ++i)
+            columns[i].entries.push_back(row[i]);
     }
+    print_columns(columns);
     std::cout << "refining the largest tile needs " << plan.largest_tile_bytes << " bytes at once\n";
 }
 

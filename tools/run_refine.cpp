@@ -34,10 +34,11 @@ namespace po = boost::program_options;
 refined_mesh refine_on(mesh_kind mesh, basic_mesh<> control, const refine_request& request)
 {
     switch (mesh) {
+    case mesh_kind::native: break;
     case mesh_kind::cgal: return refine_cgal(std::move(control), request);
     case mesh_kind::openmesh: return refine_openmesh(std::move(control), request);
-    default: return refine_native(std::move(control), request);
     }
+    return refine_native(std::move(control), request);
 }
 
 po::options_description options_of_refine()

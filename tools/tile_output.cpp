@@ -119,7 +119,8 @@ tile_output::tile_output(const output_request& request, const output_surface& su
                                                request.with_normals,
                                                request.arrays);
     } else if (extension_of(request.path) == ".ply") {
-        layout_ = std::make_unique<ply_file>(surface.counts, request.with_normals, request.arrays, request.file_lines);
+        layout_ = std::make_unique<ply_file>(
+            surface.counts, request.with_normals, request.arrays, request.file_lines, surface.largest_degree);
     } else {
         layout_ = std::make_unique<vtu_file>(
             surface.counts, request.levels, request.with_origin, request.with_normals, request.arrays);
@@ -242,12 +243,19 @@ std::optional<finished_tile> tile_output::finished(std::uint64_t tile)
 
 finished_tile tile_output::write(const tile_type& part, const tile_values& values, cell_origin origin)
 {
+    finished_tile finished{owned_count(part.face_marks)};
     try {
-        layout_->write_tile(*file_, part, origin, as_bytes(values));
+        if (journal_) {
+            summed_bytes summed(&*file_);
+            layout_->write_tile(summed, part, origin, as_bytes(values));
+            finished.bytes = summed.sum();
+            finished.bytes += layout_->sum_of_own_file(origin.tile);
+        } else {
+            layout_->write_tile(*file_, part, origin, as_bytes(values));
+        }
     } catch (const mesh_error& error) {
         throw file_error(request_.path + ": " + error.what());
     }
-    finished_tile finished{owned_count(part.face_marks)};
     if (journal_ or request_.with_checksum)
         finished.checksum = checksum(part);
     if (journal_)
@@ -263,13 +271,43 @@ std::optional<std::string> tile_output::damage(const tile_type& part, const tile
     return layout_->difference(*file_, part, std::uint32_t(tile), as_bytes(values));
 }
 
+byte_sum tile_output::sum_of_share(std::uint64_t share, std::uint64_t shares)
+{
+    if (not journal_)
+        return {};
+    const auto begin = [&](std::uint64_t i) {
+        return layout_->size() / shares * i + layout_->size() % shares * i / shares;
+    };
+    byte_sum result = sum_of_bytes(*file_, begin(share), begin(share + 1));
+    for (std::uint64_t tile = share; tile < journal_->tiles(); tile += shares)
+        result += layout_->sum_of_own_file(tile);
+    return result;
+}
+
+/// Compares with the sums that the journal has of its tiles, and that of the frame.
+void tile_output::require_bytes(byte_sum found)
+{
+    summed_bytes frame(nullptr);
+    layout_->write_frame(frame);
+    byte_sum expected = frame.sum();
+    auto surface = offset_file::open(incomplete_);
+    for (const auto& tile : journal_->read(surface))
+        if (tile)
+            expected += tile->bytes;
+    if (found != expected)
+        throw file_error(incomplete_ +
+                         ": is damaged, its bytes are not those that were written; call again with --verify, "
+                         "which writes damaged tiles again, or remove " +
+                         request_.journal + " and begin again");
+}
+
 void tile_output::close()
 {
     file_->close();
     file_.reset();
 }
 
-void tile_output::commit()
+void tile_output::commit(byte_sum found)
 {
     if (share_ and not share_->own())
         return;
@@ -277,6 +315,7 @@ void tile_output::commit()
     require_names();
     if (share_) {
         restore_records(); // another job may have found no way to name the surface
+        require_bytes(found);
         cut_records();
     }
     if (not pieces_.empty()) {

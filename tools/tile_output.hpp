@@ -42,6 +42,7 @@ struct output_request {
 /// What the whole surface is: the same on all ranks.
 struct output_surface {
     whole_counts counts;
+    std::uint64_t largest_degree = 4; ///< of its faces
     std::uint64_t tiles = 0;
     std::uint64_t recipe = 0;  ///< its checksum, for the journal
     std::uint64_t process = 0; ///< the id of the one that begins
@@ -73,15 +74,19 @@ public:
     /// Errors: write_error.
     [[nodiscard]] std::optional<std::string> damage(const tile_type& part, const tile_values& values,
                                                     std::uint64_t tile);
+    /// Returns the sum of the bytes of one of so many shares of what a journal keeps: all shares together are what
+    /// `commit` asks for. Without a journal there is nothing to read. Errors: write_error.
+    [[nodiscard]] byte_sum sum_of_share(std::uint64_t share, std::uint64_t shares);
     void close();
-    /// Gives the file its name, unless another job has done so; nothing of the journal is left then. When it fails,
-    /// what is finished stays in the journal.
-    /// Errors: file_error, write_error.
-    void commit();
+    /// Gives the file its name, unless another job has done so; nothing of the journal is left then. `found` is the sum
+    /// of all shares. When it fails, what is finished stays in the journal.
+    /// Errors: file_error, also where the bytes are not those that were written; write_error.
+    void commit(byte_sum found);
 
 private:
     [[nodiscard]] std::string incomplete_pieces() const;
     void require_names() const;
+    void require_bytes(byte_sum found);
     void cut_records();
     void restore_records();
 

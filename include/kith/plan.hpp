@@ -157,24 +157,25 @@ KITH_IN_LIBRARY void refuse_plan(std::string_view scheme, const partial_plan& pl
 }
 KITH_IN_LIBRARY bool is_countable(partial_plan& plan)
 {
-    constexpr std::uint64_t countable = std::uint64_t(1) << 50; // there are more bytes than elements
-    const counts& last = plan.levels.back().counts;
-    if (std::max({last.vertices, last.edges, last.faces, last.boundary_corners}) <= countable)
-        return true;
-    plan.problem = "level " + std::to_string(plan.levels.size()) + " has more elements than 64 bits can count";
-    return false;
+    const counts& last = plan.levels.back().counts; // twice the edges of the next level are counted, too
+    if (std::max({last.vertices, last.edges, last.faces, last.boundary_corners}) > std::uint64_t(1) << 58)
+        plan.problem = "level " + std::to_string(plan.levels.size()) + " has more elements than 64 bits can count";
+    return plan.problem.empty();
 }
 KITH_IN_LIBRARY bool add_level(partial_plan& plan, const counts& next, int degree, std::size_t point_bytes,
                                std::size_t index_bytes)
 {
-    if (index_bytes < 8 and std::max(next.vertices, 2 * next.edges) >= (std::uint64_t(1) << (8 * index_bytes)) - 1) {
-        plan.problem = "level " + std::to_string(plan.levels.size()) + " has " + std::to_string(next.vertices) +
-                       " vertices and " + std::to_string(next.edges) + " edges, more than a " +
-                       std::to_string(8 * index_bytes) + "-bit index can number";
-        return false;
-    }
-    plan.levels.push_back(plan_level(next, degree, point_bytes, index_bytes));
-    return true;
+    const std::string level = "level " + std::to_string(plan.levels.size()) + " has " + std::to_string(next.vertices) +
+                              " vertices and " + std::to_string(next.edges) + " edges, ";
+    const double indices = double(next.vertices) + 8 * double(next.edges) +
+                           double(next.faces); // at most, and twice in all levels
+    if (index_bytes < 8 and std::max(next.vertices, 2 * next.edges) >= (std::uint64_t(1) << (8 * index_bytes)) - 1)
+        plan.problem = level + "more than a " + std::to_string(8 * index_bytes) + "-bit index can number";
+    else if (double(next.vertices) * double(point_bytes) + indices * double(index_bytes) >= 0x1p63)
+        plan.problem = level + "whose bytes 64 bits cannot count";
+    else
+        plan.levels.push_back(plan_level(next, degree, point_bytes, index_bytes));
+    return plan.problem.empty();
 }
 
 } // namespace detail

@@ -26,7 +26,9 @@ polygon_soup read_off(std::string_view bytes);
 polygon_soup read_obj(std::string_view bytes);
 polygon_soup read_ply(std::string_view bytes);
 polygon_soup read_stl(std::string_view bytes);
-/// VTK's unstructured grid of triangles, quads and polygons, as text, in base64 or raw, without compression.
+/// Reads VTK's UnstructuredGrid or PolyData of triangles, quads, polygons and strips: as text, in base64 or raw, also
+/// compressed by zlib. Several pieces become one mesh: vertices with the same id (GlobalPointIds) are joined, and
+/// vertices and faces are numbered by their ids. An index of files (.pvtu, .pvtp) is read by read_mesh_file.
 polygon_soup read_vtu(std::string_view bytes);
 
 } // namespace kith::io

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../error_text.hpp"
 #include "files.hpp"
 
 #include <kith/crease/creases.hpp>
@@ -9,7 +10,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -163,6 +168,69 @@ TEST(read_ply, types_of_numbers)
         expect_tetrahedron(mesh_format::ply,
                            files::binary_ply<std::int32_t, std::uint32_t, std::uint16_t>("int", "uint", "uint16", big));
     }
+}
+
+TEST(read_ply, strips_of_triangles)
+{
+    const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n";
+    const auto header = [](const std::string& format, const std::string& elements) {
+        return "ply\nformat " + format +
+               " 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+               "property float z\n" +
+               elements + "end_header\n";
+    };
+    const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+    const auto read = [&](const std::string& elements, const std::string& data) {
+        return io::read_mesh(mesh_format::ply, header("ascii", elements) + points + data);
+    };
+    using numbers = std::vector<std::size_t>;
+    EXPECT_EQ(read(strips, "6 0 1 2 3 4 5").faces.vertices, (numbers{0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5}));
+    // Two strips; a strip that goes on over triangles without area; one that is empty.
+    EXPECT_EQ(read(strips, "9 0 1 2 3 -1 2 3 4 -1").faces.vertices, (numbers{0, 1, 2, 2, 1, 3, 2, 3, 4}));
+    EXPECT_EQ(read(strips, "8 0 1 2 3 3 2 2 5").faces.vertices, (numbers{0, 1, 2, 2, 1, 3}));
+    EXPECT_EQ(read(strips, "4 0 1 2 2").faces.vertices, (numbers{0, 1, 2}));
+    EXPECT_EQ(read("element tristrips 2\nproperty list int int vertex_indices\n", "3 0 1 2 4 2 3 4 5").faces.vertices,
+              (numbers{0, 1, 2, 2, 3, 4, 4, 3, 5}));
+    const auto more = read("element tristrips 1\nproperty uchar flag\nproperty list int int vertex_indices\n",
+                           "9 3 0 1 2");
+    EXPECT_EQ(more.faces.size(), 1);
+    EXPECT_EQ(more.not_kept, (std::vector<std::string>{"the property 'flag' of strips"}));
+
+    // Faces beside them come first, whatever the order in the file, and alone have numbers.
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\n";
+    for (const bool strips_first : {false, true}) {
+        const auto both = strips_first ? read(strips + faces, "3 0 1 2 4 2 3 5 4 9")
+                                       : read(faces + strips, "4 2 3 5 4 9 3 0 1 2");
+        EXPECT_EQ(both.faces.vertices, (numbers{2, 3, 5, 4, 0, 1, 2}));
+        EXPECT_TRUE(both.not_kept.empty());
+        ASSERT_EQ(both.attributes.faces.size(), 1);
+        EXPECT_EQ(both.attributes.faces[0].values[0], 9);
+        EXPECT_TRUE(std::isnan(both.attributes.faces[0].values[1]));
+    }
+    for (const bool big_endian : {false, true}) {
+        std::string bytes = header(big_endian ? "binary_big_endian" : "binary_little_endian", strips);
+        for (int v = 0; v < 6; ++v)
+            for (const float x : {float(v % 2), float(v / 2), 0.F})
+                files::append(bytes, x, big_endian);
+        for (const std::int32_t x : {8, 0, 1, 2, -1, 2, 3, 4, 5})
+            files::append(bytes, x, big_endian);
+        EXPECT_EQ(io::read_mesh(mesh_format::ply, bytes).faces.vertices, (numbers{0, 1, 2, 2, 3, 4, 4, 3, 5}));
+    }
+
+    const auto said = [&](const std::string& data) {
+        return error_text<io::file_error>([&] { (void)read(strips, data); });
+    };
+    EXPECT_EQ(said("6 0 1 2 -1 3 4"),
+              "tristrips 0: a strip of 2 vertices makes no triangle; give it three or remove it");
+    EXPECT_NE(said("3 0 1 6").find("tristrips 0: vertex 6 does not exist, there are 6; correct the index"),
+              std::string::npos);
+    EXPECT_NE(said("3 0 1 -2").find("tristrips 0: vertex -2 does not exist"), std::string::npos);
+    EXPECT_NE(said("3 0 1").find("the file ends where tristrips 0: vertex_indices should be"), std::string::npos);
+    EXPECT_EQ(error_text<io::file_error>([&] { (void)read("", ""); }),
+              "the file must have one element 'vertex' and one element 'face' or 'tristrips'");
+    EXPECT_EQ(error_text<io::file_error>(
+                  [&] { (void)read("element tristrips 1\nproperty list int float vertex_indices\n", "0"); }),
+              "the strips have no list 'vertex_indices' of whole numbers");
 }
 
 TEST(read_ply, everything_else_is_named)

@@ -7,12 +7,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include <zlib.h>
 
 namespace {
 
@@ -97,7 +102,27 @@ std::string encoded(const std::string& bytes)
 /// One of the ways in which VTK writes its arrays.
 enum class way { text, base64, base64_length_apart, appended_base64, appended_raw };
 
-std::string file(way how, bool long_lengths = false)
+/// The head and the blocks of bytes as vtkZLibDataCompressor has them. Word is the type of the numbers in the head.
+template <class Word>
+std::pair<std::string, std::string> compressed(const std::string& bytes, std::size_t block_bytes)
+{
+    std::string head, blocks, lengths;
+    Word count = 0;
+    for (std::size_t at = 0; at < bytes.size(); at += block_bytes, ++count) {
+        const std::string block = bytes.substr(at, block_bytes);
+        std::vector<Bytef> out(compressBound(uLong(block.size())));
+        uLongf size = uLongf(out.size());
+        EXPECT_EQ(compress(out.data(), &size, reinterpret_cast<const Bytef*>(block.data()), uLong(block.size())), Z_OK);
+        blocks.append(reinterpret_cast<const char*>(out.data()), size);
+        files::append(lengths, Word(size));
+    }
+    for (const Word word : {count, Word(block_bytes), Word(bytes.size() % block_bytes)})
+        files::append(head, word);
+    return {head + lengths, blocks};
+}
+
+/// `block_bytes` of arrays that are compressed; 0: none is.
+std::string file(way how, bool long_lengths = false, std::size_t block_bytes = 0)
 {
     std::string arrays[7], data;
     std::size_t array = 0;
@@ -107,25 +132,32 @@ std::string file(way how, bool long_lengths = false)
             files::append(bytes, x);
             text += " " + std::to_string(x);
         }
-        long_lengths ? files::append(length, std::uint64_t(bytes.size()))
-                     : files::append(length, std::uint32_t(bytes.size()));
+        if (block_bytes != 0)
+            std::tie(length, bytes) = long_lengths ? compressed<std::uint64_t>(bytes, block_bytes)
+                                                   : compressed<std::uint32_t>(bytes, block_bytes);
+        else
+            long_lengths ? files::append(length, std::uint64_t(bytes.size()))
+                         : files::append(length, std::uint32_t(bytes.size()));
         const bool is_appended = how == way::appended_base64 or how == way::appended_raw;
         const std::string format = how == way::text ? "ascii" : is_appended ? "appended" : "binary";
         std::string& declared = arrays[array++];
         declared = "<DataArray " + attributes + " format=\"" + format + "\"";
         if (is_appended) {
             declared += " offset=\"" + std::to_string(data.size()) + "\"/>\n";
-            data += how == way::appended_raw ? length + bytes : encoded(length + bytes);
+            data += how == way::appended_raw ? length + bytes
+                    : block_bytes != 0       ? encoded(length) + encoded(bytes)
+                                             : encoded(length + bytes);
         } else {
             declared += ">\n" +
-                        (how == way::text                  ? text
-                         : how == way::base64_length_apart ? encoded(length) + encoded(bytes)
-                                                           : " " + encoded(length + bytes)) +
+                        (how == way::text                                      ? text
+                         : how == way::base64_length_apart or block_bytes != 0 ? encoded(length) + encoded(bytes)
+                                                                               : " " + encoded(length + bytes)) +
                         "\n</DataArray>\n";
         }
     });
     return "<?xml version=\"1.0\"?>\n<!-- <Piece> -->\n<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\"" +
            std::string(long_lengths ? " header_type=\"UInt64\"" : "") +
+           (block_bytes != 0 ? " compressor=\"vtkZLibDataCompressor\"" : "") +
            ">\n<UnstructuredGrid>\n<FieldData>\n<DataArray type=\"String\" Name=\"words\" format=\"ascii\">1 0\n"
            "</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"4\" NumberOfCells=\"4\">\n<PointData "
            "TCoords=\"where\">" +
@@ -157,6 +189,313 @@ TEST(read_vtu, numbers_in_all_ways_of_writing_them)
     for (const way how : {way::text, way::base64, way::base64_length_apart, way::appended_base64, way::appended_raw})
         for (const bool long_lengths : {false, true})
             expect_tetrahedron(file(how, long_lengths));
+}
+
+TEST(read_vtu, numbers_that_are_compressed)
+{
+    for (const way how : {way::text, way::base64, way::appended_base64, way::appended_raw})
+        for (const bool long_lengths : {false, true})
+            for (const std::size_t block_bytes : {4, 32, 1 << 15})
+                expect_tetrahedron(file(how, long_lengths, block_bytes));
+}
+
+TEST(read_vtu, empty_arrays_that_are_compressed)
+{
+    const auto soup = read(
+        replaced(cells("3 6", "5 5"), "<VTKFile ", "<VTKFile compressor=\"vtkZLibDataCompressor\" "));
+    EXPECT_EQ(soup.faces.size(), 2);
+    // Zero blocks of 32768 bytes, the last of 0, in words of four bytes.
+    const std::string empty = "<DataArray type=\"Int64\" Name=\"none\" format=\"binary\">AAAAAACAAAAAAAAA</DataArray>";
+    const std::string points =
+        "<DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"binary\">AAAAAACAAAAAAAAA";
+    const auto no_points = read(
+        "<VTKFile type=\"PolyData\" compressor=\"vtkZLibDataCompressor\"><PolyData><Piece NumberOfPoints=\"0\">"
+        "<Points>" +
+        points + "</DataArray></Points><PointData>" + empty + "</PointData></Piece></PolyData></VTKFile>");
+    EXPECT_EQ(no_points.points.size(), 0);
+    ASSERT_EQ(no_points.attributes.vertices.size(), 1);
+    EXPECT_EQ(no_points.attributes.vertices[0].name, "none");
+}
+
+TEST(read_vtu, refuses_compressed_numbers_that_are_damaged)
+{
+    const std::string plain = file(way::appended_raw, true, 32);
+    const std::string compressor = "vtkZLibDataCompressor";
+    for (const std::string other : {"vtkLZ4DataCompressor", "vtkLZMADataCompressor"})
+        EXPECT_EQ(refusal(replaced(plain, compressor, other)),
+                  "is compressed by " + other +
+                      ", which is not read; write it with vtkZLibDataCompressor, or without a compressor");
+    // Another number of points needs another number of bytes.
+    EXPECT_EQ(refusal(replaced(plain, "NumberOfPoints=\"4\"", "NumberOfPoints=\"3\"")),
+              "the array '' should have 72 bytes, it has 96");
+    EXPECT_EQ(refusal(replaced(plain, "NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"")),
+              "the array '' should have 120 bytes, it has 96");
+    EXPECT_EQ(refusal(replaced(plain, "NumberOfPoints=\"4\"", "NumberOfPoints=\"1\"")),
+              "the array '' should have 24 bytes, it has more");
+    EXPECT_EQ(refusal(plain.substr(0, plain.size() - 60)), "the file ends in the array 'my <id>'");
+    // The head of the points: 3 blocks of 32 bytes.
+    const std::size_t head = plain.find("\n _") + 3;
+    const auto with = [&](std::size_t at, std::uint64_t number) {
+        std::string bytes, result = plain;
+        files::append(bytes, number);
+        return refusal(result.replace(head + at, 8, bytes));
+    };
+    EXPECT_EQ(with(0, 2), "the array '' should have 96 bytes, it has 64");
+    EXPECT_EQ(with(0, 4), "the array '' should have 96 bytes, it has 128");
+    EXPECT_EQ(with(0, std::uint64_t(1) << 60), "the blocks of the array '' are no blocks of vtkZLibDataCompressor");
+    EXPECT_EQ(with(16, 33), "the blocks of the array '' are no blocks of vtkZLibDataCompressor");
+    EXPECT_EQ(with(16, 8), "the array '' should have 96 bytes, it has 72");
+    EXPECT_EQ(with(8, 31), "the array '' should have 96 bytes, it has 93");
+    EXPECT_EQ(with(24, std::uint64_t(1) << 60), "the file ends in the array ''");
+    EXPECT_EQ(with(24, ~std::uint64_t(0)), "the file ends in the array ''");
+    for (std::size_t block = 0; block < 3; ++block)
+        EXPECT_EQ(with(24 + 8 * block, 0),
+                  "block " + std::to_string(block) +
+                      " of the array '' is damaged; write the "
+                      "file again");
+    std::string changed = plain;
+    changed[head + 6 * 8 + 4] = char(changed[head + 6 * 8 + 4] ^ 1);
+    EXPECT_EQ(refusal(changed), "block 0 of the array '' is damaged; write the file again");
+}
+
+TEST(read_vtu, refuses_arrays_of_another_length)
+{
+    for (const bool long_lengths : {false, true})
+        for (const way how :
+             {way::text, way::base64, way::base64_length_apart, way::appended_base64, way::appended_raw}) {
+            const std::string whole = file(how, long_lengths);
+            const std::string fewer = refusal(replaced(whole, "NumberOfPoints=\"4\"", "NumberOfPoints=\"3\""));
+            const std::string more = refusal(replaced(whole, "NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""));
+            EXPECT_EQ(fewer,
+                      how == way::text ? "the array '' should have 9 numbers, it has more"
+                                       : "the array '' should have 72 bytes, it has 96");
+            EXPECT_EQ(more,
+                      how == way::text ? "the array '' should have 15 numbers, it has 12"
+                                       : "the array '' should have 120 bytes, it has 96");
+        }
+    // The data of an array may be longer than it says, but not shorter.
+    const std::string raw = file(way::appended_raw);
+    std::string length, other;
+    files::append(length, std::uint32_t(96));
+    files::append(other, std::uint32_t(95));
+    EXPECT_EQ(refusal(replaced(raw, "\n _" + length, "\n _" + other)), "the array '' should have 96 bytes, it has 95");
+    for (std::size_t left = 0; left < 36; ++left) {
+        const std::size_t begin = raw.find("\n _") + 3 + 4 + 96 + 4 + 48 + 4 + 32 + 4 + 4 + 4 + 4 + 4 + 32;
+        EXPECT_EQ(refusal(raw.substr(0, begin + left)), "the file ends in the array 'my <id>'") << left;
+    }
+}
+
+/// An array of numbers as text.
+std::string array(const std::string& type, const std::string& name, const std::string& numbers,
+                  const std::string& more = "")
+{
+    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" " + more + ">" + numbers + "</DataArray>\n";
+}
+
+std::string points(const std::string& numbers)
+{
+    return "<Points>" + array("Float64", "p", numbers, "NumberOfComponents=\"3\"") + "</Points>\n";
+}
+
+std::string piece(const std::string& points_there, std::size_t point_count, const std::string& vertices,
+                  const std::string& offsets, const std::string& types, std::size_t cell_count,
+                  const std::string& point_data, const std::string& cell_data)
+{
+    return "<Piece NumberOfPoints=\"" + std::to_string(point_count) + "\" NumberOfCells=\"" +
+           std::to_string(cell_count) + "\">\n<PointData>" + point_data + "</PointData><CellData>" + cell_data +
+           "</CellData>" + points(points_there) + "<Cells>" + array("Int64", "connectivity", vertices) +
+           array("Int64", "offsets", offsets) + array("UInt8", "types", types) + "</Cells></Piece>\n";
+}
+
+std::string grid_of(const std::string& pieces)
+{
+    return "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>\n" + pieces + "</UnstructuredGrid></VTKFile>\n";
+}
+
+/// Two pieces of a strip of three quads, of which the second knows one of the first as a ghost.
+const std::string first_piece = piece("0 0 0 1 0 0 1 1 0 0 1 0", 4, "0 1 2 3", "4", "9", 1,
+                                      array("Int64", "GlobalPointIds", "10 11 15 14") +
+                                          array("Float32", "heat", "1 2 3 4"),
+                                      array("Int64", "GlobalCellIds", "7") + array("Int16", "part", "-5"));
+const std::string second_piece = piece(
+    "3 1 0 2 1 0 2 0 0 3 0 0 1 0 0 1 1 0 0 0 0 0 1 0", 8, "4 2 1 5 2 3 0 1 6 4 5 7", "4 8 12", "9 9 9", 3,
+    array("Int64", "GlobalPointIds", "17 16 12 13 11 15 10 14") + array("Float32", "heat", "8 7 5 6 2 3 1 4"),
+    array("Int64", "GlobalCellIds", "3 9 7") + array("Int16", "part", "1 2 8") +
+        array("UInt8", "vtkGhostType", "0 0 1"));
+
+void expect_three_quads(const io::polygon_soup& soup)
+{
+    EXPECT_TRUE(soup.not_kept.empty());
+    EXPECT_TRUE(soup.notes.empty());
+    EXPECT_EQ(soup.points,
+              (std::vector<std::array<double, 3>>{
+                  {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {3, 1, 0}}));
+    EXPECT_EQ(soup.faces.vertices, (std::vector<std::size_t>{1, 2, 6, 5, 0, 1, 5, 4, 2, 3, 7, 6}));
+    EXPECT_EQ(soup.faces.first, (std::vector<std::size_t>{0, 4, 8, 12}));
+    ASSERT_EQ(soup.attributes.vertices.size(), 1);
+    EXPECT_EQ(soup.attributes.vertices[0].name, "heat");
+    EXPECT_EQ(soup.attributes.vertices[0].values, (std::vector<double>{1, 2, 5, 6, 4, 3, 7, 8}));
+    ASSERT_EQ(soup.attributes.faces.size(), 1);
+    EXPECT_EQ(soup.attributes.faces[0].name, "part");
+    EXPECT_EQ(soup.attributes.faces[0].type.bytes, 2);
+    EXPECT_EQ(soup.attributes.faces[0].values, (std::vector<double>{1, -5, 2}));
+}
+
+TEST(read_vtu, several_pieces_that_share_vertices)
+{
+    expect_three_quads(read(grid_of(first_piece + second_piece)));
+    expect_three_quads(read(grid_of(second_piece + first_piece)));
+    // Pieces without elements need no arrays.
+    expect_three_quads(
+        read(grid_of("<Piece NumberOfPoints=\"0\" NumberOfCells=\"0\"></Piece>" + first_piece + second_piece)));
+
+    EXPECT_EQ(refusal(grid_of(first_piece + replaced(second_piece, "1 0 0 1 1 0 0 0 0", "1 0 2 1 1 0 0 0 0"))),
+              "the pieces have the vertex with the id 11 at several places; give different vertices different "
+              "GlobalPointIds");
+    EXPECT_EQ(refusal(grid_of(first_piece + replaced(second_piece, "3 9 7", "3 7 9"))),
+              "the pieces have two cells with the id 7; give different cells different GlobalCellIds");
+    const auto lacking = read(grid_of(first_piece + replaced(second_piece, "heat", "cold")));
+    EXPECT_EQ(lacking.not_kept,
+              (std::vector<std::string>{"the array 'heat', which some pieces lack",
+                                        "the array 'cold', which some pieces lack"}));
+    EXPECT_TRUE(lacking.attributes.vertices.empty());
+    const auto wider = read(grid_of(first_piece + replaced(second_piece, "\"Int16\"", "\"Float32\"")));
+    EXPECT_TRUE(wider.attributes.faces[0].type.floating);
+    EXPECT_EQ(wider.attributes.faces[0].values, (std::vector<double>{1, -5, 2}));
+
+    // A single piece keeps its ids as attributes, and its order.
+    const auto alone = read(grid_of(first_piece));
+    ASSERT_EQ(alone.attributes.vertices.size(), 2);
+    EXPECT_EQ(alone.attributes.vertices[0].name, "GlobalPointIds");
+    EXPECT_EQ(alone.points[2], (std::array<double, 3>{1, 1, 0}));
+}
+
+TEST(read_vtu, several_pieces_without_ids_stay_apart)
+{
+    const auto without = [](std::string text) {
+        return replaced(replaced(text, "GlobalPointIds", "id"), "GlobalCellIds", "id");
+    };
+    const auto soup = read(grid_of(without(first_piece) + without(second_piece)));
+    EXPECT_EQ(soup.points.size(), 12);
+    EXPECT_EQ(soup.faces.vertices, (std::vector<std::size_t>{0, 1, 2, 3, 8, 6, 5, 9, 6, 7, 4, 5}));
+    EXPECT_EQ(soup.attributes.faces[0].values, (std::vector<double>{7, 3, 9}));
+    EXPECT_EQ(soup.notes,
+              (std::vector<std::string>{"its pieces have no GlobalPointIds for all vertices; vertices of different "
+                                        "pieces stay apart, also at the same place"}));
+}
+
+/// Two lines, a pentagon and a triangle, and a strip of three triangles.
+const std::string poly_data =
+    "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"7\" NumberOfVerts=\"0\" NumberOfLines=\"2\" "
+    "NumberOfStrips=\"1\" NumberOfPolys=\"2\">" +
+    points("0 0 0 1 0 0 1 1 0 0 1 0 0 2 0 1 2 0 2 2 2") + "<CellData>" + array("UInt8", "color", "1 2 3 4 5") +
+    "</CellData><PointData Normals=\"n\">" +
+    array("Float32", "n", "0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 0 1 0", "NumberOfComponents=\"3\"") +
+    "</PointData><Lines>" + array("Int32", "connectivity", "0 1 1 2") + array("Int32", "offsets", "2 4") +
+    "</Lines><Strips>" + array("Int32", "connectivity", "0 1 3 2 4") + array("Int32", "offsets", "5") +
+    "</Strips><Polys>" + array("Int32", "connectivity", "2 3 4 5 6 0 1 2") + array("Int32", "offsets", "5 8") +
+    "</Polys></Piece></PolyData></VTKFile>";
+
+TEST(read_vtu, poly_data_of_polygons_and_strips)
+{
+    const auto soup = read(poly_data);
+    EXPECT_EQ(soup.not_kept, (std::vector<std::string>{"points and lines"}));
+    EXPECT_EQ(soup.points.size(), 7);
+    EXPECT_EQ(soup.points[6], (std::array<double, 3>{2, 2, 2}));
+    EXPECT_EQ(soup.faces.first, (std::vector<std::size_t>{0, 5, 8, 11, 14, 17}));
+    EXPECT_EQ(soup.faces.vertices, (std::vector<std::size_t>{2, 3, 4, 5, 6, 0, 1, 2, 0, 1, 3, 3, 1, 2, 3, 2, 4}));
+    ASSERT_EQ(soup.attributes.faces.size(), 1);
+    EXPECT_EQ(soup.attributes.faces[0].values, (std::vector<double>{3, 4, 5, 5, 5}));
+    ASSERT_EQ(soup.attributes.vertices.size(), 3);
+    EXPECT_EQ(soup.attributes.vertices[1].name, "ny");
+    EXPECT_EQ(soup.attributes.vertices[1].values[6], 1);
+
+    EXPECT_EQ(refusal(replaced(poly_data, "0 1 3 2 4", "0 1 3 2 7")),
+              "cell 4 has a vertex that is not among the 7 vertices of the file");
+    EXPECT_EQ(refusal(replaced(poly_data, "2 3 4 5 6 0 1 2", "2 3 4 5 6 0 1 -1")),
+              "cell 3 has a vertex that is not among the 7 vertices of the file");
+    EXPECT_EQ(refusal(replaced(poly_data, ">5 8<", ">6 8<")), "cell 3 has 2 corners, not what its type has");
+    EXPECT_EQ(refusal(replaced(replaced(poly_data, "0 1 3 2 4", "0 1"), ">5<", ">2<")),
+              "cell 4: a strip of 2 vertices makes no triangle; give it three or remove it");
+    EXPECT_EQ(refusal(replaced(poly_data, "NumberOfPolys=\"2\"", "NumberOfPolys=\"3\"")),
+              "the array 'offsets' should have 3 numbers, it has 2");
+    EXPECT_EQ(refusal(replaced(poly_data, "NumberOfPolys=\"2\"", "NumberOfPolys=\"-2\"")),
+              "line 1: NumberOfPolys should be a whole number, it is '-2'");
+    EXPECT_EQ(read(cells("4", "6", "0 1 2 3")).faces.vertices, (std::vector<std::size_t>{0, 1, 2, 2, 1, 3}));
+}
+
+TEST(read_vtu, an_index_of_files)
+{
+    const std::filesystem::path here = std::filesystem::temp_directory_path() / "kith_read_vtu_test";
+    std::filesystem::remove_all(here);
+    std::filesystem::create_directories(here / "parts");
+    const auto write = [&](const std::string& name, const std::string& text) {
+        std::ofstream(here / name, std::ios::binary) << text;
+    };
+    const auto index = [](const std::string& sources) {
+        return "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid>" + sources + "</PUnstructuredGrid></VTKFile>";
+    };
+    write("parts/0.vtu", grid_of(first_piece));
+    write("parts/1.vtu", grid_of(second_piece));
+    const std::string both = "<Piece Source=\"parts/0.vtu\"/>\n<Piece Source=\"parts/1.vtu\"/>";
+    write("whole.pvtu", index(both));
+    expect_three_quads(io::read_mesh_file((here / "whole.pvtu").string()));
+    const std::string piece_with_words =
+        "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><FieldData><DataArray type=\"String\" Name=\"group\" "
+        "format=\"ascii\">0 97 0 98 0</DataArray></FieldData>";
+    const auto with_words = [&](std::string text, const std::string& values) {
+        return replaced(replaced(grid_of(replaced(text, "\"part\"", "\"group\"")),
+                                 "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>",
+                                 piece_with_words),
+                        values,
+                        values == ">-5<" ? ">2<" : ">0 1 2<");
+    };
+    write("parts/0.vtu", with_words(first_piece, ">-5<"));
+    write("parts/1.vtu", with_words(second_piece, ">1 2 8<"));
+    const auto soup = io::read_mesh_file((here / "whole.pvtu").string());
+    EXPECT_TRUE(soup.not_kept.empty());
+    ASSERT_EQ(soup.attributes.faces.size(), 1);
+    EXPECT_EQ(soup.attributes.faces[0].labels, (std::vector<std::string>{"", "a", "b"}));
+    EXPECT_EQ(soup.attributes.faces[0].values, (std::vector<double>{0, 2, 1}));
+
+    const auto said = [&](const std::string& text) {
+        write("whole.pvtu", text);
+        try {
+            (void)io::read_mesh_file((here / "whole.pvtu").string());
+        } catch (const io::file_error& error) {
+            const std::string path = here.string() + "/";
+            std::string result = error.what();
+            for (auto at = result.find(path); at != result.npos; at = result.find(path))
+                result.erase(at, path.size());
+            return result;
+        }
+        return std::string("read");
+    };
+    EXPECT_EQ(said(index("<Piece Source=\"parts/0.vtu\"/>\n<Piece Source=\"parts/0.vtu\"/>")),
+              "whole.pvtu: names the piece parts/0.vtu twice; name it once");
+    EXPECT_EQ(said(index("<Piece Source=\"parts/2.vtu\"/>")),
+              "whole.pvtu: parts/2.vtu: cannot be opened: No such file or directory");
+    EXPECT_EQ(said(index("<Piece/>")), "whole.pvtu: has a piece without a Source; name its file");
+    EXPECT_EQ(said(index("<Piece Source=\"whole.pvtu\"/>")),
+              "whole.pvtu: its piece whole.pvtu: is an index of pieces, not a piece");
+    EXPECT_EQ(said(index("")), "whole.pvtu: has no piece with points and cells");
+    write("parts/0.vtu", replaced(grid_of(first_piece), "\"types\"", "\"other\""));
+    EXPECT_EQ(said(index(both)), "whole.pvtu: its piece parts/0.vtu: the cells have no array 'types'");
+    EXPECT_EQ(refusal(index(both)), "has its pieces in files of their own; read it by its path");
+    std::filesystem::remove_all(here);
+}
+
+TEST(read_vtu, gives_arrays_of_one_name_names_of_their_own)
+{
+    std::string arrays;
+    for (int i = 0; i < 4; ++i)
+        arrays += array("Int8", "a", "1 2");
+    arrays += array("Int8", "a_2", "1 2") + array("Int8", "", "1 2") + array("Int8", "", "1 2");
+    const auto soup = read(replaced(cells("3 6", "5 5"), "</CellData>", arrays + "</CellData>"));
+    std::vector<std::string> names;
+    for (const auto& a : soup.attributes.faces)
+        names.push_back(a.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"x_", "a", "a_", "a_2", "a_3", "a_2_", "_", "_2"}));
 }
 
 TEST(read_vtu, arrays_behind_one_about_which_more_is_told)
@@ -264,14 +603,10 @@ TEST(read_vtu, tags_end_behind_what_is_quoted)
 TEST(read_vtu, refuses_what_it_does_not_read_and_says_what_to_do)
 {
     const std::string text = file(way::text), raw = file(way::appended_raw);
-    EXPECT_EQ(refusal(replaced(text, "type=\"UnstructuredGrid\"", "type=\"PolyData\"")),
-              "holds PolyData, not an UnstructuredGrid; save it as one");
-    EXPECT_EQ(refusal(replaced(raw, "LittleEndian\"", "LittleEndian\" compressor=\"vtkZLibDataCompressor\"")),
-              "is compressed, which is not read; write it without a compressor, or as text");
+    EXPECT_EQ(refusal(replaced(text, "type=\"UnstructuredGrid\"", "type=\"ImageData\"")),
+              "holds ImageData, which is not read; save it as an UnstructuredGrid (.vtu) or as PolyData (.vtp)");
     EXPECT_EQ(refusal(replaced(raw, "LittleEndian", "BigEndian")),
               "its numbers are big-endian, which is not read; write it on another machine, or as text");
-    EXPECT_EQ(refusal(replaced(text, "</Piece>", "</Piece><Piece NumberOfPoints=\"0\" NumberOfCells=\"0\">")),
-              "has several pieces; save it as one");
     EXPECT_EQ(refusal(replaced(text, "NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"")),
               "the array '' should have 15 numbers, it has 12");
     EXPECT_EQ(refusal(replaced(text, "NumberOfPoints=\"4\"", "NumberOfPoints=\"18446744073709551615\"")),

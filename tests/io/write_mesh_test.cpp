@@ -12,10 +12,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -121,6 +124,55 @@ TEST(write_mesh_file, writes_off_to_standard_output)
     const basic_mesh<> mesh = tetrahedron();
     io::write_mesh_file("-", {.mesh = mesh});
     EXPECT_EQ(testing::internal::GetCapturedStdout(), written(mesh_format::off, {.mesh = mesh}));
+}
+
+TEST(write_mesh, vtu_is_refused_and_not_written_as_another_format)
+{
+    const basic_mesh<> mesh = tetrahedron();
+    const std::string text = "files of VTK are written in tiles, by kith::vtu_file; choose .off, .obj, .ply or .stl";
+    EXPECT_EQ(refusal(mesh_format::vtu, {.mesh = mesh}), text);
+    std::ostringstream out;
+    EXPECT_EQ(error_text<io::file_error>([&] { io::write_mesh(out, mesh_format::vtu, {.mesh = mesh}); }), text);
+    EXPECT_EQ(out.str(), "");
+}
+
+TEST(write_mesh, faces_of_many_corners)
+{
+    for (const std::size_t n : {127, 128, 255, 256, 32768, 65535, 65536}) {
+        points corners;
+        std::vector<std::size_t> face;
+        for (std::size_t i = 0; i < n; ++i) {
+            corners.push_back({double(i), double(i * i), 0.25});
+            face.push_back((i + 5) % n);
+        }
+        // A triangle at the first side, so that faces are of several degrees.
+        corners.push_back({-1, -1, 7});
+        const basic_mesh<> mesh = make_mesh(corners, std::vector<std::vector<std::size_t>>{face, {1, 0, n}});
+        io::mesh_attributes attributes;
+        for (const auto name : {"u", "v"}) {
+            attributes.corners.emplace_back().name = name;
+            for (std::size_t c = 0; c < n + 3; ++c)
+                attributes.corners.back().values.push_back(double(c) / (name[0] == 'u' ? 2 : 4));
+        }
+        const std::string degree = n > 65535 ? "uint" : n > 255 ? "ushort" : "uchar";
+        const std::string values = n > 32767 ? "uint" : n > 127 ? "ushort" : "uchar";
+        for (const bool binary : {false, true}) {
+            const std::string bytes = written(mesh_format::ply,
+                                              {.mesh = mesh, .binary = binary, .attributes = &attributes});
+            EXPECT_NE(bytes.find("property list " + degree + " int vertex_indices\nproperty list " + values +
+                                 " double texcoord\nend_header\n"),
+                      std::string::npos)
+                << n;
+            const auto soup = io::read_mesh(mesh_format::ply, bytes);
+            ASSERT_EQ(soup.faces.size(), 2);
+            EXPECT_TRUE(std::ranges::equal(soup.faces[0], mesh.face(0)));
+            EXPECT_TRUE(std::ranges::equal(soup.faces[1], mesh.face(1)));
+            EXPECT_EQ(soup.points, corners);
+            ASSERT_EQ(soup.attributes.corners.size(), 2);
+            EXPECT_EQ(soup.attributes.corners[0].values, attributes.corners[0].values);
+            EXPECT_EQ(soup.attributes.corners[1].values, attributes.corners[1].values);
+        }
+    }
 }
 
 TEST(write_mesh, isolated_points_come_last)

@@ -133,52 +133,57 @@ TEST(read_tiles, equals_tiles_that_are_cut_from_the_whole_mesh)
 TEST(read_tiles, leaves_room_for_numbers_beside_places_and_corners)
 {
     const auto torus = shapes::shaken(shapes::torus(6, 9));
-    const shared_file file([&](std::ostream& out) {
-        out << "ply\nformat binary_little_endian 1.0\nelement vertex 54\nproperty short id\nproperty double x\n"
-               "property float weight\nproperty double y\nproperty double z\nproperty double twice\nelement face 54\n"
-               "property char mark\nproperty uint key\nproperty list uchar int vertex_indices\nproperty ushort far\n"
-               "property double area\nend_header\n";
-        for (std::size_t v = 0; v < 54; ++v) {
-            const auto& p = torus.points[v];
-            put(out, std::int16_t(-int(v)));
-            put(out, p[0]);
-            put(out, float(v) / 4);
-            put(out, p[1]);
-            put(out, p[2]);
-            put(out, 2 * double(v));
-        }
-        for (std::size_t f = 0; f < 54; ++f) {
-            put(out, std::int8_t(-int(f)));
-            put(out, std::uint32_t(4294967295U - f));
-            put(out, std::uint8_t(4));
-            for (const std::size_t v : torus.faces[f])
-                put(out, std::int32_t(v));
-            put(out, std::uint16_t(65535 - f));
-            put(out, 1 / double(f + 1));
-        }
-    });
-    const auto mesh = native(torus);
-    const auto parts = kith::block_partition(mesh, std::size_t(world().size())); // as the file is dealt out
-    kith::tile_cutter cutter(mesh, kith::doo_sabin{}, parts.part_of, parts.parts);
-    const auto expected = cutter.cut(std::size_t(world().rank()), 2).part;
-    const auto read = kith::mpi::read_tiles(world(), shared_file::path(), 2);
-    EXPECT_TRUE(same_bits(read.tiles[0].part.mesh, expected.mesh));
+    for (const bool wide : {false, true}) {
+        const shared_file file([&](std::ostream& out) {
+            out << "ply\nformat binary_little_endian 1.0\nelement vertex 54\nproperty short id\nproperty double x\n"
+                   "property float weight\nproperty double y\nproperty double z\nproperty double twice\nelement face "
+                   "54\n"
+                   "property char mark\nproperty uint key\nproperty list "
+                << (wide ? "int ushort" : "uchar int")
+                << " vertex_indices\nproperty ushort far\n"
+                   "property double area\nend_header\n";
+            for (std::size_t v = 0; v < 54; ++v) {
+                const auto& p = torus.points[v];
+                put(out, std::int16_t(-int(v)));
+                put(out, p[0]);
+                put(out, float(v) / 4);
+                put(out, p[1]);
+                put(out, p[2]);
+                put(out, 2 * double(v));
+            }
+            for (std::size_t f = 0; f < 54; ++f) {
+                put(out, std::int8_t(-int(f)));
+                put(out, std::uint32_t(4294967295U - f));
+                wide ? put(out, std::int32_t(4)) : put(out, std::uint8_t(4));
+                for (const std::size_t v : torus.faces[f])
+                    wide ? put(out, std::uint16_t(v)) : put(out, std::int32_t(v));
+                put(out, std::uint16_t(65535 - f));
+                put(out, 1 / double(f + 1));
+            }
+        });
+        const auto mesh = native(torus);
+        const auto parts = kith::block_partition(mesh, std::size_t(world().size())); // as the file is dealt out
+        kith::tile_cutter cutter(mesh, kith::doo_sabin{}, parts.part_of, parts.parts);
+        const auto expected = cutter.cut(std::size_t(world().rank()), 2).part;
+        const auto read = kith::mpi::read_tiles(world(), shared_file::path(), 2);
+        EXPECT_TRUE(same_bits(read.tiles[0].part.mesh, expected.mesh));
 
-    kith::sliced_ply slices(shared_file::path());
-    const std::vector<kith::global_id> some{0, 1, 2, 7, 9, 10, 53};
-    const auto expect = [&](const std::vector<double>& values, const auto& value) {
-        ASSERT_EQ(values.size(), some.size());
-        for (std::size_t i = 0; i < some.size(); ++i)
-            EXPECT_EQ(values[i], value(double(some[i]))) << some[i];
-    };
-    expect(slices.values_of_vertices(0, some), [](double v) { return -v; });
-    expect(slices.values_of_vertices(2, some), [](double v) { return v / 4; });
-    expect(slices.values_of_vertices(5, some), [](double v) { return 2 * v; });
-    expect(slices.values_of_faces(0, some), [](double f) { return -f; });
-    expect(slices.values_of_faces(1, some), [](double f) { return 4294967295. - f; });
-    expect(slices.values_of_faces(3, some), [](double f) { return 65535 - f; });
-    expect(slices.values_of_faces(4, some), [](double f) { return 1 / (f + 1); });
-    EXPECT_TRUE(slices.values_of_faces(4, {}).empty());
+        kith::sliced_ply slices(shared_file::path());
+        const std::vector<kith::global_id> some{0, 1, 2, 7, 9, 10, 53};
+        const auto expect = [&](const std::vector<double>& values, const auto& value) {
+            ASSERT_EQ(values.size(), some.size());
+            for (std::size_t i = 0; i < some.size(); ++i)
+                EXPECT_EQ(values[i], value(double(some[i]))) << some[i];
+        };
+        expect(slices.values_of_vertices(0, some), [](double v) { return -v; });
+        expect(slices.values_of_vertices(2, some), [](double v) { return v / 4; });
+        expect(slices.values_of_vertices(5, some), [](double v) { return 2 * v; });
+        expect(slices.values_of_faces(0, some), [](double f) { return -f; });
+        expect(slices.values_of_faces(1, some), [](double f) { return 4294967295. - f; });
+        expect(slices.values_of_faces(3, some), [](double f) { return 65535 - f; });
+        expect(slices.values_of_faces(4, some), [](double f) { return 1 / (f + 1); });
+        EXPECT_TRUE(slices.values_of_faces(4, {}).empty());
+    }
 }
 
 TEST(read_tiles, says_what_is_wrong_with_a_file)
@@ -223,8 +228,12 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
          {"comment ", "comment x end_header ", "comment end_header\ncomment ", "obj_info \tend_header "})
         EXPECT_EQ(with("comment a test", before + std::string(9000, 'x')), "no error") << before;
     EXPECT_EQ(with("end_header", "comment " + std::string(4096, 'x') + "\n \tend_header"), "no error");
-    for (const char* list : {"list uint8 short", "list uchar int16", "list int int"})
-        expect(with("list uchar int", list), "faces with one list 'vertex_indices' of uchar and int");
+    for (const char* list : {"list uint8 short", "list uchar int16"}) // the numbers then are others
+        expect(with("list uchar int", list), "of another degree than face 0");
+    EXPECT_NE(with("list uchar int", "list int int"), "no error");
+    EXPECT_EQ(with("end_header", "element tristrips 0\nproperty list int int vertex_indices\nend_header"), "no error");
+    expect(with("end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header"),
+           "has strips of triangles ('tristrips'), which are read as a whole only; read it on one rank");
     for (const char* list : {"list uchar float", "uint"})
         expect(with("list uchar int", list), "the faces have no list 'vertex_indices' of whole numbers");
     for (const char* name : {"corners", "vertex_indices_2"})
@@ -241,7 +250,8 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     expect(with("element face 6", "element face"), "the number of elements 'face' should be a whole number, it is ''");
     expect(with("element face 6", "element face 6x"),
            "the number of elements 'face' should be a whole number, it is '6x'");
-    expect(with("element face 6", "element vertex 6"), "must have one element 'vertex' and one element 'face'");
+    expect(with("element face 6", "element vertex 6"),
+           "must have one element 'vertex' and one element 'face' or 'tristrips'");
     expect(with("element vertex 8", "element edge 0\nelement vertex 8"), "has element edge out of place");
     expect(with("end_header", "element vertex 9\nend_header"), "the elements 'vertex' have no property");
     expect(with("element face 6", "element face 7"), "is too short for 8 vertices and 7 faces");

@@ -38,11 +38,41 @@ check "no output file" test ! -e quads.stl
     for i in $(seq 300); do echo "$i $((i * i)) 0"; done
     echo 300 $(seq 0 299)
 ) >disk.off
-run refine disk.off -s doo-sabin -n 0 -o disk.ply
-exits 1
-says 'has 300 corners, this format holds 255'
-check "no output file" test ! -e disk.ply
 run refine disk.off -s doo-sabin -n 0 -o disk.obj
+exits 0
+
+# PLY counts the corners of faces in as many bytes as the largest face needs: as a whole, in tiles, and read again.
+(
+    echo OFF 301 301 0
+    echo 0 0 2
+    awk 'BEGIN { for (i = 0; i < 300; ++i) { a = i * 6.283185307 / 300; print cos(a), sin(a), 0 } }'
+    echo 300 $(seq 300 -1 1)
+    for i in $(seq 300); do echo "3 0 $i $((i % 300 + 1))"; done
+) >cone.off
+for job in 'doo-sabin 0 ushort' 'doo-sabin 1 ushort' 'doo-sabin 2 ushort' 'catmull-clark 0 ushort' 'catmull-clark 1 uchar'; do
+    read -r scheme levels type <<<"$job"
+    run refine cone.off -s "$scheme" -n "$levels" -o cone.ply --binary
+    exits 0
+    has cone.ply "^property list $type int vertex_indices\$"
+    run refine cone.off -s "$scheme" -n "$levels" -o whole.off
+    run compare whole.off cone.ply --tolerance 0
+    exits 0
+    prints '^largest distance 0, equal$'
+    run refine cone.off -s "$scheme" -n "$levels" -o text.ply
+    run compare whole.off text.ply --tolerance 0
+    exits 0
+    for tiles in 1 3; do
+        run refine cone.off -s "$scheme" -n "$levels" -o tiles.ply --tiles "$tiles"
+        exits 0
+        same cone.ply tiles.ply
+    done
+done
+awk 'BEGIN { printf "OFF 70000 1 0\n"; for (i = 0; i < 70000; ++i) print i, i * i, 0
+    printf 70000; for (i = 0; i < 70000; ++i) printf " %d", i; print "" }' >disk.off
+run refine disk.off -s catmull-clark -n 0 -o disk.ply --binary
+exits 0
+has disk.ply '^property list uint int vertex_indices$'
+run compare disk.off disk.ply --tolerance 0
 exits 0
 
 good() { # good FILE: holds the tetrahedron
@@ -198,4 +228,112 @@ sed '1s/.*/off/' tetra.off >b.off
 good b.off
 sed 's/double x/int x/; s/double y/short y/; s/uchar int/int16 uint8/' a.ply >b.ply
 good b.ply
+# PLY: strips of triangles; the tetrahedron as one strip, and as two.
+strips() { # strips LIST
+    sed -n '3,6p' tetra.off >points
+    (
+        printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n'
+        printf 'element tristrips 1\nproperty list int int vertex_indices\nend_header\n'
+        cat points
+        echo "$1"
+    ) >strips.ply
+}
+for list in '6 0 2 1 3 0 2' '9 0 2 1 3 -1 2 0 3 1'; do
+    strips "$list"
+    run refine strips.ply -s loop -n 0 -o strips.off
+    exits 0
+    says_nothing
+    for face in '0 2 1' '1 2 3' '0 1 3' '0 3 2'; do has strips.off "^3  $face$"; done
+    has strips.off '^4 4 '
+done
+strips '8 0 2 1 3 -1 2 0 3'
+run info strips.ply
+exits 0
+prints '^faces +3$'
+strips '3 0 2 4'
+run info strips.ply
+exits 1
+says '^kith: strips.ply: line 14: tristrips 0: vertex 4 does not exist, there are 4; correct the index$'
+
+# VTK: compressed by zlib, in one or in several blocks, raw and in base64, with long and short numbers in the head.
+cat >vtk.py <<'END'
+import base64, struct, sys, zlib
+points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+way, header, block = sys.argv[1], sys.argv[2], int(sys.argv[3])
+appended, word = b"", {"UInt32": "<I", "UInt64": "<Q"}[header]
+def array(type, name, code, numbers, more=""):
+    global appended
+    data = b"".join(struct.pack("<" + code, x) for x in numbers)
+    blocks = [data[i:i + block] for i in range(0, len(data), block)]
+    packed = [zlib.compress(b) for b in blocks]
+    head = b"".join(struct.pack(word, x) for x in [len(blocks), block, len(data) % block] + [len(p) for p in packed])
+    body = b"".join(packed)
+    begin = f'<DataArray type="{type}" Name="{name}"{more} '
+    if way == "binary":
+        return begin + 'format="binary">\n' + (base64.b64encode(head) + base64.b64encode(body)).decode() + "\n</DataArray>\n"
+    offset = len(appended)
+    appended += head + body if way == "raw" else base64.b64encode(head) + base64.b64encode(body)
+    return begin + f'format="appended" offset="{offset}"/>\n'
+text = f'<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="{header}" compressor="vtkZLibDataCompressor">\n'
+text += '<UnstructuredGrid><Piece NumberOfPoints="4" NumberOfCells="4"><Points>'
+text += array("Float32", "Points", "f", [x for p in points for x in p], ' NumberOfComponents="3"') + "</Points><Cells>"
+text += array("Int64", "connectivity", "q", [v for f in faces for v in f]) + array("Int64", "offsets", "q", [3, 6, 9, 12])
+text += array("UInt8", "types", "B", [5] * 4) + "</Cells></Piece></UnstructuredGrid>\n"
+out = text.encode()
+if way != "binary":
+    out += f'<AppendedData encoding="{way}">\n_'.encode() + appended + b"\n</AppendedData>"
+sys.stdout.buffer.write(out + b"\n</VTKFile>\n")
+END
+for way in binary raw base64; do
+    for header in UInt32 UInt64; do
+        for block in 16 32768; do
+            python3 vtk.py $way $header $block >z.vtu
+            good z.vtu
+        done
+    done
+done
+python3 vtk.py raw UInt64 32768 >z.vtu
+for compressor in LZ4 LZMA; do
+    sed "s/vtkZLibDataCompressor/vtk${compressor}DataCompressor/" z.vtu >other.vtu
+    run info other.vtu
+    exits 1
+    says "^kith: other.vtu: is compressed by vtk${compressor}DataCompressor, which is not read; write it with vtkZLibDataCompressor"
+done
+python3 -c 'bytes = bytearray(open("z.vtu", "rb").read()); bytes[bytes.find(b"\n_") + 2 + 4 * 8 + 4] ^= 1; open("damaged.vtu", "wb").write(bytes)'
+run info damaged.vtu
+exits 1
+says "^kith: damaged.vtu: block 0 of the array 'Points' is damaged; write the file again$"
+
+# What kith writes in pieces is what it writes in one file: vertices between tiles are joined, all keep their numbers.
+run refine cube.off -s catmull-clark -n 2 -o whole.vtu --limit
+run refine whole.vtu -s catmull-clark -n 0 -o whole.ply
+for tiles in 1 2 5; do
+    run refine cube.off -s catmull-clark -n 2 -o pieces.pvtu --tiles $tiles --limit
+    run refine pieces.pvtu -s catmull-clark -n 0 -o pieces.ply
+    exits 0
+    says_nothing
+    same whole.ply pieces.ply
+done
+rm pieces.pieces/1.vtu
+run info pieces.pvtu
+exits 1
+says '^kith: pieces.pvtu: pieces.pieces/1.vtu: cannot be opened: No such file or directory$'
+
+# PolyData: polygons and strips; points and lines are left aside.
+cat >tetra.vtp <<'END'
+<?xml version="1.0"?>
+<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">
+<PolyData><Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="4">
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points>
+<Polys><DataArray type="Int64" Name="connectivity" format="ascii">0 2 1 0 1 3 1 2 3 2 0 3</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3 6 9 12</DataArray></Polys>
+</Piece></PolyData></VTKFile>
+END
+good tetra.vtp
+run refine tetra.off -s loop -n 1 -o out.vtp
+exits 1
+says '^kith: out.vtp: '
+check "no output file" test ! -e out.vtp
+
 finish

@@ -26,18 +26,82 @@ prints '^out.vtu: 1538 vertices, 3072 edges, 1536 faces, checksum [0-9a-f]+$'
 same whole.vtu out.vtu
 leaves cube.off out.vtu whole.ply whole.vtu
 
-# What is finished is not refined again: its bytes are left as they are, here a byte that a test has changed.
-run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
-exits 0
-tail -c +300 kept/surface | head -c 8 >before
-printf '\x55' | dd of=kept/surface bs=1 seek=302 conv=notrunc status=none
+rm out.vtu
+
+# What is finished is not refined again. Its bytes are read before the surface gets its name: one that has changed, here
+# in places, faces and the last byte, is found, and nothing appears under the name of the output.
+change() { # change FILE OFFSET: another byte there
+    printf "\\x$(printf '%02x' $(($(od -An -tu1 -j"$2" -N1 "$1") ^ 0x55)))" |
+        dd of="$1" bs=1 seek="$2" conv=notrunc status=none
+}
+written_from() { # written_from FILE WHOLE OFFSET: the first byte from there on that is finished
+    {
+        cmp -l "$1" "$2" 2>/dev/null | awk '{ print "differs", $1 - 1 }'
+        od -An -v -tu1 -w1 -j"$3" "$2" | awk -v at="$3" '{ print "has", at++, $1 }'
+    } | awk '$1 == "differs" { differs[$2] } $1 == "has" && $3 != 0 && !($2 in differs) { print $2; exit }'
+}
+damage='is damaged, its bytes are not those that were written; call again with --verify, which writes damaged tiles'
+size=$(stat -c %s whole.ply)
+for from in 302 20000 $((size - 17 * 700)) $((size - 17 * 40)); do
+    run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
+    exits 0
+    at=$(written_from kept/surface whole.ply "$from")
+    change kept/surface "$at"
+    cp kept/surface before
+    run refine --journal kept
+    exits 1
+    prints_nothing
+    says "^kith: kept/surface: $damage"
+    leaves before cube.off kept whole.ply whole.vtu
+    check "the changed byte is still there" cmp -s -i "$at" -n 1 before kept/surface
+    run refine --journal kept # says so again
+    exits 1
+    run refine --journal kept --verify
+    exits 0
+    same whole.ply out.ply
+    rm before out.ply
+done
+# What belongs to no tile is written again by every job.
+run refine cube.off -s catmull-clark -n 4 -o out.vtu --tiles 6 --journal kept --only 0..4
+for at in 2 $(($(stat -c %s whole.vtu) - 3)); do change kept/surface "$at"; done
 run refine --journal kept
 exits 0
-check "the changed byte is still there" test "$(od -An -tx1 -j302 -N1 out.ply | tr -d ' ')" = 55
-check "one byte differs" test "$(cmp -l whole.ply out.ply | wc -l)" -eq 1
-rm before out.ply out.vtu
+same whole.vtu out.vtu
+rm out.vtu
+# Pieces: one that has changed, two that have changed places, one that is longer or shorter. One that is lost is written
+# again.
+run refine cube.off -s catmull-clark -n 3 -o whole.pvtu --tiles 3
+for harm in 'change 1.vtu 3000' 'mv 0.vtu x; mv 1.vtu 0.vtu; mv x 1.vtu' 'truncate -s 100 1.vtu' 'truncate -s +1 1.vtu' 'rm 1.vtu'; do
+    run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 3 --journal kept --only 0..1
+    pushd kept/surface.pieces >/dev/null
+    eval "$harm"
+    popd >/dev/null
+    run refine --journal kept
+    if [ "$harm" != 'rm 1.vtu' ]; then
+        exits 1
+        says "^kith: kept/surface: $damage"
+        run refine --journal kept --verify
+    fi
+    exits 0
+    check "the same pieces" diff -r whole.pieces out.pieces
+    rm -r out.p*
+done
+rm -r whole.p*s whole.pvtu
+# The recipe: every byte of it, that of the name of the output, too.
+run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
+cp kept/recipe recipe
+at=$(grep -abo 'out.ply' recipe | head -n 1 | cut -d: -f1)
+for at in 20 "$at" "$((at + 5))" $(($(stat -c %s recipe) / 2)) $(($(stat -c %s recipe) - 1)); do
+    change kept/recipe "$at"
+    run refine --journal kept
+    exits 1
+    says '^kith: kept/recipe: .*; remove kept and begin again$'
+    cp recipe kept/recipe
+done
+leaves cube.off kept recipe whole.ply whole.vtu
+rm -r kept recipe
 
-# Unless --verify asks for it: then the file is read, the tile named and written again.
+# With --verify the file is read, the tile named and written again.
 run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
 exits 0
 printf '\x55' | dd of=kept/surface bs=1 seek=302 conv=notrunc status=none

@@ -100,6 +100,18 @@ prints '^\{"rings":2,"bytes_at_once":[0-9]+,"ranks":\[(\{"tiles":1,"faces":16,"s
 run plan cube.off -s catmull-clark -n 13 --ranks 8
 exits 0
 prints '^ +7 +1 +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+$'
+# 64 bits suffice for 2.7e16 faces and their bytes, not for those of one level more. Columns do not run into each other.
+run plan cube.off -s catmull-clark -n 26 --ranks 2
+exits 0
+says_nothing
+prints '^ +0 +1 +3 +[0-9]+ +[0-9]+ +13510798882111488 +[0-9]+ +[0-9]+$'
+check "columns of one width" test "$(sed -n '2,4p' "$results/out" | awk '{ print length }' | sort -u | wc -l)" -eq 1
+run plan cube.off -s catmull-clark -n 27 --ranks 2
+exits 1
+says 'level 27 has 108086391056891906 vertices and 216172782113783808 edges, whose bytes 64 bits cannot count'
+run plan cube.off -s catmull-clark -n 20 --ranks 2
+exits 0
+prints '^ +1 +1 +3 +[0-9]+ +[0-9]+ +3298534883328 +[0-9]+ +[0-9]+$'
 run plan cube.off -s catmull-clark -n 2 --ranks 2 --mesh cgal
 exits 2
 says '--mesh and --ranks do not go together'

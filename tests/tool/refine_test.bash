@@ -436,6 +436,42 @@ check "the triangles cover the L" awk 'NF == 3 { x[n] = $1; y[n++] = $2 }
         area += a
     }
     END { exit bad || area != 3 }' n=0 <(sed 1,3d cut.off | sed '/^$/d')
+# Faces of many corners take no time that grows with their square: two waves around a circle, one of them the other way
+# round on a tilted plane. The triangles have the area of the face, and each side of it is a side of one.
+waves() { # waves CORNERS
+    awk -v n="$1" 'BEGIN {
+        print "OFF", 2 * n, 2, 0
+        for (i = 0; i < 2 * n; ++i) {
+            a = 6.283185307179586 * i / n; r = 1 + .3 * sin(17 * a)
+            if (i < n) printf "%.17g %.17g 0\n", r * cos(a), r * sin(a)
+            else printf "%.17g %.17g %.17g\n", 5 + r * cos(a), -r * sin(a), -r * sin(a)
+        }
+        for (f = 0; f < 2; ++f) { printf n; for (i = f * n; i < (f + 1) * n; ++i) printf " %d", i; print "" }
+    }'
+}
+for n in 1500 100000; do
+    waves $n >waves.off
+    run refine waves.off -s linear-triangles -n 0 --triangulate -o cut.off
+    exits 0
+    prints "$((2 * n)) vertices, $((4 * n - 3 * 2)) edges, $((2 * n - 4)) faces"
+    check "the triangles cover the faces" awk -v n=$n 'v < 2 * n && NF == 3 && NR > 2 { x[v] = $1; y[v] = $2; ++v }
+        NF == 4 {
+            a = ((x[$3] - x[$2]) * (y[$4] - y[$2]) - (x[$4] - x[$2]) * (y[$3] - y[$2])) / 2
+            side = $2 < n ? 0 : 1
+            if (side != ($3 < n ? 0 : 1) || side != ($4 < n ? 0 : 1) || (side ? a >= 0 : a <= 0)) bad = 1
+            area[side] += a
+            for (i = 2; i <= 4; ++i) {
+                from = $i; to = $(i == 4 ? 2 : i + 1)
+                if (to - from == 1 || from - to == n - 1) ++sides[side]
+            }
+        }
+        END {
+            for (i = 0; i < n; ++i) { j = (i + 1) % n; whole += (x[i] * y[j] - x[j] * y[i]) / 2 }
+            e = 1e-9
+            exit bad || area[0] - whole > e || whole - area[0] > e || area[1] + whole > e || -area[1] - whole > e ||
+                sides[0] != n || sides[1] != n
+        }' cut.off
+done
 (cat cube.obj; echo; echo 't hole 1/0/0 1'; echo 't crease 2/1/0 0 1 12') >tagged.obj
 run refine tagged.obj -s loop -n 0 --triangulate -o cut.off
 exits 0

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/mask/hash_value.hpp>
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -146,6 +148,71 @@ private:
     offset_file* file_;
     std::vector<char> found_;
     std::optional<std::uint64_t> difference_;
+};
+
+/// A number that stands for the bytes of a file and their places. It is a sum over all bytes, so the sums of parts that
+/// do not overlap add up to that of the whole, whatever their order. A word of four bytes that changes changes the sum;
+/// bytes that are 0 do not count.
+struct byte_sum {
+    std::uint64_t bits = 0;
+
+    /// Adds bytes that stand at this place. Cost: O(size).
+    void add(std::uint64_t offset, const void* data, std::size_t size)
+    {
+        constexpr std::size_t word_bytes = 4;
+        const auto* bytes = static_cast<const unsigned char*>(data);
+        while (size > 0) {
+            const std::size_t begin = offset % word_bytes, count = std::min(size, word_bytes - begin);
+            std::uint32_t word = 0;
+            if (count == word_bytes)
+                std::memcpy(&word, bytes, word_bytes);
+            else
+                std::memcpy(reinterpret_cast<unsigned char*>(&word) + begin, bytes, count);
+            bits += word * (mix_bits(offset / word_bytes) | 1);
+            bytes += count;
+            offset += count;
+            size -= count;
+        }
+    }
+    byte_sum& operator+=(byte_sum other)
+    {
+        bits += other.bits;
+        return *this;
+    }
+    friend bool operator==(byte_sum, byte_sum) = default;
+};
+
+/// Returns the sum of the bytes [begin, end) of a file. Errors: write_error, also when the file ends before.
+inline byte_sum sum_of_bytes(offset_file& file, std::uint64_t begin, std::uint64_t end)
+{
+    constexpr std::uint64_t largest = std::uint64_t(1) << 20;
+    std::vector<char> bytes(std::size_t(std::min(end - begin, largest)));
+    byte_sum result;
+    for (std::uint64_t at = begin; at < end; at += bytes.size()) {
+        bytes.resize(std::size_t(std::min<std::uint64_t>(end - at, bytes.size())));
+        file.read(at, bytes.data(), bytes.size());
+        result.add(at, bytes.data(), bytes.size());
+    }
+    return result;
+}
+
+/// Sums what is written to a file, or only sums it where there is none.
+class summed_bytes final : public placed_bytes {
+public:
+    explicit summed_bytes(placed_bytes* file) : file_(file) {}
+
+    /// Errors: those of the file.
+    void write(std::uint64_t offset, const void* data, std::size_t size) override
+    {
+        sum_.add(offset, data, size);
+        if (file_ != nullptr)
+            file_->write(offset, data, size);
+    }
+    [[nodiscard]] byte_sum sum() const { return sum_; }
+
+private:
+    placed_bytes* file_;
+    byte_sum sum_;
 };
 
 /// Joins small writes that follow one another into large ones.

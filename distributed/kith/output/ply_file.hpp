@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,22 +58,29 @@ inline bool has_nan(const file_array& array, const std::byte* value)
 
 } // namespace detail
 
-/// Binary PLY, as programs write it that have the mesh as a whole. Faces of up to 255 corners, and as many vertices as
-/// 32 bits can number. Fields on vertices and faces are properties, one on corners is a list of each face, after its
-/// vertices; words for which numbers of faces stand are comments.
+/// Binary PLY, byte for byte as io::write_mesh writes the whole mesh. It holds as many vertices as 32 bits can number.
+/// Fields on vertices and faces are properties. A field on corners is a list of each face, after its vertices. Words
+/// for which numbers of faces stand are comments.
 class ply_file : public stitched_file {
 public:
-    /// With normals, tiles have theirs. Errors: mesh_error for more vertices than the format can number, for numbers of
-    /// a type that it has not, for several of them in a value of a vertex or face, for two fields on corners, and for a
-    /// name that is taken.
+    /// With normals, tiles have theirs. `largest_degree` is that of the faces of the whole mesh (kith::largest_degree);
+    /// the type in which the file counts corners follows from it. Errors: mesh_error for more vertices than the format
+    /// can number, for numbers of a type that PLY has not, for several of them in a value of a vertex or face, for two
+    /// fields on corners, and for a name that is taken.
     explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {},
-                      const std::vector<std::string>& file_lines = {})
-        : counts_(counts), with_normals_(with_normals), arrays_(std::move(arrays))
+                      const std::vector<std::string>& file_lines = {}, std::uint64_t largest_degree = 4)
+        : counts_(counts)
+        , with_normals_(with_normals)
+        , arrays_(std::move(arrays))
+        , corners_of_face_(ply_count::of(largest_degree))
     {
         if (counts.vertices > std::numeric_limits<std::int32_t>::max())
             throw mesh_error("PLY numbers " + std::to_string(std::numeric_limits<std::int32_t>::max()) +
                              " vertices at most, there are " + std::to_string(counts.vertices) + "; write .vtu");
         std::string of_vertices, of_faces, of_corners, comments = ply_file_lines(file_lines);
+        property_names names;
+        if (with_normals)
+            names.of_vertices.insert({"nx", "ny", "nz"});
         place_of_ = std::vector<std::uint64_t>(arrays_.size());
         bytes_of_vertex_ = with_normals ? 48 : 24;
         for (std::size_t i = 0; i < arrays_.size(); ++i) {
@@ -83,11 +92,12 @@ public:
                                  "\" has no place in PLY, which has numbers at vertices and faces and one list for " +
                                  "corners; write .vtu");
             const std::string name = ply_name(array.name);
-            require_free(name, i);
+            names.add(array);
             comments += ply_word_lines(array.name, array.words);
             if (at_corners) {
                 corners_ = i;
-                of_corners = "property list uchar " + word + " " + name + "\n";
+                values_of_face_ = ply_count::of(array.numbers * largest_degree);
+                of_corners = "property list " + std::string(values_of_face_.word) + " " + word + " " + name + "\n";
             } else {
                 const bool at_vertices = array.on == field_on::vertices;
                 (at_vertices ? of_vertices : of_faces) += "property " + word + " " + name + "\n";
@@ -96,14 +106,20 @@ public:
             }
         }
         bytes_of_corner_ = 4 + (corners_ ? arrays_[*corners_].bytes : 0);
-        bytes_of_face_ = 1 + (corners_ ? 1 : 0) + bytes_of_values_;
+        bytes_of_face_ = corners_of_face_.bytes + (corners_ ? values_of_face_.bytes : 0) + bytes_of_values_;
         head_ = ply_head(true,
-                         {counts.vertices, counts.faces, with_normals, comments, of_vertices, of_corners + of_faces});
+                         {counts.vertices,
+                          counts.faces,
+                          with_normals,
+                          largest_degree,
+                          comments,
+                          of_vertices,
+                          of_corners + of_faces});
         size_ = face_at(counts.faces, counts.corners);
     }
 
-    void write_frame(offset_file& file) const override { file.write(0, head_.data(), head_.size()); }
-    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin,
+    void write_frame(placed_bytes& file) const override { file.write(0, head_.data(), head_.size()); }
+    void write_tile(placed_bytes& file, const tile<std::array<double, 3>>& part, cell_origin,
                     std::span<const value_bytes> values = {}) const override
     {
         detail::require_finite(part);
@@ -121,23 +137,20 @@ public:
     }
 
 private:
-    /// Errors: mesh_error for the name of the i-th array, where the file has another property of that name.
-    void require_free(const std::string& name, std::size_t i) const
-    {
-        const auto is_on_vertices = [&](const file_array& a) { return a.on == field_on::vertices; };
-        const auto is_its_name = [&](const file_array& other) {
-            return is_on_vertices(other) == is_on_vertices(arrays_[i]) and ply_name(other.name) == name;
-        };
-        const auto own = is_on_vertices(arrays_[i]) ? std::vector<std::string>{"x", "y", "z"}
-                                                    : std::vector<std::string>{"vertex_indices"};
-        const auto normals = is_on_vertices(arrays_[i]) and with_normals_ ? std::vector<std::string>{"nx", "ny", "nz"}
-                                                                          : std::vector<std::string>();
-        const auto end = arrays_.begin() + std::ptrdiff_t(i);
-        if (name.empty() or std::ranges::count(own, name) + std::ranges::count(normals, name) != 0 or
-            std::any_of(arrays_.begin(), end, is_its_name))
-            throw mesh_error("a field was to be called \"" + arrays_[i].name +
-                             "\", a name that is empty, or that another property of the file has; give it another one");
-    }
+    /// The names of properties that vertices and faces have so far.
+    struct property_names {
+        std::set<std::string> of_vertices{"x", "y", "z"}, of_faces{"vertex_indices"};
+
+        /// Errors: mesh_error for a name that is empty or taken.
+        void add(const file_array& array)
+        {
+            const std::string name = ply_name(array.name);
+            if (name.empty() or not(array.on == field_on::vertices ? of_vertices : of_faces).insert(name).second)
+                throw mesh_error("a field was to be called \"" + array.name +
+                                 "\", a name that is empty, or that another property of the file has; give it another "
+                                 "one");
+        }
+    };
     [[nodiscard]] std::uint64_t face_at(std::uint64_t face, std::uint64_t corner) const
     {
         return head_.size() + bytes_of_vertex_ * counts_.vertices + bytes_of_face_ * face + bytes_of_corner_ * corner;
@@ -170,8 +183,7 @@ private:
             if (part.owns_face(f)) {
                 require_room(part, f);
                 std::uint64_t at = face_at(part.face_ids[f], part.corner_id(f, 0));
-                faces.put(at, std::uint8_t(face.size()));
-                ++at;
+                at = put_count(faces, at, corners_of_face_, face.size());
                 for (const auto v : face) {
                     faces.put(at, std::int32_t(part.vertex_ids[v]));
                     at += 4;
@@ -184,36 +196,44 @@ private:
         }
         faces.flush();
     }
-    /// Gives the place behind them.
+    /// Writes the length of a list and returns the place behind it.
+    static std::uint64_t put_count(joined_writes& out, std::uint64_t at, const ply_count& type, std::uint64_t entries)
+    {
+        static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
+        out.put(at, &entries, type.bytes);
+        return at + type.bytes;
+    }
+    /// Writes the values at the corners of a face and returns the place behind them.
     std::uint64_t put_corners(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,
                               std::size_t face, std::size_t first, value_bytes values) const
     {
         const file_array& array = arrays_[*corners_];
         const std::size_t degree = part.mesh.face(face).size();
-        out.put(at, std::uint8_t(array.numbers * degree));
+        at = put_count(out, at, values_of_face_, array.numbers * degree);
         for (std::size_t c = first; c < first + degree; ++c)
             if (detail::has_nan(array, values.data() + array.bytes * c))
                 throw mesh_error("face " + std::to_string(part.face_ids[face]) + " would have no " + array.name +
                                  "; the numbers of the input are too large");
-        out.put(at + 1, values.data() + array.bytes * first, array.bytes * degree);
-        return at + 1 + array.bytes * degree;
+        out.put(at, values.data() + array.bytes * first, array.bytes * degree);
+        return at + array.bytes * degree;
     }
     /// Errors: mesh_error for a face that is too large for the lengths of its lists.
     void require_room(const tile<std::array<double, 3>>& part, std::size_t face) const
     {
-        const std::size_t most = std::numeric_limits<std::uint8_t>::max() /
-                                 (corners_ ? arrays_[*corners_].numbers : std::size_t(1));
+        const std::uint64_t in_values = corners_ ? values_of_face_.most / arrays_[*corners_].numbers : UINT64_MAX;
+        const std::uint64_t most = std::min(corners_of_face_.most, in_values);
         if (const std::size_t degree = part.mesh.face(face).size(); degree > most)
             throw mesh_error("face " + std::to_string(part.face_ids[face]) + " has " + std::to_string(degree) +
-                             " corners, PLY holds " + std::to_string(most) + " at most" +
-                             (corners_ ? " with their values" : "") + "; write .vtu");
+                             " corners, the lists of this file count " + std::to_string(most) +
+                             "; give ply_file the largest degree of all faces");
     }
 
     whole_counts counts_;
     bool with_normals_;
     std::vector<file_array> arrays_;
-    std::vector<std::uint64_t> place_of_; // among the values of an element
-    std::optional<std::size_t> corners_;  // which array is on corners
+    ply_count corners_of_face_, values_of_face_{}; // types of the lengths of lists
+    std::vector<std::uint64_t> place_of_;          // among the values of an element
+    std::optional<std::size_t> corners_;           // which array is on corners
     std::uint64_t bytes_of_vertex_ = 0, bytes_of_values_ = 0, bytes_of_corner_ = 0, bytes_of_face_ = 0;
     std::string head_;
 };

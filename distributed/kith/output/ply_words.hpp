@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,21 +51,38 @@ inline std::string ply_file_lines(const std::vector<std::string>& lines)
     return result;
 }
 
-/// How many elements a file has, and what it says of them beside places and corners: lines of its header.
+/// An unsigned type of PLY in which a file counts the entries of its lists.
+struct ply_count {
+    std::string_view word;
+    std::size_t bytes;
+    std::uint64_t most; ///< the largest number that it holds
+
+    /// Returns the narrowest type that holds `entries`, but uint where none does. Many programs read uchar only.
+    static constexpr ply_count of(std::uint64_t entries)
+    {
+        constexpr ply_count uchar{"uchar", 1, 0xff}, ushort{"ushort", 2, 0xffff}, uint{"uint", 4, 0xffffffff};
+        return entries <= uchar.most ? uchar : entries <= ushort.most ? ushort : uint;
+    }
+};
+
+/// The number of elements of a file, and the lines of its header for attributes.
 struct ply_contents {
     std::size_t vertices, faces;
     bool normals; ///< of vertices, behind their places
+    std::uint64_t largest_degree = 4;
     std::string comments{}, vertex_properties{}, face_properties{};
 };
-/// The header of a file with places as doubles. All who write PLY begin with it: the same mesh is the same bytes.
+/// Returns the header of a file with places as doubles. All writers of PLY begin with it, so that one mesh gives the
+/// same bytes everywhere.
 inline std::string ply_head(bool binary, const ply_contents& contents)
 {
     return std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") +
            " 1.0\ncomment written by kith\n" + contents.comments + "element vertex " +
            std::to_string(contents.vertices) + "\nproperty double x\nproperty double y\nproperty double z\n" +
            (contents.normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "") +
-           contents.vertex_properties + "element face " + std::to_string(contents.faces) +
-           "\nproperty list uchar int vertex_indices\n" + contents.face_properties + "end_header\n";
+           contents.vertex_properties + "element face " + std::to_string(contents.faces) + "\nproperty list " +
+           std::string(ply_count::of(contents.largest_degree).word) + " int vertex_indices\n" +
+           contents.face_properties + "end_header\n";
 }
 
 /// The words of a property, the first of which says none; nothing where the comments of a header do not say them one by

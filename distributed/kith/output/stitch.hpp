@@ -36,12 +36,12 @@ public:
     virtual ~stitched_file() = default;
     [[nodiscard]] std::uint64_t size() const { return size_; }
 
-    /// What is not of any tile; one writes it.
-    virtual void write_frame(offset_file& file) const = 0;
-    /// The vertices and faces that a tile owns, with the values for the arrays that the file was made with, in their
-    /// order. Local. Errors: write_error, and mesh_error for a vertex that has no finite place, and unless there is a
+    /// Writes what is not of any tile; one process does.
+    virtual void write_frame(placed_bytes& file) const = 0;
+    /// Writes the vertices and faces that a tile owns, with the values for the arrays that the file was made with, in
+    /// their order. Local. Errors: write_error, and mesh_error for a vertex that has no finite place, and unless there is a
     /// value for each element. Cost: O(corners), and a write for each run of consecutive numbers.
-    virtual void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin,
+    virtual void write_tile(placed_bytes& file, const tile<std::array<double, 3>>& part, cell_origin origin,
                             std::span<const value_bytes> values = {}) const = 0;
 
     /// Reads back what write_tile has written, whichever rank did, and names a byte that is another one: "byte 302 of
@@ -53,6 +53,8 @@ public:
 
     /// What of a tile is not in this file has been written. Local.
     [[nodiscard]] virtual bool is_there(std::uint64_t) const { return true; }
+    /// Returns a sum of the bytes of a tile that are not in this file, as they are on the disk now. Local.
+    [[nodiscard]] virtual byte_sum sum_of_own_file(std::uint64_t) const { return {}; }
 
 protected:
     std::uint64_t size_ = 0;
@@ -116,8 +118,8 @@ public:
         size_ = layout_.size();
     }
 
-    void write_frame(offset_file& file) const override { layout_.write_frame(file); }
-    void write_tile(offset_file& file, const tile<std::array<double, 3>>& part, cell_origin origin,
+    void write_frame(placed_bytes& file) const override { layout_.write_frame(file); }
+    void write_tile(placed_bytes& file, const tile<std::array<double, 3>>& part, cell_origin origin,
                     std::span<const value_bytes> values = {}) const override
     {
         detail::require_finite(part);

@@ -15,6 +15,7 @@ namespace kith {
 struct finished_tile {
     std::uint64_t faces = 0; ///< of the last level, owned
     mesh_checksum checksum{};
+    byte_sum bytes{}; ///< that were written
 };
 
 /// The tiles that are finished, kept behind the surface in the file that they are written to, until it is complete: a
@@ -29,6 +30,7 @@ public:
     {
     }
 
+    [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
     /// Where the records end.
     [[nodiscard]] std::uint64_t end() const { return begin_ + tiles_ * sizeof(record); }
 
@@ -37,7 +39,7 @@ public:
     void add(offset_file& file, std::uint64_t tile, const finished_tile& finished) const
     {
         file.flush();
-        const record line{finished.faces, finished.checksum.bits, sum(tile, finished)};
+        const record line{finished.faces, finished.checksum.bits, finished.bytes.bits, sum(tile, finished)};
         file.write(begin_ + tile * sizeof line, &line, sizeof line);
     }
     /// What is known of each tile. Local. Errors: write_error.
@@ -60,18 +62,18 @@ public:
 
 private:
     struct record {
-        std::uint64_t faces, checksum, sum;
+        std::uint64_t faces, checksum, bytes, sum;
     };
 
     [[nodiscard]] std::optional<finished_tile> understood(std::uint64_t tile, const record& line) const
     {
-        const finished_tile finished{line.faces, {line.checksum}};
+        const finished_tile finished{line.faces, {line.checksum}, {line.bytes}};
         return line.sum == sum(tile, finished) ? std::optional(finished) : std::nullopt;
     }
     [[nodiscard]] std::uint64_t sum(std::uint64_t tile, const finished_tile& finished) const
     {
         detail::word_hash hash(recipe_);
-        for (const std::uint64_t word : {tile, finished.faces, finished.checksum.bits})
+        for (const std::uint64_t word : {tile, finished.faces, finished.checksum.bits, finished.bytes.bits})
             hash.add(word);
         return hash.bits();
     }

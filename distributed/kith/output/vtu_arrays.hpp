@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,15 +56,12 @@ public:
             if (array.on != field_on::vertices and array.on != field_on::faces)
                 throw mesh_error("the field \"" + array.name +
                                  "\" is on edges or corners, where a file of VTK has no values; leave it out");
-        for (auto array = arrays_.begin(); array != arrays_.end(); ++array) {
-            const auto is_its_name = [&](const file_array& other) {
-                return other.on == array->on and other.name == array->name;
-            };
-            if (not is_free(array->name) or std::any_of(arrays_.begin(), array, is_its_name))
+        std::set<std::pair<field_on, std::string_view>> names;
+        for (const file_array& array : arrays_)
+            if (not is_free(array.name) or not names.insert({array.on, array.name}).second)
                 throw mesh_error(
-                    "a field was to be called \"" + array->name +
+                    "a field was to be called \"" + array.name +
                     "\", a name that is empty, or that another array of the file has; give it another one");
-        }
     }
 
     [[nodiscard]] const std::vector<file_array>& list() const { return arrays_; }

@@ -4,6 +4,8 @@
 #include "stitch.hpp"
 #include "vtu_layout.hpp"
 
+#include <kith/part/checksum.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -54,9 +56,9 @@ public:
     }
 
     /// The index.
-    void write_frame(offset_file& file) const override { file.write(0, index_.data(), index_.size()); }
+    void write_frame(placed_bytes& file) const override { file.write(0, index_.data(), index_.size()); }
     /// The piece, in a file of its own, which is on the disk then.
-    void write_tile(offset_file&, const tile<std::array<double, 3>>& part, cell_origin origin,
+    void write_tile(placed_bytes&, const tile<std::array<double, 3>>& part, cell_origin origin,
                     std::span<const value_bytes> values = {}) const override
     {
         detail::require_finite(part);
@@ -84,6 +86,19 @@ public:
         return detail::named_difference(file, compared);
     }
     [[nodiscard]] bool is_there(std::uint64_t tile) const override { return std::filesystem::exists(path(tile)); }
+    /// Errors: write_error. A piece that is not there has no sum.
+    [[nodiscard]] byte_sum sum_of_own_file(std::uint64_t tile) const override
+    {
+        std::error_code error;
+        const std::uint64_t size = std::filesystem::file_size(path(tile), error);
+        if (error)
+            return {};
+        auto file = offset_file::open(path(tile));
+        detail::word_hash hash(tile); // so that pieces that change places are noticed
+        hash.add(size);
+        hash.add(sum_of_bytes(file, 0, size).bits);
+        return {hash.bits()};
+    }
 
 private:
     static constexpr std::size_t none = SIZE_MAX;

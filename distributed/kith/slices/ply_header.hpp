@@ -37,6 +37,8 @@ struct ply_element {
 
     [[nodiscard]] bool is_vertex() const { return name == "vertex" or name == "vertices"; }
     [[nodiscard]] bool is_face() const { return name == "face" or name == "faces"; }
+    /// Strips of triangles, as the models of Stanford have them: lists of vertices in which -1 ends a strip.
+    [[nodiscard]] bool is_strips() const { return name == "tristrips"; }
     [[nodiscard]] bool has_lists() const { return std::ranges::any_of(properties, &ply_property::is_list); }
     /// In a binary file, of one element with empty lists.
     [[nodiscard]] std::size_t least_bytes() const
@@ -46,14 +48,15 @@ struct ply_element {
             result += property.least_bytes();
         return result;
     }
-    /// The list of a face's vertices. Errors: mesh_error when there is none.
+    /// The list of the vertices of a face or of strips. Errors: mesh_error when there is none.
     [[nodiscard]] std::size_t corner_list() const
     {
         for (const std::string_view name : {"vertex_indices", "vertex_index"})
             if (const std::size_t p = find(name);
                 p != properties.size() and properties[p].is_list() and not properties[p].value.floating)
                 return p;
-        throw mesh_error("the faces have no list 'vertex_indices' of whole numbers");
+        throw mesh_error(std::string(is_strips() ? "the strips" : "the faces") +
+                         " have no list 'vertex_indices' of whole numbers");
     }
     /// Where x, y and z of a vertex are. Errors: mesh_error when one is not there.
     [[nodiscard]] std::array<std::size_t, 3> place() const
@@ -81,7 +84,8 @@ enum class ply_encoding : unsigned char { text, little_endian, big_endian };
 /// What the header of a PLY file says of a mesh.
 struct ply_header {
     ply_encoding encoding = ply_encoding::text;
-    std::vector<ply_element> elements; ///< among them one of vertices with a place and one of faces with their corners
+    /// Among them one of vertices with a place, and one of faces with their corners, one of strips, or both.
+    std::vector<ply_element> elements;
     std::uint64_t vertices = 0;
     std::uint64_t faces = 0;
     std::vector<std::string> comments;
@@ -232,7 +236,7 @@ private:
     }
     void check_elements()
     {
-        std::size_t vertex_elements = 0, face_elements = 0;
+        std::size_t vertex_elements = 0, face_elements = 0, strip_elements = 0;
         for (const auto& element : header_.elements) {
             if (element.properties.empty() and element.count != 0)
                 throw mesh_error("the elements " + quoted(element.name) + " have no property");
@@ -244,14 +248,16 @@ private:
             } else if (element.is_face()) {
                 header_.faces = element.count;
                 ++face_elements;
+            } else if (element.is_strips()) {
+                ++strip_elements;
             }
         }
-        if (vertex_elements != 1 or face_elements != 1)
-            throw mesh_error("the file must have one element 'vertex' and one element 'face'");
+        if (vertex_elements != 1 or face_elements > 1 or strip_elements > 1 or face_elements + strip_elements == 0)
+            throw mesh_error("the file must have one element 'vertex' and one element 'face' or 'tristrips'");
         for (const auto& element : header_.elements)
             if (element.is_vertex())
                 (void)element.place();
-            else if (element.is_face())
+            else if (element.is_face() or element.is_strips())
                 (void)element.corner_list();
     }
 
@@ -281,7 +287,7 @@ inline bool holds_end_of_header(std::string_view bytes, std::size_t from)
 /// The header of a PLY file, of which these are the first bytes. Lines end with LF, CR or CRLF, comments may stand
 /// anywhere.
 /// Errors: mesh_error, with the line: for what is no header, and for files without vertices that have a place or
-/// without faces that are lists of them. Cost: that of the header.
+/// without faces or strips that are lists of them. Cost: that of the header.
 inline ply_header read_ply_header(std::string_view bytes)
 {
     return detail::ply_header_reader(bytes).read();

@@ -58,13 +58,12 @@ public:
         mesh_slice<std::array<double, 3>> result{vertices(), faces(), degree_, first_face, first_vertex, {}, {}};
         const auto records_of_faces = bytes(faces_at_ + std::streamoff(first_face * face_bytes()),
                                             (end_face - first_face) * face_bytes());
-        const auto& of_faces = header_.elements[1];
-        const ply_number corner = of_faces.properties[of_faces.corner_list()].value;
+        const ply_property& list = corner_list();
         for (global_id f = first_face; f < end_face; ++f) {
             const char* record = records_of_faces.data() + (f - first_face) * face_bytes() + before_corners_;
-            require_degree(f, static_cast<unsigned char>(record[0]));
+            require_degree(f, list.count.whole(record));
             for (int k = 0; k < degree_; ++k) {
-                const std::int64_t v = corner.whole(record + 1 + 4 * k);
+                const std::int64_t v = list.value.whole(record + list.count.bytes + list.value.bytes * std::size_t(k));
                 if (v < 0 or global_id(v) >= vertices())
                     refuse("has face " + std::to_string(f) + " at vertex " + std::to_string(v) + " of " +
                            std::to_string(vertices()));
@@ -139,7 +138,14 @@ private:
         bytes_read_ += size;
         return result;
     }
-    [[nodiscard]] std::size_t corner_bytes() const { return 1 + 4 * std::size_t(degree_); }
+    [[nodiscard]] const ply_property& corner_list() const
+    {
+        return header_.elements[1].properties[header_.elements[1].corner_list()];
+    }
+    [[nodiscard]] std::size_t corner_bytes() const
+    {
+        return corner_list().count.bytes + corner_list().value.bytes * std::size_t(degree_);
+    }
     [[nodiscard]] std::size_t face_bytes() const { return corner_bytes() + beside_corners_; }
 
     /// The first bytes of the file, up to the end of the header and beyond.
@@ -173,15 +179,15 @@ private:
         require(header_.encoding == ply_encoding::little_endian,
                 "is not binary_little_endian; only such files are read in slices");
         const auto& elements = header_.elements;
+        require(std::ranges::none_of(elements, [](const auto& e) { return e.is_strips() and e.count != 0; }),
+                "has strips of triangles ('tristrips'), which are read as a whole only; read it on one rank");
         require(elements[0].is_vertex() and elements[1].is_face(),
                 "has element " + (elements[0].is_vertex() ? elements[1] : elements[0]).name +
                     " out of place; vertices come first, then faces, then others");
         const auto list = std::ptrdiff_t(elements[1].corner_list());
         const auto& of_faces = elements[1].properties;
-        const auto& corners = of_faces[std::size_t(list)];
-        require(not elements[0].has_lists() and std::ranges::count_if(of_faces, &ply_property::is_list) == 1 and
-                    corners.count.bytes == 1 and not corners.count.is_signed and corners.value.bytes == 4,
-                "needs faces with one list 'vertex_indices' of uchar and int, and no other list; read it on one rank");
+        require(not elements[0].has_lists() and std::ranges::count_if(of_faces, &ply_property::is_list) == 1,
+                "needs faces with one list 'vertex_indices', and no other list; read it on one rank");
         const auto bytes_of = [](std::size_t sum, const ply_property& p) { return sum + p.value.bytes; };
         before_corners_ = std::accumulate(of_faces.begin(), of_faces.begin() + list, std::size_t(0), bytes_of);
         beside_corners_ = std::accumulate(of_faces.begin() + list + 1, of_faces.end(), before_corners_, bytes_of);
@@ -210,32 +216,39 @@ private:
         require(vertices() <= left / vertex_bytes_, too_short());
         left -= vertices() * vertex_bytes_;
         faces_at_ = vertices_at_ + std::streamoff(vertices() * vertex_bytes_);
-        require(left > before_corners_, too_short());
-        in_.seekg(faces_at_ + std::streamoff(before_corners_));
-        degree_ = in_.get();
-        require(degree_ == 3 or degree_ == 4,
-                "has faces of " + std::to_string(degree_) +
+        require(left >= before_corners_ + corner_list().count.bytes, too_short());
+        const std::int64_t degree = degree_of(0);
+        require(degree == 3 or degree == 4,
+                "has faces of " + std::to_string(degree) +
                     " vertices; files of triangles or of quads can be read in slices");
+        degree_ = int(degree);
         require(faces() <= left / face_bytes(), too_short());
         left -= faces() * face_bytes();
         in_.seekg(faces_at_ + std::streamoff(faces() * face_bytes()));
         for (std::size_t e = 2; e < header_.elements.size(); ++e)
             skip(header_.elements[e], left);
         if (left != 0) // as it does behind a face of more vertices than the first one
-            for (global_id f = 0; f < faces(); ++f) {
-                in_.seekg(faces_at_ + std::streamoff(f * face_bytes() + before_corners_));
-                require_degree(f, in_.get());
-            }
+            for (global_id f = 0; f < faces(); ++f)
+                require_degree(f, degree_of(f));
         require(left == 0,
                 "goes on for " + std::to_string(left) + (left == 1 ? " byte" : " bytes") + " after its last element");
         in_.clear();
     }
-    void require_degree(global_id face, int degree) const
+    /// Reads how many vertices a face has. Precondition: all faces before it have degree_.
+    [[nodiscard]] std::int64_t degree_of(global_id face)
+    {
+        const ply_number& type = corner_list().count;
+        std::array<char, 8> stored{};
+        in_.seekg(faces_at_ + std::streamoff(face * face_bytes() + before_corners_));
+        in_.read(stored.data(), std::streamsize(type.bytes));
+        return type.whole(stored.data());
+    }
+    void require_degree(global_id face, std::int64_t degree) const
     {
         if (degree != degree_)
             refuse("has face " + std::to_string(face) + " of another degree than face 0; read it on one rank");
     }
-    /// Goes behind the elements of a kind that nobody reads.
+    /// Goes behind the elements of a kind that is not read.
     void skip(const ply_element& element, std::uint64_t& left)
     {
         const std::size_t least = element.least_bytes();

@@ -5,7 +5,8 @@
 
 namespace kith::io {
 
-/// The formats that are read; all but VTU are written here, VTU in tiles (output/).
+/// The formats that are read. All but VTU are written here, VTU in tiles (output/). VTU stands for the XML files of VTK
+/// that hold surfaces: .vtu, .vtp, and the indices .pvtu and .pvtp of such files.
 enum class mesh_format : unsigned char { off, obj, ply, stl, vtu };
 
 /// "-" is standard input or output, which carries OFF.

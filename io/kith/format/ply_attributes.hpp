@@ -11,8 +11,8 @@
 
 namespace kith::io {
 
-/// Whether a property of vertices or faces is a number that says something else than the mesh does.
-bool is_attribute(const ply_element& element, std::size_t property);
+/// Returns the properties of vertices or faces that are numbers and no coordinates, in increasing order.
+std::vector<std::size_t> attributes_in(const ply_element& element);
 
 /// The list of a face's texture coordinates, two per corner, as MeshLab has them; without one the number of properties.
 std::size_t texture_list(const ply_element& element);
