@@ -152,7 +152,7 @@ TEST(vtu_file, holds_what_any_reader_finds)
 
 namespace {
 
-/// Of every byte that is changed the one tile, or all that share it, says so; the ranks are nobody's business.
+/// Changes every byte: the tile that has it says so, and so does the sum of the file.
 template <class Layout>
 void expect_differences(const Layout& layout, kith::tiled_refinement<point, std::uint32_t, kith::doo_sabin>& tiles,
                         std::size_t begin, std::size_t end)
@@ -160,14 +160,25 @@ void expect_differences(const Layout& layout, kith::tiled_refinement<point, std:
     const directory here;
     const auto path = here.path / "whole";
     auto file = kith::offset_file::create(path.string(), layout.size());
-    layout.write_frame(file);
+    kith::summed_bytes frame(&file);
+    layout.write_frame(frame);
+    kith::byte_sum written = frame.sum();
     std::vector<kith::tile<point>> parts;
     for (std::uint32_t t = 0; t < 3; ++t) {
         parts.push_back(tiles.refine(t));
-        layout.write_tile(file, parts.back(), {t, t});
+        kith::summed_bytes summed(&file);
+        layout.write_tile(summed, parts.back(), {t, t});
         EXPECT_EQ(layout.difference(file, parts.back(), t), std::nullopt);
+        EXPECT_NE(kith::sum_of_bytes(file, 0, layout.size()), written); // bytes of this tile
+        written += summed.sum();
+    }
+    for (const std::uint64_t cut : {std::uint64_t(0), std::uint64_t(1), std::uint64_t(302), layout.size() - 3}) {
+        kith::byte_sum in_two = kith::sum_of_bytes(file, 0, cut);
+        in_two += kith::sum_of_bytes(file, cut, layout.size());
+        EXPECT_EQ(in_two, written);
     }
     for_each_changed_byte(path, begin, end, [&](std::size_t at, bool is_changed) {
+        EXPECT_EQ(kith::sum_of_bytes(file, 0, layout.size()) == written, not is_changed) << at;
         std::size_t found = 0;
         for (std::uint32_t t = 0; t < 3; ++t)
             found += layout.difference(file, parts[t], t) == "byte " + std::to_string(at) + " of " + path.string();
@@ -200,14 +211,23 @@ TEST(vtu_pieces, finds_bytes_that_are_others_and_pieces_that_end_early)
     const auto part = tiles.refine(1);
     pieces.write_tile(index, part, {1, 0});
     EXPECT_EQ(pieces.difference(index, part, 1), std::nullopt);
+    const kith::byte_sum sum = pieces.sum_of_own_file(1);
+    EXPECT_NE(sum, kith::byte_sum());
+    EXPECT_EQ(pieces.sum_of_own_file(0), kith::byte_sum()); // which is not there
     const auto path = here.path / "1.vtu";
+    fs::copy_file(path, here.path / "0.vtu");
+    EXPECT_NE(pieces.sum_of_own_file(0), sum); // in the place of another piece
     const std::size_t size = fs::file_size(path);
     for_each_changed_byte(path, size - 300, size, [&](std::size_t at, bool is_changed) {
         const auto differs = pieces.difference(index, part, 1);
         EXPECT_EQ(differs.value_or("nothing"),
                   is_changed ? "byte " + std::to_string(at) + " of " + path.string() : "nothing");
+        EXPECT_EQ(pieces.sum_of_own_file(1) == sum, not is_changed) << at;
     });
+    fs::resize_file(path, size + 1);
+    EXPECT_NE(pieces.sum_of_own_file(1), sum);
     fs::resize_file(path, size - 1);
+    EXPECT_NE(pieces.sum_of_own_file(1), sum);
     EXPECT_EQ(pieces.difference(index, part, 1), "the size of " + path.string());
 }
 

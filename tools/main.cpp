@@ -30,10 +30,9 @@ constexpr std::array verbs{
          "  kith refine cow.off -s loop -n 3 -o fine.ply --binary\n"
          "  kith refine house.obj -s loop --triangulate -n 4 -o fine.obj --limit\n"
          "  kith refine cow.off -s loop -n 9 -o fine.vtu --tiles 500     larger than the memory\n"
-         "Files are OFF, OBJ, PLY, STL or VTU by their extension, - is OFF on standard input or output. OUT may be "
-         ".vtu\n"
-         "or .pvtu, too, which are written in tiles; tiles make binary .vtu, .pvtu or .ply, with --binary or "
-         "without.\n"},
+         "Files are OFF, OBJ, PLY, STL or VTU by their extension, - is OFF on standard input or output.\n"
+         "IN may be .vtu, .vtp, .pvtu or .pvtp; OUT may be .vtu or .pvtu, which are written in tiles.\n"
+         "Tiles make binary .vtu, .pvtu or .ply, with --binary or without.\n"},
     verb{"info",
          "Tells what a file holds and what is wrong with it; exit code 1 if something is.",
          run_info,
