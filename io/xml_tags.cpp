@@ -76,6 +76,8 @@ bool xml_tags::next(xml_tag& tag)
             continue;
         const std::string_view inside = text_.substr(begin + 1, end - begin - 1);
         tag.name = inside.substr(0, inside.find_first_of(" \t\r\n"));
+        if (tag.name.size() > 1 and tag.name.ends_with('/'))
+            tag.name.remove_suffix(1);
         tag.attributes = inside.substr(tag.name.size());
         const std::size_t next = std::min(text_.find('<', at_), text_.size());
         tag.text = text_.substr(at_, next - at_);
