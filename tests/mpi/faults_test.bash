@@ -127,6 +127,12 @@ check "nothing is left" test -z "$(find . -name 'out*')"
 # shellcheck disable=SC2086
 run refine $job --tiles 8 --journal kept --only 0..6
 yes U | head -c 4000 | dd of=kept/surface bs=1 seek=3000 conv=notrunc status=none
+# Without being asked a job notices, and gives the surface no name.
+on 3 refine --journal kept
+exits 1
+says '^kith-mpi: .*kept/surface: is damaged, its bytes are not those that were written; call again with --verify'
+one_message
+check "no output" test ! -e out.vtu
 on 3 refine --journal kept --verify
 exits 0
 prints '^out.vtu: .*, checksum [0-9a-f]+, verified$'

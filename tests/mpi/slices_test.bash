@@ -64,7 +64,48 @@ exits 1
 says 'few.ply: face [0-9]*: group is a number for which the file has no word; read it on one rank'
 one_message
 
+# Faces of more than 255 corners, which corners of 300 triangles become: PLY counts them in wider numbers, and by ranks and
+# slices that is known before there are faces. Lists of the control mesh may count so, too.
+awk 'BEGIN {
+    n = 300; print "OFF", n + 2, 2 * n, 0; print "0 0 2\n0 0 -1"
+    for (i = 0; i < n; ++i) { a = i * 6.283185307 / n; print cos(a), sin(a), 0 }
+    for (i = 0; i < n; ++i) print 3, 0, 2 + i, 2 + (i + 1) % n
+    for (i = 0; i < n; ++i) print 3, 1, 2 + (i + 1) % n, 2 + i
+}' >spindle.off
+run refine spindle.off -s linear-triangles -n 0 -o spindle.ply --binary
+for job in 'doo-sabin 1 ushort' 'mid-edge 2 ushort' 'loop 1 uchar'; do
+    read -r scheme levels type <<<"$job"
+    run refine spindle.off -s "$scheme" -n "$levels" -o whole.ply --binary
+    exits 0
+    has whole.ply "^property list $type int vertex_indices\$"
+    on 3 refine spindle.off -s "$scheme" -n "$levels" -o ranks.ply
+    exits 0
+    same whole.ply ranks.ply
+    on 3 refine spindle.ply -s "$scheme" -n "$levels" -o slices.ply --slices
+    exits 0
+    same whole.ply slices.ply
+done
+python3 - <<'END'
+import struct
+data = open("spindle.ply", "rb").read()
+data = data[data.index(b"end_header\n") + 11:]
+head = open("spindle.ply", "rb").read().split(b"end_header")[0].replace(b"list uchar int", b"list int uint")
+faces = [data[24 * 302 + 13 * f:][:13] for f in range(600)]
+with open("wide.ply", "wb") as out:
+    out.write(head + b"end_header\n" + data[:24 * 302] + b"".join(struct.pack("<i", f[0]) + f[1:] for f in faces))
+END
+on 2 refine wide.ply -s doo-sabin -n 1 -o slices.ply --slices
+exits 0
+run refine wide.ply -s doo-sabin -n 1 -o whole.ply --binary
+exits 0
+same whole.ply slices.ply
+
 # What a share of the file does not tell.
+sed 's/end_header/element tristrips 1\nproperty list int int vertex_indices\nend_header/' triangles.ply >strips.ply
+on 3 refine strips.ply -s loop -n 1 -o out.vtu --slices
+exits 1
+says "strips.ply: has strips of triangles \('tristrips'\), which are read as a whole only; read it on one rank"
+one_message
 on 3 refine open.ply -s doo-sabin -n 1 -o out.vtu --slices
 exits 1
 says 'doo-sabin: its numbers depend on the boundary, and the mesh has one; cut it on one rank'
