@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <iterator>
 #include <span>
+#include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace kith::tool {
@@ -28,19 +30,22 @@ void settle_normals(control_mesh& control, const attribute_use& use)
 
 void add_not_kept(control_mesh& control, const std::vector<std::string>& topics)
 {
+    std::unordered_set<std::string> told(control.not_kept.begin(), control.not_kept.end());
     for (const std::string& topic : topics)
-        if (std::ranges::find(control.not_kept, topic) == control.not_kept.end())
+        if (told.insert(topic).second)
             control.not_kept.push_back(topic);
 }
 
 /// What some vertices have no value of: what is made of such a vertex has none, either.
 void add_spreading_lack(control_mesh& control, int levels)
 {
+    std::vector<std::string> topics;
     for (const io::attribute& a : control.attributes.vertices) {
         const auto missing = std::ranges::count_if(a.values, [](double x) { return std::isnan(x); });
         if (levels > 0 and missing != 0 and missing != std::ranges::ssize(a.values))
-            add_not_kept(control, {io::topic_of(a.name, "vertices") + ", around vertices that have none"});
+            topics.push_back(io::topic_of(a.name, "vertices") + ", around vertices that have none");
     }
+    add_not_kept(control, topics);
 }
 
 template <class Which>

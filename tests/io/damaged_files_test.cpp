@@ -147,6 +147,10 @@ TEST(damaged_files, ply)
          "double u\nproperty char v\nelement face 1\nproperty list uchar float texcoord\nproperty list uchar int "
          "vertex_indices\nproperty ushort material\nend_header\n0 0 0 1e-5 -7\n1 0 0 inf 9\n0 1 0 nan 1\n6 0 0 1 0 0 "
          "1 3 0 1 2 65535\n",
+         "ply\nformat ascii 1.0\ncomment word group 1 a\nelement vertex 4\nproperty float x\nproperty float y\n"
+         "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nelement face 1\nproperty list "
+         "uchar int vertex_indices\nproperty uchar group\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n9 0 1 2 3 -1 3 2 1 "
+         "-1 3 0 1 3 1\n",
          files::binary_ply<float, std::uint8_t, std::int32_t>("float", "uchar", "int", false),
          files::binary_ply<double, std::int16_t, std::uint8_t>("double", "short", "uchar", true)},
         3);
@@ -170,9 +174,43 @@ TEST(damaged_files, vtu)
     files::append(raw, std::uint32_t(36));
     for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0})
         files::append(raw, x);
+    const auto piece = [](const std::string& point_ids, const std::string& cell_id, const std::string& ghost) {
+        return "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\"><PointData GlobalIds=\"id\"><DataArray type=\"Int64\" "
+               "Name=\"id\">" +
+               point_ids +
+               "</DataArray><DataArray type=\"Int8\" Name=\"heat\">1 2 3</DataArray></PointData><CellData>"
+               "<DataArray type=\"Int64\" Name=\"GlobalCellIds\">" +
+               cell_id + "</DataArray><DataArray type=\"UInt8\" Name=\"vtkGhostType\">" + ghost +
+               "</DataArray><DataArray type=\"Int8\" Name=\"group\">1</DataArray></CellData><Points><DataArray "
+               "type=\"Float32\" NumberOfComponents=\"3\">0 0 0 0 0 0 0 0 0</DataArray></Points><Cells><DataArray "
+               "type=\"Int64\" Name=\"connectivity\">0 1 2</DataArray><DataArray type=\"Int8\" Name=\"offsets\">3"
+               "</DataArray><DataArray type=\"UInt8\" Name=\"types\">6</DataArray></Cells></Piece>";
+    };
+    const std::string pieces = "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><FieldData><DataArray "
+                               "type=\"String\" Name=\"group\" format=\"ascii\">0 97 0</DataArray></FieldData>" +
+                               piece("1 2 3", "5", "0") + piece("3 2 9", "4", "0") + piece("3 2 9", "4", "1") +
+                               "</UnstructuredGrid></VTKFile>";
+    // One block of 36 zeros, compressed; its head has four words.
+    const std::string zeros("\x78\x9c\x63\x60\x20\x0c\x00\x00\x24\x00\x01", 11);
+    std::string block;
+    for (const std::uint32_t word : {1, 36, 0, 11})
+        files::append(block, word);
+    const std::string poly_data =
+        "<VTKFile type=\"PolyData\" compressor=\"vtkZLibDataCompressor\"><PolyData><Piece NumberOfPoints=\"3\" "
+        "NumberOfLines=\"1\" NumberOfPolys=\"1\" NumberOfStrips=\"1\"><Points>" +
+        array +
+        "format=\"appended\" offset=\"0\"/></Points><Lines/><Polys><DataArray type=\"Int8\" Name=\"offsets\">3"
+        "</DataArray><DataArray type=\"Int8\" Name=\"connectivity\">0 1 2</DataArray></Polys><Strips><DataArray "
+        "type=\"Int8\" Name=\"offsets\">4</DataArray><DataArray type=\"Int8\" Name=\"connectivity\">0 1 2 0"
+        "</DataArray></Strips></Piece></PolyData><AppendedData encoding=\"raw\">_" +
+        block + zeros + "</AppendedData></VTKFile>";
+    EXPECT_TRUE(reads(mesh_format::vtu, pieces));
+    EXPECT_TRUE(reads(mesh_format::vtu, poly_data));
     damage(
         mesh_format::vtu,
-        {head + array + ">0 0 0 1 0 0 0 1e0 0</DataArray>" + tail + "</VTKFile>",
+        {pieces,
+         poly_data,
+         head + array + ">0 0 0 1 0 0 0 1e0 0</DataArray>" + tail + "</VTKFile>",
          head + array + "format=\"binary\">JAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA==</DataArray>" + tail,
          head + array + "format=\"appended\" offset=\"0\"/>" + tail + "<AppendedData encoding=\"raw\">_" + raw},
         5);
