@@ -8,6 +8,7 @@
 #include "shapes.hpp"
 
 #include <kith/cgal_subdivision.hpp>
+#include <kith/convert.hpp>
 #include <kith/crease/make_creases.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/openmesh_subdivision.hpp>
@@ -18,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -42,16 +44,16 @@ M openmesh(const shapes::shape& s)
     return user_mesh<M>::make(s.points, s.faces);
 }
 
-/// What is said of a mesh, by all that reads one.
+/// The errors of all functions that read a mesh.
 struct refusals {
-    std::string refine, report, hierarchy, dialect;
+    std::string refine, report, hierarchy, dialect, creases, convert;
 };
 template <class F>
 std::string refusal(const F& f)
 {
     return error_text<kith::mesh_error>(f);
 }
-template <class M, class Dialect>
+template <class Other, class M, class Dialect>
 refusals refusals_of(const M& mesh, const Dialect& dialect)
 {
     return {refusal([&] { kith::refine(mesh, kith::loop(), 1); }),
@@ -60,17 +62,17 @@ refusals refusals_of(const M& mesh, const Dialect& dialect)
             refusal([&] {
                 M copy = mesh;
                 dialect(copy);
-            })};
+            }),
+            refusal([&] { kith::creases_by_angle(mesh, 30); }),
+            refusal([&] { kith::convert<Other>(mesh); })};
 }
 refusals refusals_of(const cgal_mesh& mesh)
 {
-    EXPECT_NE(refusal([&] { kith::creases_by_angle(mesh, 30); }), "no error");
-    return refusals_of(mesh, [](auto& copy) { kith::cgal::Loop_subdivision(copy, 1); });
+    return refusals_of<tri_mesh>(mesh, [](auto& copy) { kith::cgal::Loop_subdivision(copy, 1); });
 }
 refusals refusals_of(const tri_mesh& mesh)
 {
-    EXPECT_NE(refusal([&] { kith::creases_by_angle(mesh, 30); }), "no error");
-    return refusals_of(mesh, [](auto& copy) { kith::openmesh::LoopT<tri_mesh>()(copy, 1); });
+    return refusals_of<cgal_mesh>(mesh, [](auto& copy) { kith::openmesh::LoopT<tri_mesh>()(copy, 1); });
 }
 void expect_all(const refusals& told, const std::string& text)
 {
@@ -78,6 +80,8 @@ void expect_all(const refusals& told, const std::string& text)
     EXPECT_EQ(told.report, text);
     EXPECT_EQ(told.hierarchy, text);
     EXPECT_EQ(told.dialect, text);
+    EXPECT_EQ(told.creases, text);
+    EXPECT_EQ(told.convert, text);
 }
 
 /// A mask that is not asked for anything.
@@ -133,12 +137,11 @@ TEST(broken_mesh, a_face_of_a_removed_vertex)
     for (const std::size_t removed : {3U, 1U}) {
         auto mesh = cgal(shapes::tetrahedron());
         mesh.remove_vertex(vertex(cgal_mesh::size_type(removed)));
-        const auto told = refusals_of(mesh);
-        const std::string text = std::string(removed == 3 ? "face 1" : "face 0") +
-                                 ": one of its vertices has been removed; repair the mesh";
-        EXPECT_EQ(told.refine, text);
-        EXPECT_EQ(told.hierarchy, text);
-        EXPECT_EQ(told.dialect, text);
+        std::string text;
+        for (const auto f : removed == 3 ? std::vector{1, 2, 3} : std::vector{0, 2, 3})
+            text += (text.empty() ? "face " : "\nface ") + std::to_string(f) +
+                    ": one of its vertices has been removed; remove the face, too";
+        expect_all(refusals_of(mesh), text);
         EXPECT_EQ(refusal([&] { kith::cgal::PTQ(mesh, no_mask(), 1); }), text);
     }
 }
@@ -159,30 +162,115 @@ TEST(broken_mesh, a_face_without_half_edges)
     EXPECT_EQ(refusal([&] { kith::cgal::Loop_subdivision(graph, 1); }), "face 4: has 0 corners; remove it");
 }
 
+/// In meshes with a boundary there are as many half-edges as the corners of the bare face need.
+TEST(broken_mesh, a_bare_face_beside_a_boundary)
+{
+    const std::string text = "face 1: has 0 corners; remove it";
+    const shapes::shape triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    auto theirs = cgal(triangle);
+    theirs.add_face();
+    expect_all(refusals_of(theirs), text);
+    auto ours = openmesh(triangle);
+    ours.new_face();
+    expect_all(refusals_of(ours), text);
+    polyhedron graph;
+    CGAL::copy_face_graph(cgal(triangle), graph);
+    add_face(graph);
+    EXPECT_EQ(refusal([&] { kith::cgal::Loop_subdivision(graph, 1); }), text);
+
+    // The first face is removed again, the second is left.
+    theirs = cgal(triangle);
+    const auto removed = theirs.add_face();
+    theirs.add_face();
+    theirs.remove_face(removed);
+    expect_all(refusals_of(theirs), "face 2: has 0 corners; remove it");
+    auto with_status = openmesh(triangle);
+    with_status.request_face_status();
+    with_status.status(with_status.new_face()).set_deleted(true);
+    with_status.new_face();
+    expect_all(refusals_of(with_status), "face 2: has 0 corners; remove it");
+
+    // Alone, and among quads.
+    cgal_mesh alone;
+    alone.add_face();
+    expect_all(refusals_of(alone), "face 0: has 0 corners; remove it");
+    auto quad = cgal({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}});
+    quad.add_face();
+    EXPECT_EQ(refusal([&] { kith::refine(quad, kith::loop(), 1); }), text);
+    EXPECT_EQ(refusal([&] { kith::cgal::CatmullClark_subdivision(quad, 1); }), text);
+}
+
+TEST(broken_mesh, an_edge_without_faces)
+{
+    const shapes::shape triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    const std::string text = "edge 3: has no face; remove it or give it a face";
+    auto theirs = cgal(triangle);
+    theirs.add_edge();
+    expect_all(refusals_of(theirs), text);
+    theirs = cgal(triangle);
+    theirs.add_edge(vertex(0), vertex(1));
+    expect_all(refusals_of(theirs), text);
+    auto ours = openmesh(triangle);
+    ours.new_edge(OpenMesh::VertexHandle(0), OpenMesh::VertexHandle(1));
+    expect_all(refusals_of(ours), text);
+    polyhedron graph;
+    CGAL::copy_face_graph(cgal(triangle), graph);
+    add_edge(graph);
+    EXPECT_EQ(refusal([&] { kith::cgal::Loop_subdivision(graph, 1); }), text);
+}
+
+TEST(broken_mesh, points_that_are_not_finite)
+{
+    auto theirs = cgal(shapes::tetrahedron());
+    theirs.point(vertex(2)) = kernel::Point_3(0, std::nan(""), 0);
+    const auto told = refusals_of(theirs);
+    const std::string text = "vertex 2: a coordinate is not a finite number; give it a place";
+    EXPECT_EQ(told.refine, text);
+    EXPECT_EQ(told.report, text);
+    EXPECT_EQ(told.hierarchy, text);
+    EXPECT_EQ(told.dialect, text);
+    EXPECT_EQ(told.convert, text);
+}
+
+TEST(broken_mesh, a_mesh_without_elements_is_converted)
+{
+    EXPECT_EQ(kith::convert<tri_mesh>(cgal_mesh()).mesh.n_vertices(), 0U);
+    EXPECT_EQ(kith::convert<cgal_mesh>(tri_mesh()).mesh.number_of_vertices(), 0U);
+    cgal_mesh points_only;
+    points_only.add_vertex(kernel::Point_3(0, 0, 0));
+    EXPECT_EQ(refusal([&] { kith::convert<tri_mesh>(points_only); }), kith::validate(points_only).text());
+}
+
 TEST(broken_mesh, a_face_of_a_removed_edge)
 {
     for (cgal_mesh::size_type removed = 0; removed < 6; ++removed) {
         auto mesh = cgal(shapes::tetrahedron());
         mesh.remove_edge(edge(removed));
-        const std::string of_face = "face " + std::to_string(std::size_t(mesh.face(halfedge(2 * removed))));
+        const auto open = std::size_t(mesh.face(halfedge(2 * removed)));
+        const auto other = std::size_t(mesh.face(halfedge(2 * removed + 1)));
+        const std::string of_open = "face " + std::to_string(open) + open_face;
+        const std::string of_other = "face " + std::to_string(other) +
+                                     ": one of its edges has been removed; remove the face, too";
+        const std::string text = open < other ? of_open + "\n" + of_other : of_other + "\n" + of_open;
         const auto told = refusals_of(mesh);
-        EXPECT_EQ(told.refine, of_face + open_face);
-        EXPECT_EQ(told.report, of_face + open_face);
-        EXPECT_EQ(told.hierarchy, of_face + open_face);
-        EXPECT_NE(told.dialect.find(of_face + open_face), std::string::npos) << told.dialect;
+        EXPECT_EQ(told.refine, text);
+        EXPECT_EQ(told.report, text);
+        EXPECT_EQ(told.hierarchy, text);
+        EXPECT_EQ(told.creases, text);
+        EXPECT_EQ(told.convert, text);
+        EXPECT_NE(told.dialect.find(of_open), std::string::npos)
+            << told.dialect; // the copy has another list of free edges
     }
     // Where the half-edges lead around all faces still.
     auto mesh = cgal(shapes::tetrahedron());
     const auto next = mesh.next(halfedge(6));
     mesh.remove_edge(edge(3));
     mesh.set_next(halfedge(6), next);
-    const auto told = refusals_of(mesh);
-    const auto faces = {std::size_t(mesh.face(halfedge(6))), std::size_t(mesh.face(halfedge(7)))};
-    const std::string text = "face " + std::to_string(std::min(faces)) +
-                             ": one of its edges has been removed; repair the mesh";
-    EXPECT_EQ(told.refine, text);
-    EXPECT_EQ(told.hierarchy, text);
-    EXPECT_EQ(told.dialect, text);
+    const auto faces = std::minmax({std::size_t(mesh.face(halfedge(6))), std::size_t(mesh.face(halfedge(7)))});
+    const std::string removed_edge = ": one of its edges has been removed; remove the face, too";
+    expect_all(refusals_of(mesh),
+               "face " + std::to_string(faces.first) + removed_edge + "\nface " + std::to_string(faces.second) +
+                   removed_edge);
 }
 
 TEST(broken_mesh, a_vertex_that_starts_at_no_half_edge_of_the_mesh)
@@ -358,22 +446,19 @@ TEST(broken_mesh, elements_of_openmesh_that_are_marked_as_deleted_by_hand)
     for (const auto e : good.edges()) {
         auto mesh = good;
         mesh.status(e).set_deleted(true);
-        const auto faces = {good.face_handle(good.halfedge_handle(e, 0)).idx(),
-                            good.face_handle(good.halfedge_handle(e, 1)).idx()};
-        const auto text = "face " + std::to_string(std::min(faces)) +
-                          ": one of its edges has been removed; repair the mesh";
-        const auto told = refusals_of(mesh);
-        EXPECT_EQ(told.refine, text);
-        EXPECT_EQ(told.hierarchy, text);
-        EXPECT_EQ(told.dialect, text);
+        const auto faces = std::minmax(
+            {good.face_handle(good.halfedge_handle(e, 0)).idx(), good.face_handle(good.halfedge_handle(e, 1)).idx()});
+        const std::string removed_edge = ": one of its edges has been removed; remove the face, too";
+        expect_all(refusals_of(mesh),
+                   "face " + std::to_string(faces.first) + removed_edge + "\nface " + std::to_string(faces.second) +
+                       removed_edge);
     }
     for (const auto v : good.vertices()) {
         auto mesh = good;
         mesh.status(v).set_deleted(true);
         const auto told = refusals_of(mesh);
-        EXPECT_NE(told.refine.find(": one of its vertices has been removed; repair the mesh"), std::string::npos);
-        EXPECT_EQ(told.hierarchy, told.refine);
-        EXPECT_EQ(told.dialect, told.refine);
+        EXPECT_NE(told.refine.find(": one of its vertices has been removed; remove the face, too"), std::string::npos);
+        expect_all(told, told.refine);
     }
     // A component that is marked as a whole has gone, however that was said.
     auto mesh = with_status(shapes::both(shapes::tetrahedron(), shapes::tetrahedron()));

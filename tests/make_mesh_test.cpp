@@ -120,7 +120,29 @@ TEST(make_mesh, refuses_neighbours_of_different_orientation)
 TEST(make_mesh, refuses_a_moebius_strip)
 {
     const std::string text = refusal(6, {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 3, 0, 5}});
-    EXPECT_EQ(text, "edge 0-3: faces 0 and 2 run through it in the same direction; turn one of them round");
+    EXPECT_EQ(text,
+              "edge 0-3: faces 0 and 2 run through it in the same direction, and no turning of faces helps, as the "
+              "surface is one-sided (not orientable); cut it along edges from boundary to boundary");
+}
+
+TEST(make_mesh, tells_a_turned_face_beside_a_one_sided_surface)
+{
+    // The strip, and two triangles of which one is turned.
+    const std::string text = refusal(10, {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 3, 0, 5}, {6, 7, 8}, {6, 7, 9}});
+    EXPECT_NE(text.find("edge 0-3: faces 0 and 2 run through it in the same direction, and no turning"), text.npos);
+    EXPECT_NE(text.find("edge 6-7: faces 3 and 4 run through it in the same direction; turn one of them round"),
+              text.npos);
+}
+
+TEST(make_mesh, names_few_of_many_faces_at_an_edge)
+{
+    polygons book;
+    for (std::size_t page = 2; page < 22; ++page)
+        book.push_back({0, 1, page});
+    EXPECT_EQ(
+        refusal(22, book),
+        "edge 0-1: 20 faces (0, 1, 2, 3, 4, 5, 6, 7, ...); split the edge or remove faces so that at most two are "
+        "left");
 }
 
 TEST(make_mesh, refuses_a_face_given_twice)

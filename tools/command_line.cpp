@@ -15,6 +15,22 @@ namespace kith::tool {
 
 namespace po = boost::program_options;
 
+namespace {
+
+/// `--weld 0.1` as `--weld=0.1`: Boost gives a value that may be missing to an option only if it is joined to it.
+std::vector<std::string> with_joined_distance(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> result;
+    for (const auto& argument : arguments)
+        if (not result.empty() and result.back() == "--weld" and number_in(argument))
+            result.back() += "=" + argument;
+        else
+            result.push_back(argument);
+    return result;
+}
+
+} // namespace
+
 std::optional<po::variables_map> parse(const verb& verb, po::options_description options,
                                        const std::vector<std::string>& operands,
                                        const std::vector<std::string>& arguments)
@@ -33,7 +49,12 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
     po::variables_map values;
     try {
         const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-        po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), values);
+        po::store(po::command_line_parser(with_joined_distance(arguments))
+                      .options(all)
+                      .positional(positions)
+                      .style(style)
+                      .run(),
+                  values);
     } catch (const po::error& error) {
         if (std::string(error.what()).find("too many positional") != std::string::npos)
             throw usage_error("more operands than " + std::to_string(operands.size()) + " were given");
@@ -98,6 +119,16 @@ std::uint64_t count_from(const po::variables_map& values, const std::string& opt
                           " were asked for; ask for 1 or more" +
                           (most == INT64_MAX ? "" : ", up to " + std::to_string(most)));
     return std::uint64_t(count);
+}
+
+std::optional<double> number_in(std::string_view text)
+{
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (text.empty() or error != std::errc() or rest != end or not std::isfinite(value))
+        return std::nullopt;
+    return value;
 }
 
 std::uint64_t bytes_from(const std::string& text)

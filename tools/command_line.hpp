@@ -66,6 +66,9 @@ std::uint64_t count_from(const boost::program_options::variables_map& values, co
 /// What counts may be asked for: more than any machine has, and little enough to multiply and to allocate.
 constexpr std::int64_t most_ranks = 1 << 20, most_tiles_per_rank = UINT32_MAX, most_threads = 4096;
 
+/// A finite number, or nothing for other words.
+std::optional<double> number_in(std::string_view text);
+
 /// A number of bytes: 500M, 1.5G; K, M, G and T are powers of 1024. Errors: usage_error.
 std::uint64_t bytes_from(const std::string& text);
 

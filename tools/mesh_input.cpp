@@ -81,6 +81,24 @@ io::polygon_soup read_soup(const std::string& path)
     return soup;
 }
 
+io::polygon_soup read_soup(const std::string& path, const input_repair& repair)
+{
+    polygon_soup soup = read_soup(path);
+    if (repair.empty())
+        return soup;
+    repair_report report;
+    std::vector<std::string> notes;
+    try {
+        soup = repaired_soup(soup, repair, report, notes);
+    } catch (const mesh_error& error) {
+        throw file_error(path + ":\n" + error.what());
+    }
+    for (const auto& lines : {report.lines(), notes})
+        for (const auto& line : lines)
+            std::cerr << "kith: note: " << path << ": " << line << '\n';
+    return soup;
+}
+
 std::vector<bool> vertices_with_faces(const io::polygon_soup& soup)
 {
     std::vector<bool> result(soup.points.size());
@@ -110,13 +128,16 @@ control_mesh control_mesh_of(const io::polygon_soup& soup)
     return control(with_faces, std::move(isolated), 0);
 }
 
-control_mesh read_mesh(const std::string& path)
+control_mesh read_mesh(const std::string& path, const input_repair& repair)
 {
-    const polygon_soup soup = read_soup(path);
+    const polygon_soup soup = read_soup(path, repair);
     try {
         return control_mesh_of(soup);
     } catch (const mesh_error& error) {
-        throw file_error(path + ":\n" + error.what());
+        std::string text = path + (repair.empty() ? ":\n" : ", in the numbers after the repair:\n") + error.what();
+        for (const auto& remedy : remedies(soup, report_of(soup)))
+            text += "\n" + remedy;
+        throw file_error(text);
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repair_input.hpp"
+
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh/mesh_report.hpp>
 #include <kith/polygon_soup.hpp>
@@ -20,12 +22,16 @@ struct control_mesh {
     io::mesh_attributes attributes{};              ///< the isolated vertices come last
 };
 
-/// The content of a file; what is odd about it is noted on standard error. Errors: file_error.
+/// The content of a file. Notes of the reader are written to standard error. Errors: file_error.
 io::polygon_soup read_soup(const std::string& path);
 
+/// Same as read_soup, but after a repair; what it did is written to standard error. Errors: file_error.
+io::polygon_soup read_soup(const std::string& path, const input_repair& repair);
+
 /// The mesh in a file. Vertices without a face are put aside, those after them move up. Errors: file_error for what the
-/// file is, and with everything that is wrong with the mesh, in the numbers of the file.
-control_mesh read_mesh(const std::string& path);
+/// file is, and with everything that is wrong with the mesh and the options that mend it. Elements have the numbers of
+/// the file, or those after the repair.
+control_mesh read_mesh(const std::string& path, const input_repair& repair);
 
 /// The same of its content. Errors: mesh_error.
 control_mesh control_mesh_of(const io::polygon_soup& soup);

@@ -26,6 +26,7 @@ po::options_description options_of_refine()
     po::options_description options("Options");
     add_scheme_options(options);
     add_uv_option(options);
+    add_repair_options(options);
     add_option<std::string>(options, "output,o", "OUT", "the file to write: .vtu, .ply or, a file per tile, .pvtu");
     add_option<std::string>(options, "mode", "MODE", "spmd: tiles are dealt out; manager: rank 0 hands them out");
     add_option<std::int64_t>(options, "tiles-per-rank", "K", "cut the mesh into so many tiles per rank");
@@ -57,7 +58,9 @@ void require_slices_alone(const po::variables_map& values)
                                "verify",
                                "crease-angle",
                                "crease-sharpness",
-                               "triangulate"})
+                               "triangulate",
+                               "repair",
+                               "weld"})
         if (values.count(option) != 0)
             throw usage_error("--" + std::string(option) +
                               ": needs the whole mesh on one rank; leave out this or --slices");

@@ -139,7 +139,8 @@ recipe recipe_of(const tile_request& request, partition parts)
                        {"format", std::filesystem::path(request.output).extension().string()},
                        {"cell-origin", request.with_origin ? "yes" : "no"},
                        {"limit", request.limit ? "yes" : "no"},
-                       {"uv", word_of(request.linear)}};
+                       {"uv", word_of(request.linear)},
+                       {"repair", words_of(request.repair)}};
     for (const auto& [name, word] : words_with_names(request.words))
         result.settings.emplace_back(name, word);
     result.control = pack_control(request);
@@ -168,6 +169,7 @@ tile_request request_from(const recipe& recipe)
     result.with_origin = word("cell-origin") == "yes";
     result.limit = word("limit") == "yes";
     result.linear = choice_from<face_varying_linear>("uv", word("uv"));
+    result.repair = repair_named(word("repair"));
     return result;
 }
 

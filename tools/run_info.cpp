@@ -60,6 +60,8 @@ struct verdict {
     std::vector<std::string_view> schemes; ///< that take the mesh
     std::vector<std::string> attributes;   ///< what else is refined
     std::vector<std::string> not_refined;
+    tool::cracks cracks;
+    std::vector<std::string> remedies; ///< of the problems
 };
 
 std::string sharpness_text(double sharpness)
@@ -108,7 +110,10 @@ std::string numbers_of(const mesh_tags& tags)
 
 verdict verdict_on(const polygon_soup& soup, const mesh_report& report)
 {
-    verdict result{report.lines(), lines_of(soup.tags), {}, topics_of(soup.attributes), soup.not_kept};
+    verdict result{report.lines(), lines_of(soup.tags), {}, topics_of(soup.attributes), soup.not_kept, {}, {}};
+    if (not report.has(problem::bad_index))
+        result.cracks = cracks_of(soup);
+    result.remedies = remedies(soup, report);
     if (std::erase(result.attributes, "normals") != 0)
         result.not_refined.emplace_back("normals");
     if (not report.ok())
@@ -139,6 +144,23 @@ void print_list(const std::vector<std::string>& lines)
         std::cout << "  and " << lines.size() - most << " more, which --json lists\n";
 }
 
+/// "16 at the boundary lie where others do, 8 of them to the last bit: vertex 8 at vertex 0, ...; --weld joins them"
+std::string cracks_text(const cracks& found, std::size_t first_number)
+{
+    constexpr std::size_t most = 4;
+    const auto number = [&](std::size_t v) { return std::to_string(v + first_number); };
+    const std::size_t count = found.rounded.size();
+    std::string result = std::to_string(count) + " at the boundary " +
+                         (count == 1 ? "lies where another does" : "lie where others do") + ", " +
+                         (found.equal.size() == count ? "exactly"
+                                                      : std::to_string(found.equal.size()) + " exactly, else within " +
+                                                            to_json(found.distance)) +
+                         ": ";
+    for (std::size_t i = 0; i < std::min(most, count); ++i)
+        result += (i == 0 ? "" : ", ") + number(found.rounded[i].first) + " at " + number(found.rounded[i].second);
+    return result + (count > most ? ", ..." : "") + "; --weld joins them";
+}
+
 void print_text(const std::string& path, const mesh_facts& facts, const polygon_soup& soup, const verdict& found)
 {
     const auto line = [](std::string_view name, const auto& value) {
@@ -160,6 +182,8 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
     print_box(line, facts);
     if (facts.isolated != 0)
         line("isolated vertices", facts.isolated);
+    if (not found.cracks.rounded.empty())
+        line("coinciding vertices", cracks_text(found.cracks, soup.first_number));
     line("tags", numbers_of(soup.tags));
     print_list(found.tags);
     std::string attributes, others, schemes;
@@ -177,6 +201,8 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
     line("problems", found.problems.empty() ? "none" : "found");
     for (const auto& problem : found.problems)
         std::cout << "  " << problem << '\n';
+    for (const auto& remedy : found.remedies)
+        std::cout << "  " << remedy << '\n';
 }
 
 void print_json(const std::string& path, const mesh_facts& facts, const verdict& found)
@@ -197,6 +223,13 @@ void print_json(const std::string& path, const mesh_facts& facts, const verdict&
         result.add("vertices_between_two_faces", facts.between_two_faces);
     if (facts.isolated != 0)
         result.add("isolated_vertices", facts.isolated);
+    if (not found.cracks.rounded.empty())
+        result.add_json("coinciding_vertices",
+                        json_object()
+                            .add("equal", found.cracks.equal.size())
+                            .add("within_distance", found.cracks.rounded.size())
+                            .add("distance", found.cracks.distance)
+                            .text());
     result.add("tags", found.tags);
     if (not found.attributes.empty())
         result.add("attributes", found.attributes);
@@ -211,12 +244,13 @@ void print_json(const std::string& path, const mesh_facts& facts, const verdict&
 int run_info(const verb& verb, const std::vector<std::string>& arguments)
 {
     boost::program_options::options_description options("Options");
+    add_repair_options(options);
     add_flag(options, "json", "print JSON");
     const auto values = parse(verb, options, {"FILE"}, arguments);
     if (not values)
         return 0;
     const std::string path = required(*values, "FILE");
-    const polygon_soup soup = read_soup(path);
+    const polygon_soup soup = read_soup(path, input_repair_from(*values));
     const mesh_report report = report_of(soup);
     const mesh_facts facts = facts_of(soup, report);
     const verdict found = verdict_on(soup, report);

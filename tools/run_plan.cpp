@@ -157,6 +157,7 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
 {
     po::options_description options("Options");
     add_scheme_options(options);
+    add_repair_options(options);
     add_option<std::string>(
         options, "mesh", "MESH", "count what refining on this kind of mesh needs: " + mesh_kind_names());
     add_flag(options, "limit", "count what --limit of `kith refine` needs as well");
@@ -176,7 +177,7 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     if (values->count("mesh") != 0 and values->count("ranks") != 0)
         throw usage_error(
             "--mesh and --ranks do not go together, since ranks refine native tiles; leave one of them out");
-    control_mesh input = read_mesh(required(*values, "IN"));
+    control_mesh input = read_mesh(required(*values, "IN"), input_repair_from(*values));
     give_creases(scheme, input, words);
     const bool limit = values->count("limit") != 0;
     if (values->count("ranks") != 0) {

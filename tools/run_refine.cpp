@@ -46,6 +46,7 @@ po::options_description options_of_refine()
     po::options_description options("Options");
     add_scheme_options(options);
     add_uv_option(options);
+    add_repair_options(options);
     add_option<std::string>(options, "output,o", "OUT", "the file to write; - is standard output");
     add_flag(options, "binary", "write PLY or STL as binary instead of text");
     add_flag(options, "limit", "write the vertices at their limits; in OFF, OBJ and PLY with the normals there");
@@ -123,6 +124,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     const std::string scheme = required(*values, "scheme");
     const mesh_kind mesh = mesh_kind_from(*values);
     scheme_words words = scheme_words_of(*values);
+    const input_repair repair = input_repair_from(*values);
     refine_request request{.scheme = make_scheme(scheme, words),
                            .levels = levels_of(*values),
                            .memory = memory_limit_from(*values),
@@ -135,7 +137,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
         throw usage_error("--binary: only PLY and STL are written in binary, " + output + " is text");
 
     phase_seconds seconds;
-    control_mesh control = timed(seconds[phase::read], [&] { return read_mesh(input); });
+    control_mesh control = timed(seconds[phase::read], [&] { return read_mesh(input, repair); });
     io::mesh_attributes attributes;
     refined_mesh result = timed(seconds[phase::refine], [&] {
         give_creases(request.scheme, control, words);

@@ -49,6 +49,7 @@ tile_request tile_request_from(const po::variables_map& values)
     if (request.with_origin and extension_of(request.output) == ".ply")
         throw usage_error("--cell-origin: " + request.output + " would have no place for it; write .vtu or .pvtu");
     request.limit = values.count("limit") != 0;
+    request.repair = input_repair_from(values);
     return request;
 }
 

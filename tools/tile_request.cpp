@@ -13,7 +13,7 @@ namespace kith::tool {
 
 void read_control(tile_request& request, const std::string& path)
 {
-    control_mesh control = read_mesh(path);
+    control_mesh control = read_mesh(path, request.repair);
     give_creases(request.scheme, control, request.words);
     const sharp_elements left = sharp_after(request.scheme, request.levels);
     add_lost_sharpness(control.not_kept, left.edges, left.vertices);

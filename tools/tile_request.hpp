@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repair_input.hpp"
 #include "schemes.hpp"
 
 #include <kith/mesh/basic_mesh.hpp>
@@ -18,6 +19,7 @@ struct tile_request {
     std::string output;
     bool with_origin = false; ///< rank and tile of each cell, so that the bytes depend on the job as well
     bool limit = false;       ///< the vertices at their places on the limit surface, with the normals there
+    input_repair repair{};    ///< of the control mesh
     face_varying_linear linear = face_varying_linear::all; ///< of the attributes of corners
     basic_mesh<> control{};
     io::mesh_attributes kinds{}; ///< of what is carried, the same on all ranks

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/level/named_level.hpp>
-#include <kith/level/validate.hpp>
+#include <kith/level/lift.hpp>
 #include <kith/property/property_values.hpp>
 #include <kith/step/step.hpp>
 

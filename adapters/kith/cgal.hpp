@@ -60,7 +60,8 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     /// Removing a face leaves its half-edges as they are.
     static bool is_boundary(const mesh_type& m, halfedge h)
     {
-        return m.is_border(h) or (m.number_of_removed_faces() != 0 and m.is_removed(m.face(h)));
+        return m.is_border(h) or (m.number_of_removed_faces() != 0 and std::size_t(m.face(h)) < m.num_faces() and
+                                  m.is_removed(m.face(h)));
     }
     static vertex source(const mesh_type& m, halfedge h) { return m.source(h); }
     static edge edge_of(const mesh_type& m, halfedge h) { return m.edge(h); }

@@ -5,7 +5,7 @@
 
 #include <kith/base/affine.hpp>
 #include <kith/base/storage.hpp>
-#include <kith/level/validate.hpp>
+#include <kith/level/lift.hpp>
 #include <kith/property/copy_properties.hpp>
 
 #include <algorithm>
@@ -65,22 +65,15 @@ basic_mesh<To, std::uint32_t> with_points(basic_mesh<From, std::uint32_t>&& mesh
     }
 }
 
-/// How many corners lie in the fans of their vertices: all of them, unless a vertex has several fans.
-template <std::unsigned_integral Index>
-std::size_t corners_in_fans(const connectivity<Index>& mesh)
+/// Reads a mesh that can be refined, or one without elements. Errors: mesh_error with everything that `validate` finds.
+template <mesh From>
+auto lift_valid_or_empty(const From& mesh)
 {
-    std::size_t result = 0;
-    for (std::size_t v = 0; v < mesh.vertices; ++v) {
-        const Index start = mesh.vertex_corner[v];
-        if (start == mesh.none) // only edges without a face lead there
-            continue;
-        Index c = start;
-        do {
-            result += mesh.corner_vertex[c] == v;
-            c = mesh.next_in_fan(c);
-        } while (c != mesh.none and c != start);
-    }
-    return result;
+    using traits = mesh_traits<From>;
+    const auto is_empty = [](const auto& elements) { return elements.begin() == elements.end(); };
+    if (is_empty(traits::vertices(mesh)) and is_empty(traits::edges(mesh)) and is_empty(traits::faces(mesh)))
+        return lift(mesh);
+    return lift_valid<From, typename traits::point>(mesh);
 }
 
 } // namespace detail
@@ -92,17 +85,15 @@ std::size_t corners_in_fans(const connectivity<Index>& mesh)
 /// (with the names of CGAL: "v:color", "v:normal", "v:texcoord"; of OpenMesh: "v:colors", "v:normals",
 /// "v:texcoords2D"). Coordinates are rounded where To has other numbers. What was left out, or narrowed, is told.
 /// Looked for are the types of values that property_access knows for either library, and More.
-/// Errors: mesh_error for what is no mesh (isolated vertices, several fans at a vertex), for faces that To cannot hold.
+/// Errors: mesh_error with everything that `validate` finds, and for faces that To cannot hold; a mesh without elements
+/// becomes one without elements.
 /// Cost: O(elements), and that for each property.
 template <refinable_mesh To, class... More, mesh From>
 conversion<To> convert(const From& mesh)
 {
     require_edges(mesh);
     conversion_report report;
-    auto lifted = lift(mesh);
-    if (detail::corners_in_fans(lifted.topology()) != lifted.topology().corners())
-        validate(mesh).require_ok();
-    auto native = detail::with_points<typename mesh_traits<To>::point>(std::move(lifted), report);
+    auto native = detail::with_points<typename mesh_traits<To>::point>(detail::lift_valid_or_empty(mesh), report);
     conversion<To> result{mesh_traits<To>::build(std::move(native)), std::move(report)};
     detail::copy_properties<More...>(mesh, result.mesh, result.report);
     return result;

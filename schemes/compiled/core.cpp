@@ -3,6 +3,7 @@
 #include <kith/level/validate.hpp>
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/refine.hpp>
+#include <kith/repair/repair.hpp>
 
 namespace kith::detail {
 

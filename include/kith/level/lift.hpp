@@ -4,6 +4,7 @@
 #include "level_elements.hpp"
 #include "mesh_level.hpp"
 #include "native_level.hpp"
+#include "validate.hpp"
 
 #include <kith/base/error.hpp>
 #include <kith/mesh/basic_mesh.hpp>
@@ -79,13 +80,40 @@ auto lift(const level_elements<mesh_level<M>>& level, int generation = 0)
     return basic_mesh<point, index>(std::move(points), std::move(t), generation);
 }
 
-/// The same of a mesh that nobody has made a level of: read in bulk where it can be, which is faster.
+/// Same as `lift` of a level, but of a mesh without one: it is read in bulk if possible, which is faster.
 template <mesh M>
 auto lift(const M& mesh)
 {
     if (auto native = detail::bulk_reader<M>(mesh).read(generation_of(mesh)))
         return *std::move(native);
     return lift(level_elements<mesh_level<M>>(mesh), generation_of(mesh));
+}
+
+namespace detail {
+
+template <mesh M, class Point>
+basic_mesh<Point, std::uint32_t> lift_here(const M& mesh)
+{
+    if (auto native = bulk_reader<M, Point>(mesh).read(generation_of(mesh)))
+        return *std::move(native);
+    refuse_mesh(mesh);
+}
+
+/// Same as lift_here, but compiled in the library that `is_compiled_mesh` names.
+template <mesh M, class Point>
+basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh);
+
+} // namespace detail
+
+/// `lift` of a mesh that can be refined, whose points may become arrays. Errors: mesh_error with everything that
+/// `validate` finds. Cost: as `lift`.
+template <mesh M, class Point = typename lifted_point<M>::type>
+basic_mesh<Point, std::uint32_t> lift_valid(const M& mesh)
+{
+    if constexpr (is_compiled_mesh<M> and std::same_as<Point, typename lifted_point<M>::type>)
+        return detail::lift_in_library<M, Point>(mesh);
+    else
+        return detail::lift_here<M, Point>(mesh);
 }
 
 /// A level and its mesh as a native mesh: this one, or a copy.

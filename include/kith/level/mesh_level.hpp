@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "validate.hpp"
+
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh/dense_numbers.hpp>
-#include <kith/mesh/mesh_report.hpp>
 #include <kith/mesh/mesh_traits.hpp>
 
 #include <cstdint>
@@ -12,39 +13,6 @@
 #include <vector>
 
 namespace kith {
-
-namespace detail {
-
-/// Whether a half-edge lies in a face or at the boundary; otherwise it is told.
-template <mesh M>
-bool check_side(const M& mesh, typename mesh_traits<M>::halfedge h, bool is_in_face, mesh_report& report)
-{
-    using traits = mesh_traits<M>;
-    if (is_in_face or traits::is_boundary(mesh, h))
-        return true;
-    report.add_lost_side(std::size_t(traits::index(mesh, h)),
-                         std::size_t(traits::index(mesh, traits::face_of(mesh, h))));
-    return false;
-}
-
-/// Whether a vertex, which has an edge, starts at a half-edge that leaves it; otherwise it is told.
-template <mesh M>
-bool check_start(const M& mesh, typename mesh_traits<M>::vertex v, mesh_report& report)
-{
-    using traits = mesh_traits<M>;
-    if (starts_at_its_own(mesh, v))
-        return true;
-    const auto number = std::size_t(traits::index(mesh, v));
-    if (const auto start = traits::halfedge_of(mesh, v); has_halfedge(mesh, start))
-        report.add_foreign_start(number,
-                                 std::size_t(traits::index(mesh, start)),
-                                 std::size_t(traits::index(mesh, traits::source(mesh, start))));
-    else
-        report.add_lost_fan(number);
-    return false;
-}
-
-} // namespace detail
 
 /// Any mesh as a scheme sees it: the walk goes through mesh_traits on the user's own handles. What a half-edge library
 /// does not know is numbered here once per level: dense numbers for elements (meshes may hold removed ones), the
@@ -71,8 +39,8 @@ public:
     static constexpr bool parallel = std::is_trivially_copyable_v<point_type>;
     static inline const corner_handle no_corner{typename traits::halfedge(), false};
 
-    /// The mesh must outlive the view. Errors: mesh_error when the handles do not form a mesh, e.g. isolated vertices.
-    /// Cost: O(elements) time and memory.
+    /// Reads a mesh, which must outlive the view. Errors: mesh_error with the text of `validate` unless the handles form
+    /// a mesh; vertices with several fans and points are not looked at. Cost: O(elements) time and memory.
     explicit mesh_level(const M& mesh)
         : mesh_(&mesh)
         , vertices_(mesh, traits::vertices(mesh), traits::vertex_bound(mesh))
@@ -83,41 +51,38 @@ public:
         face_corner_.reserve(faces_.size() + 1);
         face_corner_.push_back(0);
         for (std::size_t i = 0; i < faces_.size(); ++i) {
-            const auto number = std::size_t(traits::index(mesh, faces_[i]));
             const bool is_closed = detail::for_each_side(mesh, faces_[i], [&](const auto& h) {
                 index_type& corner = corner_number_[traits::index(mesh, h)];
-                if (corner != none or not detail::is_side_of(mesh, h, faces_[i]))
-                    detail::refuse_shared_halfedge(number);
-                if (not edges_.has(mesh, traits::edge_of(mesh, h)))
-                    detail::refuse_removed_edge(number);
-                if (not vertices_.has(mesh, traits::source(mesh, h)))
-                    detail::refuse_removed_vertex(number);
+                if (corner != none or not detail::is_side_of(mesh, h, faces_[i]) or
+                    not edges_.has(mesh, traits::edge_of(mesh, h)) or not vertices_.has(mesh, traits::source(mesh, h)))
+                    detail::refuse_mesh(mesh);
                 corner = index_type(corners_.size());
                 corners_.push_back(h);
             });
             if (not is_closed)
-                detail::refuse_shared_halfedge(number);
+                detail::refuse_mesh(mesh);
             face_corner_.push_back(index_type(corners_.size()));
         }
-        mesh_report report;
         for (std::size_t i = 0; i < edges_.size() and not is_closed(); ++i) {
             const auto h = traits::halfedge_of(mesh, edges_[i]);
+            std::size_t faces = 0;
             for (const auto side : {h, typename traits::halfedge(traits::opposite(mesh, h))})
-                detail::check_side(mesh, side, corner_number_[traits::index(mesh, side)] != none, report);
+                if (corner_number_[traits::index(mesh, side)] != none)
+                    ++faces;
+                else if (not traits::is_boundary(mesh, side))
+                    detail::refuse_mesh(mesh);
+            if (faces == 0)
+                detail::refuse_mesh(mesh);
         }
-        report.require_ok();
         fan_start_.reserve(vertices_.size());
         std::size_t turns = corners_.size() + vertices_.size();
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const auto v = vertices_[i];
             fan_start_.emplace_back();
-            if (traits::is_isolated(mesh, v))
-                report.add_isolated(std::size_t(traits::index(mesh, v)));
-            else if (detail::check_start(mesh, v, report) and
-                     not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
-                report.add_lost_fan(std::size_t(traits::index(mesh, v)));
+            if (traits::is_isolated(mesh, v) or not detail::starts_at_its_own(mesh, v) or
+                not find_start_of_fan(traits::halfedge_of(mesh, v), fan_start_.back(), turns))
+                detail::refuse_mesh(mesh);
         }
-        report.require_ok();
     }
 
     [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }

@@ -1,23 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lift.hpp"
-
+#include <kith/base/error.hpp>
+#include <kith/mesh/basic_mesh.hpp>
+#include <kith/mesh/dense_numbers.hpp>
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/mesh/mesh_report.hpp>
+#include <kith/mesh/mesh_traits.hpp>
 
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace kith {
 
 namespace detail {
 
-/// How many faces the half-edges of a vertex lead to; more than `most` where they do not come to an end before.
-/// Clockwise through the faces; from the boundary, beyond which nothing is promised, back and the other way.
+/// Returns whether a half-edge lies in a face or at the boundary; reports it otherwise.
+template <mesh M>
+bool check_side(const M& mesh, typename mesh_traits<M>::halfedge h, bool is_in_face, mesh_report& report)
+{
+    using traits = mesh_traits<M>;
+    if (is_in_face or traits::is_boundary(mesh, h))
+        return true;
+    report.add_lost_side(std::size_t(traits::index(mesh, h)),
+                         std::size_t(traits::index(mesh, traits::face_of(mesh, h))));
+    return false;
+}
+
+/// Returns whether a vertex, which has an edge, starts at a half-edge that leaves it; reports it otherwise.
+template <mesh M>
+bool check_start(const M& mesh, typename mesh_traits<M>::vertex v, mesh_report& report)
+{
+    using traits = mesh_traits<M>;
+    if (starts_at_its_own(mesh, v))
+        return true;
+    const auto number = std::size_t(traits::index(mesh, v));
+    if (const auto start = traits::halfedge_of(mesh, v); has_halfedge(mesh, start))
+        report.add_foreign_start(number,
+                                 std::size_t(traits::index(mesh, start)),
+                                 std::size_t(traits::index(mesh, traits::source(mesh, start))));
+    else
+        report.add_lost_fan(number);
+    return false;
+}
+
+/// Returns the number of faces that the half-edges of a vertex lead to, or more than `most` if they do not come to an
+/// end before. The walk is clockwise; from the boundary, beyond which nothing is promised, it goes back and the other
+/// way.
 /// Precondition: v has an edge. Cost: O(most).
 template <mesh M>
 std::size_t faces_in_fan(const M& mesh, typename mesh_traits<M>::vertex v, std::size_t most)
@@ -42,14 +72,18 @@ std::size_t faces_in_fan(const M& mesh, typename mesh_traits<M>::vertex v, std::
 
 } // namespace detail
 
-/// Everything that is wrong with a mesh that can be built but not refined. Elements are named by the index that their
-/// library gives them. Nothing is changed. Cost: O(elements), faces with many corners a logarithm more.
+/// Reports everything that is wrong with a mesh that can be built but not refined: all ways into the library refuse
+/// such a mesh with this text. Elements are named by the index that their library gives them. Nothing is changed.
+/// Cost: O(elements), faces with many corners a logarithm more.
 template <mesh M>
 [[gnu::cold]] mesh_report validate(const M& mesh)
 {
     using traits = mesh_traits<M>;
     mesh_report report;
     const auto number = [&](const auto& handle) { return std::size_t(traits::index(mesh, handle)); };
+    const dense_numbers<M, typename traits::vertex> all_vertices(
+        mesh, traits::vertices(mesh), traits::vertex_bound(mesh));
+    const dense_numbers<M, typename traits::edge> all_edges(mesh, traits::edges(mesh), traits::edge_bound(mesh));
     std::vector<std::size_t> faces_at(traits::vertex_bound(mesh), 0);
     std::vector<bool> is_in_face(traits::halfedge_bound(mesh));
     std::vector<std::size_t> corners; // of a face, by number
@@ -57,12 +91,14 @@ template <mesh M>
     for (const auto f : traits::faces(mesh)) {
         empty = false;
         corners.clear();
-        bool is_joined = true;
+        bool is_joined = true, has_its_edges = true, has_its_vertices = true;
         const bool comes_back = detail::for_each_side(mesh, f, [&](const auto& h) {
             is_joined = is_joined and detail::is_side_of(mesh, h, f);
             is_in_face[number(h)] = true;
+            has_its_edges = has_its_edges and all_edges.has(mesh, traits::edge_of(mesh, h));
+            has_its_vertices = has_its_vertices and all_vertices.has(mesh, traits::source(mesh, h));
             corners.push_back(number(traits::source(mesh, h)));
-            if (corners.back() < faces_at.size()) // else it has been removed
+            if (corners.back() < faces_at.size())
                 ++faces_at[corners.back()];
         });
         const bool is_closed = comes_back and is_joined;
@@ -73,6 +109,10 @@ template <mesh M>
             report.add_unjoined_face(number(f));
         else
             report.add_open_face(number(f));
+        if (is_closed and not has_its_edges)
+            report.add_removed_edge(number(f));
+        if (is_closed and not has_its_vertices)
+            report.add_removed_vertex(number(f));
     }
     if (empty)
         report.add_no_faces();
@@ -91,66 +131,13 @@ template <mesh M>
             report.add_isolated(number(v));
             continue;
         }
-        // Where half-edges lead anywhere nobody knows which fans there are.
+        // Half-edges that lead anywhere do not tell which fans there are.
         if (not detail::check_start(mesh, v, report) or not all_are_closed or not boundary_is_said)
             continue;
         if (const std::size_t all = faces_at[number(v)]; detail::faces_in_fan(mesh, v, all) != all)
             report.add_several_fans(number(v), all);
     }
     return report;
-}
-
-namespace detail {
-
-/// Of a mesh in which `validate` finds nothing, and which still cannot be lifted: its half-edges are shared by faces,
-/// or are of elements that have been removed.
-template <mesh M>
-[[noreturn, gnu::cold]] void refuse_halfedges(const M& mesh)
-{
-    using traits = mesh_traits<M>;
-    const dense_numbers<M, typename traits::vertex> vertices(mesh, traits::vertices(mesh), traits::vertex_bound(mesh));
-    const dense_numbers<M, typename traits::edge> edges(mesh, traits::edges(mesh), traits::edge_bound(mesh));
-    std::vector<bool> is_met(traits::halfedge_bound(mesh));
-    for (const auto f : traits::faces(mesh)) {
-        const auto face = std::size_t(traits::index(mesh, f));
-        for_each_side(mesh, f, [&](const auto& h) {
-            const auto number = std::size_t(traits::index(mesh, h));
-            if (is_met[number])
-                refuse_shared_halfedge(face);
-            if (not edges.has(mesh, traits::edge_of(mesh, h)))
-                refuse_removed_edge(face);
-            if (not vertices.has(mesh, traits::source(mesh, h)))
-                refuse_removed_vertex(face);
-            is_met[number] = true;
-        });
-    }
-    throw mesh_error("the half-edges of the mesh do not join faces at edges; repair the mesh");
-}
-
-template <mesh M, class Point>
-basic_mesh<Point, std::uint32_t> lift_here(const M& mesh)
-{
-    if (auto native = bulk_reader<M, Point>(mesh).read(generation_of(mesh)))
-        return *std::move(native);
-    validate(mesh).require_ok();
-    refuse_halfedges(mesh);
-}
-
-/// The same, compiled in the library that `is_compiled_mesh` tells of.
-template <mesh M, class Point>
-basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh);
-
-} // namespace detail
-
-/// `lift` of a mesh that can be refined, whose points may become arrays. Errors: mesh_error with everything that
-/// `validate` finds. Cost: as `lift`.
-template <mesh M, class Point = typename lifted_point<M>::type>
-basic_mesh<Point, std::uint32_t> lift_valid(const M& mesh)
-{
-    if constexpr (is_compiled_mesh<M> and std::same_as<Point, typename lifted_point<M>::type>)
-        return detail::lift_in_library<M, Point>(mesh);
-    else
-        return detail::lift_here<M, Point>(mesh);
 }
 
 namespace detail {
@@ -197,5 +184,17 @@ mesh_report validate(const basic_mesh<Point, Index>& mesh)
         report.add_no_faces();
     return report;
 }
+
+namespace detail {
+
+/// Throws what `validate` finds in a mesh that could not be read.
+template <mesh M>
+[[noreturn, gnu::cold]] void refuse_mesh(const M& mesh)
+{
+    validate(mesh).require_ok();
+    throw mesh_error("the half-edges of the mesh do not join faces at edges; make the mesh anew from its faces");
+}
+
+} // namespace detail
 
 } // namespace kith

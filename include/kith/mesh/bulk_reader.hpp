@@ -185,6 +185,8 @@ private:
         return all(t_.faces, [this](std::size_t f) {
             const std::size_t first = t_.first_corner(f), end = t_.first_corner(f + 1);
             const auto start = traits::halfedge_of(mesh_, faces_[f]);
+            if (not has_halfedge(mesh_, start)) // a face that was added alone
+                return false;
             auto h = start;
             for (std::size_t c = first; c < end; ++c) {
                 if ((c != first and h == start) or not is_side_of(mesh_, h, faces_[f]))

@@ -77,8 +77,28 @@ void check_points(const Points& points, mesh_report& report)
     }
 }
 
+/// Reports the vertices of a face that do not exist.
+void check_indices(std::size_t vertices, const face_list& faces, std::size_t face, mesh_report& report);
+/// Errors: mesh_error for vertices that do not exist.
+void require_indices(std::size_t vertices, const face_list& faces, std::size_t first_number);
 void check_faces(std::size_t vertices, const face_list& faces, mesh_report& report);
 #ifdef KITH_HAS_BODIES
+KITH_IN_LIBRARY void check_indices(std::size_t vertices, const face_list& faces, std::size_t face, mesh_report& report)
+{
+    for (const std::size_t v : faces[face])
+        if (v >= vertices)
+            report.add(problem::bad_index, [&] {
+                return "face " + report.number(face) + ": vertex " + report.number(v) + " does not exist, there are " +
+                       std::to_string(vertices) + "; correct the index";
+            });
+}
+KITH_IN_LIBRARY void require_indices(std::size_t vertices, const face_list& faces, std::size_t first_number)
+{
+    mesh_report report(first_number);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        check_indices(vertices, faces, f, report);
+    report.require_ok();
+}
 KITH_IN_LIBRARY void check_faces(std::size_t vertices, const face_list& faces, mesh_report& report)
 {
     if (faces.size() == 0)
@@ -86,12 +106,7 @@ KITH_IN_LIBRARY void check_faces(std::size_t vertices, const face_list& faces, m
     std::vector<std::size_t> sorted;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const auto face = faces[f];
-        for (const std::size_t v : face)
-            if (v >= vertices)
-                report.add(problem::bad_index, [&] {
-                    return "face " + report.number(f) + ": vertex " + report.number(v) + " does not exist, there are " +
-                           std::to_string(vertices) + "; correct the index";
-                });
+        check_indices(vertices, faces, f, report);
         if (face.size() < 3)
             report.add_few_corners(f, face.size());
         sorted.assign(face.begin(), face.end());

@@ -16,15 +16,118 @@ namespace kith {
 
 namespace detail {
 
+/// Two faces at an edge, and whether both run through it in the same direction.
+struct face_pair {
+    std::size_t face, other;
+    bool same_direction;
+};
+
+/// The faces that would have to be turned round so that neighbours agree, none of the first face of each part of the
+/// surface. Where a part is one-sided, such as a Moebius strip, some neighbours still disagree.
+struct face_directions {
+    std::vector<bool> is_turned;
+    std::vector<std::size_t> part;  ///< of each face, by the first face in it
+    std::vector<bool> is_one_sided; ///< by part
+};
+
+/// Walks from the first face of each part over all neighbours that agree, and only then to those that do not, so that
+/// faces which agree already keep doing so. Cost: O(faces + pairs).
+face_directions directions_of(std::size_t faces, const std::vector<face_pair>& pairs);
+#ifdef KITH_HAS_BODIES
+KITH_IN_LIBRARY face_directions directions_of(std::size_t faces, const std::vector<face_pair>& pairs)
+{
+    std::vector<std::size_t> first(faces + 2, 0), pair_at(2 * pairs.size()); // the pairs of each face: a counting sort
+    for (const face_pair& pair : pairs)
+        ++first[pair.face + 2], ++first[pair.other + 2];
+    for (std::size_t f = 2; f < first.size(); ++f)
+        first[f] += first[f - 1];
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        pair_at[first[pairs[i].face + 1]++] = i;
+        pair_at[first[pairs[i].other + 1]++] = i;
+    }
+    face_directions result{std::vector<bool>(faces), std::vector<std::size_t>(faces, faces), std::vector<bool>(faces)};
+    std::vector<std::size_t> agreeing;                     // met, with neighbours to look at
+    std::vector<std::pair<std::size_t, bool>> disagreeing; // and whether they are turned, in the order they were met
+    for (std::size_t start = 0; start < faces; ++start) {
+        if (result.part[start] != faces)
+            continue;
+        disagreeing.assign(1, {start, false});
+        for (std::size_t next = 0; next < disagreeing.size(); ++next) {
+            const auto [seed, is_turned] = disagreeing[next];
+            if (result.part[seed] != faces)
+                continue;
+            result.part[seed] = start;
+            result.is_turned[seed] = is_turned;
+            for (agreeing.assign(1, seed); not agreeing.empty();) {
+                const std::size_t f = agreeing.back();
+                agreeing.pop_back();
+                for (std::size_t i = first[f]; i < first[f + 1]; ++i) {
+                    const auto& [face, other, same_direction] = pairs[pair_at[i]];
+                    const std::size_t neighbor = face == f ? other : face;
+                    if (result.part[neighbor] != faces)
+                        continue;
+                    if (same_direction) {
+                        disagreeing.emplace_back(neighbor, not is_turned);
+                        continue;
+                    }
+                    result.part[neighbor] = start;
+                    result.is_turned[neighbor] = is_turned;
+                    agreeing.push_back(neighbor);
+                }
+            }
+        }
+    }
+    for (const auto& [face, other, same_direction] : pairs)
+        if ((result.is_turned[face] != result.is_turned[other]) != same_direction)
+            result.is_one_sided[result.part[face]] = true;
+    return result;
+}
+#endif
+
+/// A corner whose half-edge leads to the larger vertex of an edge, or comes from there.
+template <std::unsigned_integral Index>
+struct half_of_edge {
+    Index to;
+    Index corner;
+    bool operator<(const half_of_edge& other) const
+    {
+        return std::pair(to, corner) < std::pair(other.to, other.corner);
+    }
+};
+
+/// Reports pairs of faces that run through their edge in the same direction. `halves` are those of each smaller vertex
+/// from first[vertex] on, sorted.
+template <std::unsigned_integral Index>
+[[gnu::cold, gnu::noinline]] void report_turned_faces(const connectivity<Index>& t,
+                                                      const std::vector<half_of_edge<Index>>& halves,
+                                                      const std::vector<std::size_t>& first, mesh_report& report)
+{
+    std::vector<face_pair> pairs;
+    std::vector<std::pair<std::size_t, std::size_t>> ends;
+    for (std::size_t low = 0; low < t.vertices; ++low)
+        for (std::size_t i = first[low]; i < first[low + 1];) {
+            std::size_t end = i;
+            while (end < first[low + 1] and halves[end].to == halves[i].to)
+                ++end;
+            if (end - i == 2) {
+                const Index a = halves[i].corner, b = halves[i + 1].corner;
+                pairs.push_back({t.face_of(a), t.face_of(b), t.corner_vertex[a] == t.corner_vertex[b]});
+                ends.emplace_back(low, halves[i].to);
+            }
+            i = end;
+        }
+    const face_directions directions = directions_of(t.faces, pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (const auto& [face, other, same_direction] = pairs[i]; same_direction)
+            report.add_turned_face(
+                ends[i].first, ends[i].second, face, other, directions.is_one_sided[directions.part[face]]);
+}
+
 /// Numbers the edges in the order of (smaller vertex, larger vertex) and pairs their corners.
 template <std::unsigned_integral Index>
 void pair_corners(connectivity<Index>& t, mesh_report& report)
 {
-    struct half {
-        Index to;
-        Index corner;
-        bool operator<(const half& other) const { return std::pair(to, corner) < std::pair(other.to, other.corner); }
-    };
+    using half = half_of_edge<Index>;
     const std::size_t corners = t.corners();
     std::vector<std::size_t> first(t.vertices + 2, 0); // the half-edges of each smaller vertex: a counting sort
     const auto ends = [&](Index c) { return std::minmax({t.corner_vertex[c], t.target(c)}); };
@@ -39,6 +142,7 @@ void pair_corners(connectivity<Index>& t, mesh_report& report)
     }
 
     t.corner_halfedge = storage<Index>(corners);
+    bool has_turned_faces = false;
     std::vector<Index> sides;
     sides.reserve(corners + corners / 16);
     for (std::size_t low = 0; low < t.vertices; ++low) {
@@ -53,18 +157,15 @@ void pair_corners(connectivity<Index>& t, mesh_report& report)
             if (size > 2) {
                 report.add(problem::nonmanifold_edge, [&] {
                     std::string faces;
-                    for (auto h = run; h != run_end; ++h)
+                    constexpr std::ptrdiff_t most = 8;
+                    for (auto h = run; h != run + std::min(size, most); ++h)
                         faces += (h == run ? "" : ", ") + report.number(t.face_of(h->corner));
+                    faces += size > most ? ", ..." : "";
                     return name() + ": " + std::to_string(size) + " faces (" + faces +
                            "); split the edge or remove faces so that at most two are left";
                 });
-            } else if (size == 2 and forward(run[0]) == forward(run[1])) {
-                report.add(problem::turned_face, [&] {
-                    return name() + ": faces " + report.number(t.face_of(run[0].corner)) + " and " +
-                           report.number(t.face_of(run[1].corner)) +
-                           " run through it in the same direction; turn one of them round";
-                });
             }
+            has_turned_faces = has_turned_faces or (size == 2 and forward(run[0]) == forward(run[1]));
             // Side 0 leaves the smaller vertex, or is the only side there is.
             const bool swap = size == 2 and not forward(run[0]);
             const Index e = Index(sides.size());
@@ -76,6 +177,8 @@ void pair_corners(connectivity<Index>& t, mesh_report& report)
         }
     }
     t.halfedge_corner = storage<Index>(sides);
+    if (has_turned_faces)
+        report_turned_faces(t, halves, first, report);
 }
 
 /// Gives every vertex the corner at which its fan starts: at the boundary the corner without a neighbour clockwise,

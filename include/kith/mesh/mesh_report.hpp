@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,16 +15,7 @@
 
 namespace kith {
 
-namespace detail {
-
-// A mesh whose half-edges were joined by hand, and not well.
-[[noreturn]] void refuse_shared_halfedge(std::size_t face);
-[[noreturn]] void refuse_removed_edge(std::size_t face);
-[[noreturn]] void refuse_removed_vertex(std::size_t face);
-
-} // namespace detail
-
-/// What can be wrong with a mesh.
+/// The kinds of faults in a mesh.
 enum class problem : unsigned char {
     empty_mesh,
     not_finite,
@@ -35,27 +27,59 @@ enum class problem : unsigned char {
     nonmanifold_vertex,
 };
 
-/// Everything that `validate` found: each problem counted, the first few of each kind told with their elements.
-class mesh_report {
+/// Messages about elements, by kind: all of them are counted, and the first few of each kind are kept as text.
+class element_messages {
 public:
     static constexpr std::size_t told_of_each_kind = 8;
 
-    mesh_report() = default;
-    /// For elements that the user numbers from there: OBJ files begin with 1.
-    explicit mesh_report(std::size_t first_number) : first_number_(first_number) {}
-
-    /// An element as the user numbers it.
+    /// The number of an element in messages.
     [[nodiscard]] std::string number(std::size_t element) const;
+
+    [[nodiscard]] bool empty() const { return told_.empty(); }
+    /// One line per message that was kept, then the number of further ones of each kind.
+    [[nodiscard]] std::vector<std::string> lines() const;
+    [[nodiscard]] std::string text() const;
+
+protected:
+    /// `kinds` are the names of the kinds in plural and outlive the object; elements are numbered from `first_number`.
+    explicit element_messages(std::span<const std::string_view> kinds, std::size_t first_number)
+        : kinds_(kinds), counts_(kinds.size()), first_number_(first_number)
+    {
+    }
+    /// Counts a message; `describe()` is called only while there is room for its text.
+    template <class Describe>
+    void add_message(std::size_t kind, const Describe& describe)
+    {
+        if (counts_[kind]++ < told_of_each_kind)
+            tell(describe());
+    }
+    [[nodiscard]] std::size_t count_of(std::size_t kind) const { return counts_[kind]; }
+    [[nodiscard]] std::string named(const char* kind, std::size_t element) const;
+
+private:
+    void tell(std::string&& text);
+
+    std::span<const std::string_view> kinds_;
+    std::vector<std::size_t> counts_;
+    std::size_t first_number_;
+    std::vector<std::string> told_;
+};
+
+/// Everything that `validate` found: each problem counted, the first few of each kind told with their elements.
+class mesh_report : public element_messages {
+public:
+    mesh_report() : mesh_report(0) {}
+    /// `first_number` is the number of the first element for the user: OBJ files begin with 1.
+    explicit mesh_report(std::size_t first_number) : element_messages(names, first_number) {}
 
     /// Adds a problem; `describe()` is called only while there is room to tell it.
     template <class Describe>
     void add(problem kind, const Describe& describe)
     {
-        if (counts_[std::size_t(kind)]++ < told_of_each_kind)
-            tell(kind, describe());
+        add_message(std::size_t(kind), describe);
     }
 
-    // What is found on more than one way into the library; elements by number.
+    // Faults that several functions find; elements are named by their numbers.
     void add_no_faces();
     void add_not_finite(std::size_t vertex);
     void add_isolated(std::size_t vertex);
@@ -66,6 +90,9 @@ public:
     void add_open_face(std::size_t face);
     /// Of a face one of whose half-edges names another face, or does not come before its next.
     void add_unjoined_face(std::size_t face);
+    /// Of a face one of whose edges, or vertices, the library has removed.
+    void add_removed_edge(std::size_t face);
+    void add_removed_vertex(std::size_t face);
     /// Of a half-edge that names a face whose half-edges it is none of.
     void add_lost_side(std::size_t halfedge, std::size_t face);
     void add_several_fans(std::size_t vertex, std::size_t faces);
@@ -78,21 +105,17 @@ public:
     void add_few_corners(std::size_t face, std::size_t corners);
     void add_repeated_corner(std::size_t face, std::size_t vertex);
 
-    [[nodiscard]] bool ok() const { return told_.empty(); }
-    explicit operator bool() const { return ok(); }
-    [[nodiscard]] std::size_t count(problem kind) const { return counts_[std::size_t(kind)]; }
-    [[nodiscard]] bool has(problem kind) const { return count(kind) != 0; }
+    /// Of an edge between two vertices, the smaller one first, whose two faces run through it in the same direction.
+    void add_turned_face(std::size_t low, std::size_t high, std::size_t face, std::size_t other, bool is_one_sided);
 
-    /// One line per told problem, then how many more there are of each kind.
-    [[nodiscard]] std::vector<std::string> lines() const;
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] bool ok() const { return empty(); }
+    explicit operator bool() const { return ok(); }
+    [[nodiscard]] std::size_t count(problem kind) const { return count_of(std::size_t(kind)); }
+    [[nodiscard]] bool has(problem kind) const { return count(kind) != 0; }
     /// Throws mesh_error with the text when there is any problem.
     void require_ok() const;
 
 private:
-    void tell(problem kind, std::string&& text);
-    [[nodiscard]] std::string named(const char* kind, std::size_t element) const;
-
     static constexpr std::array<std::string_view, 8> names{"empty mesh",
                                                            "coordinates that are not finite",
                                                            "indices out of range",
@@ -101,36 +124,11 @@ private:
                                                            "edges with too many faces",
                                                            "edges whose faces are turned",
                                                            "vertices with several fans"};
-
-    std::size_t first_number_ = 0;
-    std::array<std::size_t, 8> counts_{};
-    std::vector<std::pair<problem, std::string>> told_;
 };
 
 #ifdef KITH_HAS_BODIES
 
-namespace detail {
-
-[[noreturn]] KITH_IN_LIBRARY void refuse_face(std::size_t face, const char* why)
-{
-    throw mesh_error("face " + std::to_string(face) + ": " + why + "; repair the mesh");
-}
-KITH_IN_LIBRARY void refuse_shared_halfedge(std::size_t face)
-{
-    refuse_face(face, "its half-edges do not form a cycle of their own");
-}
-KITH_IN_LIBRARY void refuse_removed_edge(std::size_t face)
-{
-    refuse_face(face, "one of its edges has been removed");
-}
-KITH_IN_LIBRARY void refuse_removed_vertex(std::size_t face)
-{
-    refuse_face(face, "one of its vertices has been removed");
-}
-
-} // namespace detail
-
-KITH_IN_LIBRARY std::string mesh_report::number(std::size_t element) const
+KITH_IN_LIBRARY std::string element_messages::number(std::size_t element) const
 {
     return std::to_string(std::ptrdiff_t(element + first_number_)); // one that was negative reads like that
 }
@@ -224,34 +222,53 @@ KITH_IN_LIBRARY void mesh_report::add_repeated_corner(std::size_t face, std::siz
                " twice; remove the repeated corner or the face";
     });
 }
-KITH_IN_LIBRARY std::vector<std::string> mesh_report::lines() const
+KITH_IN_LIBRARY void mesh_report::add_removed_edge(std::size_t face)
 {
-    std::vector<std::string> result;
-    for (const auto& [kind, text] : told_)
-        result.push_back(text);
-    for (std::size_t kind = 0; kind < counts_.size(); ++kind)
-        if (counts_[kind] > told_of_each_kind)
-            result.push_back("and " + std::to_string(counts_[kind] - told_of_each_kind) +
-                             " more: " + std::string(names[kind]));
-    return result;
+    add(problem::degenerate_face,
+        [&] { return named("face", face) + "one of its edges has been removed; remove the face, too"; });
 }
-KITH_IN_LIBRARY std::string mesh_report::text() const
+KITH_IN_LIBRARY void mesh_report::add_removed_vertex(std::size_t face)
 {
-    std::string result;
-    for (const auto& line : lines())
-        result += (result.empty() ? "" : "\n") + line;
-    return result;
+    add(problem::degenerate_face,
+        [&] { return named("face", face) + "one of its vertices has been removed; remove the face, too"; });
+}
+KITH_IN_LIBRARY void mesh_report::add_turned_face(std::size_t low, std::size_t high, std::size_t face,
+                                                  std::size_t other, bool is_one_sided)
+{
+    add(problem::turned_face, [&] {
+        return "edge " + number(low) + "-" + number(high) + ": faces " + number(face) + " and " + number(other) +
+               " run through it in the same direction" +
+               (is_one_sided ? ", and no turning of faces helps, as the surface is one-sided (not orientable); cut it "
+                               "along edges from boundary to boundary"
+                             : "; turn one of them round");
+    });
 }
 KITH_IN_LIBRARY void mesh_report::require_ok() const
 {
     if (not ok())
         throw mesh_error(text());
 }
-KITH_IN_LIBRARY void mesh_report::tell(problem kind, std::string&& text)
+KITH_IN_LIBRARY std::vector<std::string> element_messages::lines() const
 {
-    told_.emplace_back(kind, std::move(text));
+    std::vector<std::string> result = told_;
+    for (std::size_t kind = 0; kind < counts_.size(); ++kind)
+        if (counts_[kind] > told_of_each_kind)
+            result.push_back("and " + std::to_string(counts_[kind] - told_of_each_kind) +
+                             " more: " + std::string(kinds_[kind]));
+    return result;
 }
-KITH_IN_LIBRARY std::string mesh_report::named(const char* kind, std::size_t element) const
+KITH_IN_LIBRARY std::string element_messages::text() const
+{
+    std::string result;
+    for (const auto& line : lines())
+        result += (result.empty() ? "" : "\n") + line;
+    return result;
+}
+KITH_IN_LIBRARY void element_messages::tell(std::string&& text)
+{
+    told_.push_back(std::move(text));
+}
+KITH_IN_LIBRARY std::string element_messages::named(const char* kind, std::size_t element) const
 {
     return kind + (" " + number(element)) + ": ";
 }
