@@ -57,5 +57,14 @@ compare mid-edge mixed.off mid-edge 4
 compare 4-8 mixed.off 4-8 4
 compare creases quads.off catmull-clark 3 --crease-angle 20
 compare closed cube.off catmull-clark 4
+# A repaired mesh is the mesh that it was made.
+on 1 refine cube.off -s catmull-clark -n 2 -o one.vtu
+sed '11s/.*/4 0 1 2 3/' cube.off >turned.off
+for ranks in $rank_counts; do
+    on "$ranks" refine turned.off -s catmull-clark -n 2 -o many.vtu --repair orient
+    exits 0
+    says '^kith: note: turned.off: face 0: turned round$'
+    check "the file of the good mesh" cmp -s one.vtu many.vtu
+done
 
 finish

@@ -126,6 +126,12 @@ on 3 refine quads.ply -s catmull-clark -n 1 -o out.vtu --slices --verify
 exits 2
 says '.-verify: needs the whole mesh on one rank; leave out this or --slices'
 one_message
+for option in --repair=split --weld; do
+    on 3 refine quads.ply -s catmull-clark -n 1 -o out.vtu --slices $option
+    exits 2
+    says ".${option%=*}: needs the whole mesh on one rank; leave out this or --slices"
+    one_message
+done
 # What refine refuses --slices refuses, too, and what is not kept is named as there.
 run refine cube.off -s catmull-clark -n 1 -o normals.ply --binary --limit
 on 3 refine normals.ply -s catmull-clark -n 1 -o slices.vtu --slices
