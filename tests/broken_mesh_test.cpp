@@ -12,6 +12,7 @@
 #include <kith/crease/make_creases.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/openmesh_subdivision.hpp>
+#include <kith/repair/repair.hpp>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -198,6 +199,27 @@ TEST(broken_mesh, a_bare_face_beside_a_boundary)
     quad.add_face();
     EXPECT_EQ(refusal([&] { kith::refine(quad, kith::loop(), 1); }), text);
     EXPECT_EQ(refusal([&] { kith::cgal::CatmullClark_subdivision(quad, 1); }), text);
+}
+
+TEST(broken_mesh, repair_takes_meshes_of_other_libraries)
+{
+    auto bare = cgal(shapes::tetrahedron());
+    bare.add_face();
+    const auto dropped = kith::repair(bare, {.drop = true});
+    EXPECT_EQ(dropped.report.text(), "face 4: left out, as it has 0 corners");
+    EXPECT_EQ(kith::convert<tri_mesh>(kith::make_mesh(dropped.points, dropped.faces)).mesh.n_faces(), 4U);
+
+    auto two = cgal(shapes::both(shapes::tetrahedron(), shapes::tetrahedron()));
+    for (const auto h : two.halfedges_around_target(two.halfedge(vertex(4)))) // the second one starts at vertex 0, too
+        two.set_target(h, vertex(0));
+    two.remove_vertex(vertex(4));
+    EXPECT_NE(kith::validate(two).text().find("vertex 0: its 6 faces form several fans"), std::string::npos);
+    const auto split = kith::repair(two, {.split = true});
+    EXPECT_EQ(split.report.text(), "vertex 0: split into 2 vertices, one for each fan of faces");
+    const auto apart = kith::convert<cgal_mesh>(kith::make_mesh(split.points, split.faces)).mesh;
+    EXPECT_EQ(apart.number_of_vertices(), 8U);
+    EXPECT_EQ(apart.point(vertex(7)), two.point(vertex(0)));
+    EXPECT_TRUE(user_mesh<cgal_mesh>::complaints(apart).empty());
 }
 
 TEST(broken_mesh, an_edge_without_faces)

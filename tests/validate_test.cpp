@@ -6,7 +6,10 @@
 #include "native_shape.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/convert.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/property_mesh.hpp>
+#include <kith/require_reach.hpp>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +48,8 @@ void expect_refusal(const mesh3d& mesh, const std::string& text)
     const auto refusal = [&](const auto& f) { return error_text<kith::mesh_error>(f); };
     EXPECT_EQ(refusal([&] { kith::refine(mesh, kith::catmull_clark(), 1); }), text);
     EXPECT_EQ(refusal([&] { kith::hierarchy<mesh3d, kith::catmull_clark>(mesh, kith::catmull_clark()); }), text);
+    EXPECT_EQ(refusal([&] { kith::require_reach(mesh, kith::catmull_clark()); }), text);
+    EXPECT_EQ(refusal([&] { kith::convert<kith::property_mesh<>>(mesh); }), text);
 }
 
 } // namespace

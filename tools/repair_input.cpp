@@ -153,13 +153,13 @@ io::mesh_tags mended_tags(const io::polygon_soup& soup, const repaired<std::arra
     return tags;
 }
 
-/// "vertex 9 lies where vertex 1 does, and 15 others at the boundary lie where others do; ..."
+/// "vertex 9 lies where vertex 1 does, one of 16 such vertices at the boundary"
 std::string crack_text(const io::polygon_soup& soup, const std::vector<edge>& pairs)
 {
     const auto number = [&](std::size_t v) { return std::to_string(v + soup.first_number); };
     std::string result = "vertex " + number(pairs[0].first) + " lies where vertex " + number(pairs[0].second) + " does";
     if (pairs.size() > 1)
-        result += ", and so do " + std::to_string(pairs.size() - 1) + " more at the boundary";
+        result += ", one of " + std::to_string(pairs.size()) + " such vertices at the boundary";
     return result;
 }
 
@@ -278,8 +278,9 @@ cracks cracks_of(const io::polygon_soup& soup)
 {
     cracks result;
     result.distance = rounding_distance(soup.points);
-    result.equal = coinciding_vertices(soup.points, soup.faces);
     result.rounded = coinciding_vertices(soup.points, soup.faces, result.distance);
+    if (not result.rounded.empty())
+        result.equal = coinciding_vertices(soup.points, soup.faces);
     return result;
 }
 

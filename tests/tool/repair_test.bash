@@ -57,7 +57,7 @@ endfacet
 endsolid r
 END
 refused rounded.stl 'vertex 0: its 3 faces form several fans' \
-    'vertex 3 lies where vertex 2 does, and so do 2 more at the boundary; --weld joins such vertices, try it first$'
+    'vertex 3 lies where vertex 2 does, one of 3 such vertices at the boundary; --weld joins such vertices, try it first$'
 prints '^coinciding vertices +3 at the boundary lie where others do, 0 exactly, else within [0-9.e-]+: 3 at 2, 5 at 4, 6 at 1; --weld joins them$'
 run info rounded.stl --json
 prints '"coinciding_vertices":\{"equal":0,"within_distance":3,"distance":1.7320508075688772e-06\}'

@@ -7,7 +7,9 @@
 #include "weld_points.hpp"
 
 #include <kith/base/error.hpp>
+#include <kith/mesh/dense_numbers.hpp>
 #include <kith/mesh/make_mesh.hpp>
+#include <kith/mesh/mesh_traits.hpp>
 
 #include <cmath>
 #include <concepts>
@@ -79,6 +81,29 @@ template <std::ranges::sized_range Points, std::ranges::input_range Faces>
 auto repair(const Points& points, const Faces& faces, const repair_options& options)
 {
     return repair(points, face_list(faces), options);
+}
+
+/// Same as above, but of the faces of a mesh, such as one of CGAL with a vertex that has several fans. Elements are told
+/// by their places among those that are not removed; a face without half-edges, or whose half-edges do not lead back to
+/// the first, has no corners here. `make_mesh` makes a mesh of the result, `convert` one of another type.
+template <mesh M>
+auto repair(const M& mesh, const repair_options& options)
+{
+    using traits = mesh_traits<M>;
+    const dense_numbers<M, typename traits::vertex> numbers(mesh, traits::vertices(mesh), traits::vertex_bound(mesh));
+    std::vector<typename traits::point> points;
+    for (const auto v : traits::vertices(mesh))
+        points.push_back(traits::point_of(mesh, v));
+    face_list faces;
+    std::vector<std::size_t> corners;
+    for (const auto f : traits::faces(mesh)) {
+        corners.clear();
+        if (not detail::for_each_side(
+                mesh, f, [&](const auto& h) { corners.push_back(numbers.number(mesh, traits::source(mesh, h))); }))
+            corners.clear();
+        faces.push_back(corners);
+    }
+    return repair(points, faces, options);
 }
 
 /// Returns the vertices that `repair` would join within a distance, each with the one that it is joined with: such
