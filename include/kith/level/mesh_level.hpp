@@ -39,8 +39,8 @@ public:
     static constexpr bool parallel = std::is_trivially_copyable_v<point_type>;
     static inline const corner_handle no_corner{typename traits::halfedge(), false};
 
-    /// Reads a mesh, which must outlive the view. Errors: mesh_error with the text of `validate` unless the handles form
-    /// a mesh; vertices with several fans and points are not looked at. Cost: O(elements) time and memory.
+    /// Reads a mesh, which must outlive the view. Errors: mesh_error with the text of `validate` unless the handles
+    /// form a mesh; vertices with several fans and points are not looked at. Cost: O(elements) time and memory.
     explicit mesh_level(const M& mesh)
         : mesh_(&mesh)
         , vertices_(mesh, traits::vertices(mesh), traits::vertex_bound(mesh))

@@ -49,8 +49,8 @@ inline void drop_conflicts(mended_soup& s, bool directed)
     std::vector<std::size_t> size(s.faces.size(), 0);
     for (const std::size_t p : part)
         ++size[p];
-    std::vector<std::tuple<std::size_t, std::size_t, std::size_t>>
-        order; // who goes first: by conflicts, the rest of the surface, number
+    // Conflicts, faces of other parts of the surface, number; the largest goes first.
+    std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> order;
     for (std::size_t f = 0; f < s.faces.size(); ++f)
         if (const std::size_t conflicts = conflicts_of(f); conflicts != 0)
             order.emplace_back(conflicts, s.faces.size() - size[part[f]], f);

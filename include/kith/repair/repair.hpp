@@ -83,9 +83,9 @@ auto repair(const Points& points, const Faces& faces, const repair_options& opti
     return repair(points, face_list(faces), options);
 }
 
-/// Same as above, but of the faces of a mesh, such as one of CGAL with a vertex that has several fans. Elements are told
-/// by their places among those that are not removed; a face without half-edges, or whose half-edges do not lead back to
-/// the first, has no corners here. `make_mesh` makes a mesh of the result, `convert` one of another type.
+/// Same as above, but of the faces of a mesh, such as one of CGAL with a vertex that has several fans. The report names
+/// elements by their places among those that are not removed. A face without half-edges, or whose half-edges do not
+/// lead back to the first, has no corners here. `make_mesh` makes a mesh of the result, `convert` one of another type.
 template <mesh M>
 auto repair(const M& mesh, const repair_options& options)
 {

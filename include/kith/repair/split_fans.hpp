@@ -84,8 +84,8 @@ private:
     std::vector<std::size_t> fan_;
 };
 
-/// Joins two sides of an edge with more faces, if these lie in one fan at an end of the edge and so belong to one sheet.
-/// What is joined closes that fan, so that the other sides of the edge get another vertex there.
+/// Joins two sides of an edge with more faces if both lie in one fan at an end of the edge: they belong to one sheet.
+/// Joining them closes that fan, so that the other sides of the edge get another vertex there.
 inline void join_sheets(const sides_by_edge& sides, std::span<const face_side> at, corner_fans& fans)
 {
     std::vector<std::size_t> left;
