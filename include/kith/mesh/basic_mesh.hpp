@@ -102,9 +102,11 @@ struct mesh_traits<basic_mesh<Point, Index>> {
     }
     static edge edge_of(const mesh_type&, halfedge h) { return {Index(h.value / 2)}; }
     static face face_of(const mesh_type& m, halfedge h) { return {m.topology().face_of(corner(m, h))}; }
+    /// Of a vertex that starts at no corner of the mesh, it is no half-edge of the mesh either.
     static halfedge halfedge_of(const mesh_type& m, vertex v)
     {
-        return halfedge_at(m, m.topology().vertex_corner[v.value]);
+        const Index start = m.topology().vertex_corner[v.value];
+        return start < m.topology().corners() ? halfedge_at(m, start) : halfedge{connectivity<Index>::none};
     }
     static halfedge halfedge_of(const mesh_type&, edge e) { return {Index(2 * e.value)}; }
     static halfedge halfedge_of(const mesh_type& m, face f)
