@@ -73,6 +73,8 @@ auto lift_valid_or_empty(const From& mesh)
     const auto is_empty = [](const auto& elements) { return elements.begin() == elements.end(); };
     if (is_empty(traits::vertices(mesh)) and is_empty(traits::edges(mesh)) and is_empty(traits::faces(mesh)))
         return lift(mesh);
+    if constexpr (requires { mesh.topology(); }) // where vertices start is looked at in native meshes
+        validate(mesh).require_ok();
     return lift_valid<From, typename traits::point>(mesh);
 }
 
