@@ -102,14 +102,15 @@ inline std::uint64_t peak_bytes(const std::vector<planned_level>& plan, bool kee
     return peak;
 }
 
-/// The same where level 0 and the last `kept` levels are kept, and those before them until the next one is made.
-inline std::uint64_t peak_bytes_keeping_last(const std::vector<planned_level>& plan, int kept)
+/// The same where level 0 and the last `kept` levels are kept, and those before them until the next one is made; of
+/// the levels up to `first`, which are there already, the last `kept` ones until all others are made.
+inline std::uint64_t peak_bytes_keeping_last(const std::vector<planned_level>& plan, int kept, int first = 0)
 {
     std::uint64_t held = plan.front().bytes, peak = held;
     for (int level = 1; level < int(plan.size()); ++level) {
         held += plan[std::size_t(level)].bytes;
         peak = std::max(peak, held);
-        if (level > kept)
+        if (level > kept and (level <= first or level - kept > first))
             held -= plan[std::size_t(level - kept)].bytes;
     }
     return peak;

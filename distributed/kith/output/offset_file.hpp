@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/in_library.hpp>
 #include <kith/mask/hash_value.hpp>
 
 #include <fcntl.h>

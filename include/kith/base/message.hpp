@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "in_library.hpp"
+
 #include <concepts>
 #include <vector>
 

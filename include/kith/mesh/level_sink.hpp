@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/in_library.hpp>
+
 #include <array>
 #include <concepts>
 #include <cstddef>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/in_library.hpp>
+
 #include <concepts>
 #include <type_traits>
 #include <utility>
