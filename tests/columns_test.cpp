@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <concepts>
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -180,4 +182,23 @@ TEST(columns, know_while_compiling_what_they_have)
     EXPECT_FALSE(ids::has<tuple_kind::f>);
     EXPECT_TRUE(ids::is_full<tuple_kind::v>);
     EXPECT_FALSE(ids::is_full<tuple_kind::e>);
+}
+
+TEST(columns, come_in_any_order)
+{
+    using namespace kith;
+    constexpr new_vertices vertices(per_vertex, per_edge);
+    constexpr new_edges edges(per_end);
+    constexpr new_faces faces(triangles(per_corner));
+    using right = kith::columns<std::remove_const_t<decltype(vertices)>,
+                                std::remove_const_t<decltype(edges)>,
+                                std::remove_const_t<decltype(faces)>>;
+    static_assert(std::same_as<decltype(kith::columns(vertices, edges, faces)), right>);
+    static_assert(std::same_as<decltype(kith::columns(vertices, faces, edges)), right>);
+    static_assert(std::same_as<decltype(kith::columns(faces, edges, vertices)), right>);
+    static_assert(std::same_as<decltype(kith::columns(edges, vertices, faces)), right>);
+    static_assert(std::same_as<decltype(kith::columns(faces, vertices)), decltype(kith::columns(vertices, faces))>);
+    // What a column holds goes along.
+    const auto only_two = per_edge.when(false);
+    EXPECT_FALSE(std::get<0>(kith::columns(faces, new_vertices(only_two)).vertices.list).where.all);
 }

@@ -40,7 +40,8 @@ TEST(edge_errors, lines_without_their_side)
                         copy_vertices(coarse, assoc);
                         copy_faces(coarse, assoc);
                     }),
-              "assoc(f 0) -> F: the scheme declares edges, so each line needs its side: v >> side");
+              "assoc(f 0) -> F: the scheme declares edges, so each line needs its side: "
+              "assoc(v, V) >> assoc(v, e, E).along(e)");
 }
 
 TEST(edge_errors, a_side_with_two_faces)

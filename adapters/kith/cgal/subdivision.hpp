@@ -52,7 +52,19 @@ inline constexpr bool has_sharp_elements = is_given<Np, CGAL::internal_np::edge_
                                            is_given<Np, parameters::edge_sharpness_t> or
                                            is_given<Np, parameters::vertex_sharpness_t>;
 
-/// Calls f(map, what the map says of an element with this sharpness) for each of the two maps that is given.
+/// Whether a map is asked by elements of this type. If not, says so in one sentence; a map without a key type fits.
+template <class Map, class Element>
+constexpr bool has_key()
+{
+    using key = typename boost::property_traits<Map>::key_type;
+    constexpr bool fits = std::is_void_v<key> or std::is_convertible_v<Element, key>;
+    static_assert(fits,
+                  "kith::cgal: this map has keys of another kind: edge_is_constrained_map and edge_sharpness_map take "
+                  "maps of edge descriptors, vertex_is_constrained_map and vertex_sharpness_map of vertex descriptors");
+    return fits;
+}
+
+/// Calls f(map) for each of the two maps that is given.
 template <class Constrained, class Sharpness, class Np, class F>
 void for_each_map(const Np& np, const F& f)
 {
@@ -65,8 +77,10 @@ template <class Constrained, class Sharpness, class Np, class Element>
 double sharpness_in(const Np& np, const Element& x, std::size_t number, const char* kind)
 {
     double result = 0;
-    for_each_map<Constrained, Sharpness>(
-        np, [&](const auto& map) { result = std::max(result, kith::detail::sharpness_from(map, x, number, kind)); });
+    for_each_map<Constrained, Sharpness>(np, [&]<class Map>(const Map& map) {
+        if constexpr (has_key<Map, Element>())
+            result = std::max(result, kith::detail::sharpness_from(map, x, number, kind));
+    });
     return result;
 }
 
@@ -110,7 +124,8 @@ void write_creases(const written_elements<Vertices, Edges>& written, const Np& n
     namespace tags = CGAL::internal_np;
     const auto write = [](const auto& maps, const auto& elements, const auto& sharpness) {
         maps([&]<class Map>(const Map& map) {
-            if constexpr (is_writable<Map>()) {
+            using element = std::remove_cvref_t<decltype(*elements.begin())>;
+            if constexpr (is_writable<Map>() and has_key<Map, element>()) {
                 using value = typename boost::property_traits<Map>::value_type;
                 std::size_t i = 0;
                 for (const auto& x : elements) {

@@ -8,6 +8,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace kith {
@@ -20,6 +21,24 @@ struct to_face {};
 inline constexpr to_vertex V{};
 inline constexpr to_edge E{};
 inline constexpr to_face F{};
+
+// Scheme texts that say `using namespace kith::targets` find these functions for points, too, such as std::array, and
+// are told that a mask takes vertices.
+using kith::average;
+using kith::sum;
+template <refused::point_without_sum Point>
+[[nodiscard]] auto operator+(const Point&, const Point&)
+{
+    static_cast<void>(refused::points_in_a_mask<(sizeof(Point) > 0)>());
+    return refused::any_mask();
+}
+template <class Weight, refused::point_without_sum Point>
+    requires std::is_arithmetic_v<Weight>
+[[nodiscard]] auto operator*(const Weight&, const Point&)
+{
+    static_cast<void>(refused::points_in_a_mask<(sizeof(Point) > 0)>());
+    return refused::any_mask();
+}
 } // namespace targets
 
 /// What a tuple is to give birth to: V, E or F.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/base/counts.hpp>
+#include <kith/base/refused.hpp>
 #include <kith/level/level_elements.hpp>
 
 #include <concepts>
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace kith {
 
@@ -21,7 +23,7 @@ enum class tuple_kind : unsigned char { v, e, f, vf, ve, ef, vfe };
 struct element_counts {
     std::uint64_t vertices = 0, edges = 0, faces = 0, corners = 0;
 };
-/// A level, or a part of one, that tells the same.
+/// A level, or a part of one, that knows its counts.
 template <class L>
 concept counts_elements = requires(const L& level) {
     { level.vertex_count() } -> std::convertible_to<std::size_t>;
@@ -81,12 +83,11 @@ auto tuple_element(const Level& level, std::size_t index)
     return tuple_elements_of<Kind>(level)[index / tuples_per_element(Kind)];
 }
 
-/// Nobody has said what a count comes to; see next_counts.
+/// In place of a count that is not declared; see next_counts.
 struct uncounted {};
-
 /// All tuples of a column give birth.
 struct everywhere {};
-/// All tuples of a column give birth or none, as the form of the scheme says.
+/// All tuples of a column give birth or none, by the form of the scheme.
 struct all_or_none {
     bool all;
 };
@@ -183,19 +184,11 @@ template <std::size_t N>
 struct fixed_degree {
     static constexpr std::size_t value = N;
 
-    template <class Element> // whatever is asked about
-    constexpr std::size_t operator()(const Element&) const
-    {
-        return N;
-    }
+    constexpr std::size_t operator()(const auto& /*element*/) const { return N; }
 };
 /// The degree of the face that a new one comes from.
 struct same_degree {
-    template <face_element Face>
-    constexpr std::size_t operator()(const Face& f) const
-    {
-        return f.degree();
-    }
+    constexpr std::size_t operator()(const face_element auto& f) const { return f.degree(); }
 };
 /// A column whose new faces are triangles; quads.
 template <tuple_kind Kind, class Where, class Degree>
@@ -209,27 +202,55 @@ template <tuple_kind Kind, class Where, class Degree>
     return c.of_degree(fixed_degree<4>{});
 }
 
-/// The columns that give birth to vertices; in this order these are numbered.
+/// The columns that give birth to vertices, in the order of their numbers; those to edges and to faces.
 template <class... Columns>
 struct new_vertices {
+    static constexpr char makes = 'v';
     std::tuple<Columns...> list;
     constexpr explicit new_vertices(Columns... c) : list(c...) {}
 };
-/// The columns that give birth to edges, in the order of their numbers.
 template <class... Columns>
 struct new_edges {
+    static constexpr char makes = 'e';
     std::tuple<Columns...> list;
     constexpr explicit new_edges(Columns... c) : list(c...) {}
 };
-/// The columns that give birth to faces, in the order of their numbers.
 template <class... Columns>
 struct new_faces {
+    static constexpr char makes = 'f';
     std::tuple<Columns...> list;
     constexpr explicit new_faces(Columns... c) : list(c...) {}
 };
 
-/// What a scheme declares: which tuples give birth to vertices, to edges and to faces. A scheme that declares no edges
-/// has them found by matching, which is slower and needs nothing else.
+namespace detail {
+
+/// Whether List is new_vertices ('v'), new_edges ('e') or new_faces ('f').
+template <class List, char Kind>
+concept list_that_makes = requires { requires List::makes == Kind; };
+
+/// Returns the first list of a kind, or `otherwise`.
+template <char Kind, class Otherwise>
+constexpr auto list_that(Otherwise otherwise)
+{
+    return otherwise;
+}
+template <char Kind, class Otherwise, class List, class... Lists>
+constexpr auto list_that(Otherwise otherwise, List list, Lists... lists)
+{
+    if constexpr (list_that_makes<List, Kind>)
+        return list;
+    else
+        return list_that<Kind>(otherwise, lists...);
+}
+template <char Kind, class Otherwise, class... Lists>
+using list_type = decltype(list_that<Kind>(std::declval<Otherwise>(), std::declval<Lists>()...));
+template <char Kind, class... Lists>
+inline constexpr std::size_t lists_that_make = (std::size_t(list_that_makes<Lists, Kind>) + ... + 0);
+
+} // namespace detail
+
+/// The columns of a scheme: which tuples give birth to vertices, to edges and to faces. The three lists are given in any
+/// order. A scheme that declares no edges has them found by matching, which is slower and needs nothing else.
 template <class Vertices, class Edges, class Faces, class Boundary = uncounted>
 struct columns {
     Vertices vertices;
@@ -237,21 +258,34 @@ struct columns {
     Faces faces;
     Boundary boundary;
 
-    constexpr columns(Vertices v, Edges e, Faces f, Boundary b = {}) : vertices(v), edges(e), faces(f), boundary(b) {}
-    constexpr columns(Vertices v, Faces f)
-        requires(std::tuple_size_v<decltype(Edges::list)> == 0)
-        : columns(v, Edges(), f)
+    template <class... Lists>
+    constexpr explicit columns(Lists... lists)
+        : vertices(detail::list_that<'v'>(new_vertices<>(), lists...))
+        , edges(detail::list_that<'e'>(new_edges<>(), lists...))
+        , faces(detail::list_that<'f'>(new_faces<>(), lists...))
+        , boundary()
     {
+        using namespace detail;
+        constexpr std::size_t v = lists_that_make<'v', Lists...>, e = lists_that_make<'e', Lists...>;
+        constexpr std::size_t f = lists_that_make<'f', Lists...>;
+        constexpr bool is_mistake = v != 1 or e > 1 or f != 1 or v + e + f != sizeof...(Lists);
+        static_cast<void>(refused::columns_of_other_things<is_mistake>());
     }
+    constexpr columns(Vertices v, Edges e, Faces f, Boundary b) : vertices(v), edges(e), faces(f), boundary(b) {}
 
-    /// The same with a function of the counts of a level that says those of the next level's boundary; needed where
-    /// vertices tell the degree of new faces, see next_counts.
+    /// Returns these columns with a function of the counts of a level that says those of the next level's boundary. It
+    /// is needed where vertices tell the degree of new faces, see next_counts.
     template <class Of>
     [[nodiscard]] constexpr auto with_boundary(Of of) const
     {
         return columns<Vertices, Edges, Faces, Of>(vertices, edges, faces, of);
     }
 };
+template <class... Lists>
+columns(Lists...)
+    -> columns<detail::list_type<'v', new_vertices<>, Lists...>, detail::list_type<'e', new_edges<>, Lists...>,
+               detail::list_type<'f', new_faces<>, Lists...>>;
+
 /// What a scheme declares: `columns`.
 template <class C>
 concept declared_columns = requires(const C& columns) {
@@ -259,8 +293,5 @@ concept declared_columns = requires(const C& columns) {
     std::tuple_size<std::remove_cvref_t<decltype(columns.edges.list)>>::value; // of new edges; none: they are matched
     std::tuple_size<std::remove_cvref_t<decltype(columns.faces.list)>>::value; // of new faces, each with its degree
 };
-
-template <class Vertices, class Faces>
-columns(Vertices, Faces) -> columns<Vertices, new_edges<>, Faces>;
 
 } // namespace kith

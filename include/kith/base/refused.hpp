@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "in_library.hpp"
+
 /// What the compiler says of a mistake in the text of a scheme. A scheme is compiled for several kinds of levels; each
 /// sentence depends on the mistake alone, so that it is said once. What a mistake gives fits everywhere, so that
 /// nothing more is said of it.
@@ -68,6 +70,24 @@ struct scheme_columns {
     static_assert(not Mistake,
                   "kith: a scheme needs columns() or columns(int generation), const or static, that returns "
                   "kith::columns(...)");
+};
+
+template <bool Mistake>
+struct columns_of_other_things {
+    static_assert(not Mistake,
+                  "kith: columns() takes new_vertices(...), new_faces(...) and, where the scheme declares its edges, "
+                  "new_edges(...): each once, in any order");
+};
+template <bool Mistake>
+struct points_in_a_mask {
+    static_assert(not Mistake, "kith: a mask combines vertices, not their points: write average(e.org(), e.dst()) "
+                               "instead of average(e.org().point(), e.dst().point())");
+};
+template <bool Mistake>
+struct point_without_affine {
+    static_assert(not Mistake,
+                  "kith: these points or values have no kith::affine, which says how they are added and scaled; "
+                  "specialise kith::affine for their type, or take std::array<double, 3>");
 };
 
 /// The lines of a polygon that is none.

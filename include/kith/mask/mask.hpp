@@ -38,6 +38,11 @@ struct any_mask : mask_base {
     }
 };
 
+/// A point that its own library does not add, so that a sum of such points is meant to be a mask.
+template <class T>
+concept point_without_sum = affine_value<T> and not mask<T> and not std::is_arithmetic_v<T> and
+                            not requires(const T& a) { a + a; };
+
 /// Masks, elements and ranges of them, so that functions of others with the same names are left alone.
 template <class T>
 concept of_a_mesh = mask<T> or requires { typename T::handle_type; };
@@ -173,6 +178,18 @@ template <refused::of_meshes A, class... More>
 [[nodiscard]] auto average(const A&, const More&...)
 {
     static_cast<void>(refused::sum_of_other_things<refused::of_meshes<A>>());
+    return refused::any_mask();
+}
+template <refused::point_without_sum Point, class... Points>
+[[nodiscard]] auto average(const Point&, const Points&...)
+{
+    static_cast<void>(refused::points_in_a_mask<(sizeof(Point) > 0)>());
+    return refused::any_mask();
+}
+template <refused::point_without_sum Point, class... Points>
+[[nodiscard]] auto sum(const Point&, const Points&...)
+{
+    static_cast<void>(refused::points_in_a_mask<(sizeof(Point) > 0)>());
     return refused::any_mask();
 }
 template <class A, class B>

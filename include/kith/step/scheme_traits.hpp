@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/in_library.hpp>
+
 #include <concepts>
 #include <functional>
 #include <string_view>
@@ -188,7 +190,9 @@ consteval auto checked_traits()
         } else {
             static_assert(
                 not has_traits<S>(),
-                "traits() of a scheme is public, static constexpr, takes nothing and returns kith::scheme_traits{...}");
+                "traits() of a scheme is public, static constexpr, takes nothing and returns kith::scheme_traits{...}; "
+                "its words, in this order, are .name .faces .closed_only .trusted .valence .require .reach .is_marked "
+                ".state .ignores_numbers .closure");
             return scheme_traits{};
         }
     } else {
