@@ -8,7 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -154,4 +157,56 @@ TEST(for_each, parts_are_ranges_without_gaps)
         for (const auto& n : visits)
             ASSERT_EQ(n, 1);
     }
+}
+
+namespace {
+
+/// In how many parts a loop is cut.
+std::size_t parts_of_loop(std::size_t size)
+{
+    std::atomic<std::size_t> parts = 0;
+    kith::detail::for_parts(size, true, [&](std::size_t, std::size_t) { ++parts; });
+    return parts;
+}
+
+#if defined(_OPENMP)
+constexpr std::size_t most = 4;
+#else
+constexpr std::size_t most = 1;
+#endif
+
+} // namespace
+
+TEST(for_each, a_program_says_how_many_threads_it_has)
+{
+    const thread_count four(4);
+    EXPECT_EQ(parts_of_loop(100'000), most);
+    kith::set_threads(1);
+    EXPECT_EQ(parts_of_loop(100'000), 1U);
+    kith::set_threads(3);
+    EXPECT_EQ(parts_of_loop(100'000), std::min<std::size_t>(most, 3));
+    kith::set_threads(0);
+    EXPECT_EQ(parts_of_loop(100'000), most);
+}
+
+TEST(for_each, levels_of_fewer_than_ten_thousand_faces_are_made_by_one_thread)
+{
+    const thread_count four(4);
+    kith::detail::faces_worth_threads = 10'000; // as it is in programs
+    const auto threads_at = [](const kith::basic_mesh<std::array<double, 3>>& mesh) {
+        const level_type level(mesh);
+        std::mutex mutex;
+        std::set<std::thread::id> met;
+        const auto meet = [&](const auto&) {
+            const std::lock_guard lock(mutex);
+            met.insert(std::this_thread::get_id());
+        };
+        kith::for_each(level.vertices(), meet);
+        kith::for_each(level.edges(), meet);
+        kith::for_each(level.faces(), meet);
+        kith::for_each(level.corners(), meet);
+        return met.size();
+    };
+    EXPECT_EQ(threads_at(native(shapes::torus(99, 101))), 1U);
+    EXPECT_EQ(threads_at(native(shapes::torus(100, 101))), most);
 }

@@ -8,22 +8,14 @@
 #include <cstddef>
 #include <cstdint>
 
-#if defined(_OPENMP)
-#include <omp.h>
-#endif
-
 namespace kith {
 
 /// How many of so many tiles to refine at the same time: one on each thread of OpenMP or, where there are fewer tiles
 /// than threads, one after the other with all threads in its loops. Loops of tiles are short, and threads that meet
 /// after each of them lose more than they gain. So many tiles are then in memory, `most` of them at most.
-inline std::size_t tiles_at_once(std::size_t tiles, [[maybe_unused]] std::size_t most = SIZE_MAX)
+inline std::size_t tiles_at_once(std::size_t tiles, std::size_t most = SIZE_MAX)
 {
-#if defined(_OPENMP)
-    const std::size_t threads = std::min(most, std::size_t(omp_get_max_threads()));
-#else
-    const std::size_t threads = 1;
-#endif
+    const std::size_t threads = std::min(most, detail::most_threads());
     return tiles < threads ? 1 : std::max<std::size_t>(threads, 1);
 }
 

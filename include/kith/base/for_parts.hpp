@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "in_library.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -16,7 +18,41 @@
 #include <omp.h>
 #endif
 
-namespace kith::detail {
+namespace kith {
+
+namespace detail {
+
+/// The most threads of a loop, in all files of the program; 0: neither `set_threads` nor a file with OpenMP has set it.
+constinit inline std::atomic<int> thread_limit = 0;
+
+/// A level with fewer faces is made by one thread: on a busy machine threads wait longer for each other than they work.
+/// Tests set a smaller number.
+constinit inline std::atomic<std::size_t> faces_worth_threads = 10'000;
+
+} // namespace detail
+
+/// Sets how many threads a loop of kith uses at most; 1 switches them off, 0 allows as many as OpenMP has. A program
+/// that is compiled with OpenMP begins with 0. All others begin with 1, so that the compiled parts of kith, which know
+/// OpenMP, start no threads in a program that does not ask for them. The results are the same bits. It may be called at
+/// any time outside of kith's functions. OMP_NUM_THREADS and omp_set_num_threads hold in addition.
+inline void set_threads(int most)
+{
+    detail::thread_limit = most > 0 ? most : std::numeric_limits<int>::max();
+}
+
+namespace detail {
+
+/// Whether a loop over the faces of a level, or over what belongs to so many faces, is worth more than one thread.
+inline bool is_worth_threads(std::size_t faces)
+{
+    return faces >= faces_worth_threads.load(std::memory_order_relaxed);
+}
+/// The elements from which on a loop of little work for each is worth more than one thread: the corners of as many
+/// quads.
+inline std::size_t elements_worth_threads()
+{
+    return 4 * faces_worth_threads.load(std::memory_order_relaxed);
+}
 
 /// Whether this thread runs the body of a loop whose order is not promised, on several threads or on one.
 constinit inline thread_local bool in_loop_body = false;
@@ -32,9 +68,6 @@ public:
 private:
     bool before_;
 };
-
-/// From so many elements on a loop is worth more than one thread.
-inline constexpr std::size_t worth_threads = 4096;
 
 /// A body(begin, end) of a loop, called through a pointer: the threads are compiled once for all bodies. Refers to the
 /// body.
@@ -179,21 +212,41 @@ private:
 // A program may have files with OpenMP and files without.
 #if defined(_OPENMP)
 inline namespace on_threads {
-#else
-inline namespace in_turn {
+
+#ifndef KITH_COMPILED_PART // one of kith's compiled parts, which is no reason for a program to have threads
+/// Sets the limit of a program that is compiled with OpenMP, unless `set_threads` came first.
+inline const bool has_threads = [] {
+    int unset = 0;
+    return thread_limit.compare_exchange_strong(unset, std::numeric_limits<int>::max());
+}();
 #endif
 
-/// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program is compiled with it. Every
-/// value of a level is a gather into its own place, so how the range is cut changes no bit. Of several errors that of
-/// the first part is rethrown.
+/// Returns how many threads a parallel loop has at most.
+inline std::size_t most_threads()
+{
+    return std::size_t(std::min(omp_get_max_threads(), std::max(thread_limit.load(std::memory_order_relaxed), 1)));
+}
+#else
+inline namespace in_turn {
+
+/// Returns one: this file is not compiled with OpenMP.
+inline std::size_t most_threads()
+{
+    return 1;
+}
+#endif
+
+/// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program is compiled with it and the
+/// loop has at least `smallest` elements. Every value of a level is a gather into its own place, so how the range is cut
+/// changes no bit. Of several errors that of the first part is rethrown.
 inline void for_parts(std::size_t size, [[maybe_unused]] bool parallel, part_body body,
-                      [[maybe_unused]] std::size_t smallest = worth_threads)
+                      [[maybe_unused]] std::size_t smallest = elements_worth_threads())
 {
 #if defined(_OPENMP)
-    if (parallel and size >= smallest and omp_get_max_threads() > 1) {
+    if (parallel and size >= smallest and most_threads() > 1) {
         std::exception_ptr error;
         std::size_t part_of_error = std::numeric_limits<std::size_t>::max();
-#pragma omp parallel
+#pragma omp parallel num_threads(int(most_threads()))
         {
             const std::size_t threads = std::size_t(omp_get_num_threads());
             const std::size_t thread = std::size_t(omp_get_thread_num());
@@ -215,19 +268,9 @@ inline void for_parts(std::size_t size, [[maybe_unused]] bool parallel, part_bod
     body(std::size_t(0), size);
 }
 
-/// The threads that a parallel loop has at most.
-inline std::size_t most_threads()
-{
-#if defined(_OPENMP)
-    return std::size_t(omp_get_max_threads());
-#else
-    return 1;
-#endif
-}
-
 /// Calls body(parts) once on each thread, which does its parts of [0, size) by parts.for_each: where a body needs
-/// something for all that it does, and where elements cost more in one place than in another. Of several errors that of
-/// the first part is rethrown.
+/// something for all that it does, and where elements cost more in one place than in another. `parallel` says whether
+/// the work is worth threads. Of several errors that of the first part is rethrown.
 template <class Body>
 void for_shared_parts(std::size_t size, std::size_t size_of_part, bool parallel, const Body& body)
 {
@@ -249,4 +292,6 @@ void for_shared_parts(std::size_t size, std::size_t size_of_part, bool parallel,
 
 } // namespace
 
-} // namespace kith::detail
+} // namespace detail
+
+} // namespace kith

@@ -143,7 +143,7 @@ void for_each(const all_elements<Level, Element>& range, const F& f)
 {
     if constexpr (detail::met_by_faces<Level, Element>) {
         const std::size_t faces = range.level().face_count();
-        if (not Level::parallel or faces < detail::worth_threads or detail::most_threads() == 1)
+        if (not Level::parallel or not detail::is_worth_threads(faces) or detail::most_threads() == 1)
             return detail::for_part_of_faces(range, 0, faces, f);
         // Vertices and edges do not belong to all faces alike: after a step of Loop none belongs to the triangles in
         // the middle of the old ones, which are the last quarter.

@@ -89,7 +89,7 @@ private:
         sequence_numbers kinds;
         const auto degree = Index(mesh.degree);
         const auto in_order = vertices_by_faces(mesh);
-        detail::for_shared_parts(in_order.size(), 1, true, [&](detail::parts_to_do parts) {
+        detail::for_shared_parts(in_order.size(), 1, detail::is_worth_threads(mesh.faces), [&](detail::parts_to_do parts) {
             sequence_numbers::reader kind(kinds);
             std::u32string fan;
             std::vector<Index> corners;
@@ -123,7 +123,7 @@ private:
     {
         sequence_numbers classes;
         const auto degree = std::size_t(mesh.degree);
-        detail::for_shared_parts(mesh.faces, faces_at_once, true, [&](detail::parts_to_do parts) {
+        detail::for_shared_parts(mesh.faces, faces_at_once, detail::is_worth_threads(mesh.faces), [&](detail::parts_to_do parts) {
             sequence_numbers::reader class_of(classes);
             parts.for_each([&](std::size_t begin, std::size_t end) {
                 for (std::size_t f = begin; f < end; ++f) {

@@ -36,10 +36,10 @@ public:
     {
     }
 
-    /// Makes what these faces of the mesh own. Cost: that of the steps.
-    void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
+    /// Makes what these faces of the mesh own, on several threads where that is worth it. Cost: that of the steps.
+    void fill(const basic_mesh<Point, Index>& mesh, const output& to, bool parallel) const
     {
-        detail::for_shared_parts(faces_.size(), at_once, true, [&](detail::parts_to_do parts) {
+        detail::for_shared_parts(faces_.size(), at_once, parallel, [&](detail::parts_to_do parts) {
             worker one(*this, mesh);
             parts.for_each([&](std::size_t begin, std::size_t end) {
                 one.fill(std::span(faces_).subspan(begin, end - begin), to);

@@ -77,7 +77,7 @@ public:
         constexpr std::size_t worth_threads = 8;
         detail::for_parts(
             wanted.size(),
-            true,
+            detail::is_worth_threads(plan.last().faces),
             [&](std::size_t begin, std::size_t end) {
                 if (begin == end) // often all are kept ones
                     return;
@@ -102,7 +102,7 @@ public:
             size += filler::numbers_found(*templates_[b.of]);
         }
         found_ = storage<Index>(size);
-        detail::for_parts(batches_.size(), true, [&](std::size_t begin, std::size_t end) {
+        detail::for_parts(batches_.size(), is_worth_threads_, [&](std::size_t begin, std::size_t end) {
             filler finder(mesh, {}, false);
             for (std::size_t i = begin; i < end; ++i)
                 finder.find(*templates_[batches_[i].of], faces_of(batches_[i]), found_of(batches_[i]));
@@ -116,7 +116,7 @@ public:
     {
         constexpr std::size_t cached_bytes = std::size_t(4) << 20;
         const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
-        detail::for_shared_parts(batches_.size(), batches_at_once, true, [&](detail::parts_to_do parts) {
+        detail::for_shared_parts(batches_.size(), batches_at_once, is_worth_threads_, [&](detail::parts_to_do parts) {
             filler one(mesh, to, past_caches);
             storage<Index> here;
             parts.for_each([&](std::size_t begin, std::size_t end) {
@@ -137,7 +137,7 @@ public:
             publish();
         });
         if (clusters_)
-            clusters_->fill(mesh, to);
+            clusters_->fill(mesh, to, is_worth_threads_);
     }
 
 private:
@@ -190,7 +190,7 @@ private:
     /// With the templates of the classes that have one.
     patched_level(const face_classes<Index>& classes, std::vector<typename templates::pointer> of_class,
                   const Scheme& scheme, const patch_plan& plan)
-        : vertices_(plan.last().vertices)
+        : vertices_(plan.last().vertices), is_worth_threads_(detail::is_worth_threads(plan.last().faces))
     {
         std::vector<class_number> template_of_class(of_class.size(), none);
         for (std::size_t c = 0; c < of_class.size(); ++c)
@@ -250,6 +250,7 @@ private:
     }
 
     std::size_t vertices_; // of the last level
+    bool is_worth_threads_;
     std::vector<typename templates::pointer> templates_;
     std::vector<std::vector<Index>> bases_; // of the multiples of each
     std::vector<batch> batches_;

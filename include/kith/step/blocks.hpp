@@ -76,7 +76,7 @@ void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
         constexpr std::size_t faces_of_block = 1024; // with all that belongs to them about half of a second-level cache
         const std::size_t faces = r.coarse.face_count();
         const std::size_t count = (faces + faces_of_block - 1) / faces_of_block;
-        const bool parallel = Level::parallel and faces >= detail::worth_threads;
+        const bool parallel = Level::parallel and detail::is_worth_threads(faces);
         detail::for_shared_parts(count, 1, parallel, [&](detail::parts_to_do parts) {
             const detail::loop_body inside(true);
             parts.for_each([&](std::size_t number, std::size_t) {

@@ -78,7 +78,8 @@ void write_blocks(std::ostream& out, std::size_t count, const Write& write)
                     write(blocks[b], i);
             }
         };
-        kith::detail::for_parts(used, true, fill, 2);
+        const bool parallel = used * per_block >= kith::detail::elements_worth_threads();
+        kith::detail::for_parts(used, parallel, fill, 2);
         for (std::size_t b = 0; b < used; ++b)
             out.write(blocks[b].text().data(), std::streamsize(blocks[b].text().size()));
     }
