@@ -52,7 +52,7 @@ private:
     kith::basic_mesh<place, std::uint32_t> native_;
 };
 
-/// A range that can be passed through once.
+/// A range that can be passed through once, and not where it is constant, such as views::filter.
 template <class Handle>
 class once {
 public:
@@ -72,8 +72,8 @@ public:
         std::size_t i_;
     };
     explicit once(std::size_t size) : size_(size) {}
-    [[nodiscard]] iterator begin() const { return iterator(0); }
-    [[nodiscard]] std::size_t end() const { return size_; }
+    [[nodiscard]] iterator begin() { return iterator(0); }
+    [[nodiscard]] std::size_t end() { return size_; }
 
 private:
     std::size_t size_;

@@ -12,11 +12,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using kith::refine;
 
@@ -313,4 +317,41 @@ TEST(refine, may_open_what_was_closed)
     const auto once = refine(cube, frames<false>(), 1);
     EXPECT_EQ(count(once.topology()).boundary_edges, 24U);
     EXPECT_EQ(once.point(8), (shapes::point{-.5, -.5, -1}));
+}
+
+TEST(refine, takes_a_list_of_points_and_a_list_of_faces)
+{
+    const auto house = shapes::shaken(shapes::house());
+    const auto right = refine(native(house), kith::catmull_clark(), 2);
+    EXPECT_TRUE(same_bits(refine(house.points, house.faces, kith::catmull_clark(), 2), right));
+    EXPECT_TRUE(same_bits(refine(house.points, kith::face_list(house.faces), kith::catmull_clark(), 2), right));
+
+    const std::array<shapes::point, 4> points{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+    const std::vector<std::array<int, 3>> faces{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    const auto fine = refine(points, faces, kith::loop(), 1);
+    EXPECT_TRUE(same_bits(fine, refine(kith::make_mesh(points, faces), kith::loop(), 1)));
+    EXPECT_EQ(error_text<kith::mesh_error>([&] {
+                  static_cast<void>(refine(points, std::vector<std::vector<int>>{{0, 1, 7}}, kith::loop(), 1));
+              }),
+              error_text<kith::mesh_error>([&] {
+                  static_cast<void>(kith::make_mesh(points, std::vector<std::vector<int>>{{0, 1, 7}}));
+              }));
+}
+
+TEST(refine, gives_its_faces_as_lists)
+{
+    const auto house = refine(native(shapes::house()), kith::catmull_clark(), 1);
+    const auto quads = house.faces_as<std::array<int, 4>>();
+    const auto lists = house.faces_as<std::vector<std::size_t>>();
+    ASSERT_EQ(quads.size(), house.face_count());
+    ASSERT_EQ(lists.size(), house.face_count());
+    for (std::size_t f = 0; f < house.face_count(); ++f) {
+        EXPECT_TRUE(std::ranges::equal(quads[f], house.face(f)));
+        EXPECT_TRUE(std::ranges::equal(lists[f], house.face(f)));
+        EXPECT_TRUE(std::ranges::equal(house.faces()[f], house.face(f)));
+    }
+    EXPECT_TRUE(same_bits(kith::make_mesh(house.points(), kith::face_list(house.faces())),
+                          kith::make_mesh(house.points(), quads)));
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(house.faces_as<std::array<int, 3>>()); }),
+              "face 0 has 4 vertices, not 3; take faces_as<std::vector<int>>(), or triangulate the mesh first");
 }

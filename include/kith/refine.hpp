@@ -7,11 +7,13 @@
 
 #include <kith/level/named_level.hpp>
 #include <kith/level/validate.hpp>
+#include <kith/mesh/make_mesh.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -201,6 +203,18 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
     });
 }
 
+/// Refines a list of points and a list of faces, such as vectors of std::array<double, 3> and of std::array<int, 4>, and
+/// returns the native mesh, whose points() and faces() are lists again; `faces_as` gives faces in a type of the
+/// caller's. Points may be of any type with an `affine`. Errors: as `make_mesh`, and those of `refine`.
+template <std::ranges::sized_range Points, class Faces, class Scheme>
+    requires std::same_as<Faces, face_list> or
+             (std::ranges::input_range<Faces> and std::ranges::range<std::ranges::range_reference_t<const Faces&>>)
+auto refine(const Points& points, const Faces& faces, const Scheme& scheme, int levels,
+            const refine_options& options = {})
+{
+    return refine(make_mesh(points, faces), scheme, levels, options);
+}
+
 /// Takes what the others do not, to say in one sentence what the type lacks.
 template <class M, class Scheme>
     requires(not scheme<Scheme>)
@@ -213,12 +227,16 @@ template <class M, scheme Scheme>
     requires(not refinable_mesh<M>)
 const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
 {
-    constexpr bool is_mesh =
-        kith::mesh<M>; // asserted itself, the concept would have the compiler tell all that it asks
+    // A concept that is asserted itself would have the compiler tell all that it asks.
+    constexpr bool has_points = requires { requires affine_value<typename mesh_traits<M>::point>; };
+    constexpr bool has_point = requires { typename mesh_traits<M>::point; };
+    static_cast<void>(refused::point_without_affine<has_point and not has_points>());
+    constexpr bool is_mesh = kith::mesh<M> or (has_point and not has_points);
     static_assert(is_mesh,
                   "kith::refine: this type is no mesh to kith; include its adapter (<kith/cgal.hpp>, "
                   "<kith/openmesh.hpp>) or specialise kith::mesh_traits for it");
-    static_assert(not is_mesh, "kith::refine: this mesh can be read, not made; give its kith::mesh_traits a build()");
+    static_assert(not kith::mesh<M>,
+                  "kith::refine: this mesh can be read, not made; give its kith::mesh_traits a build()");
     return mesh;
 }
 

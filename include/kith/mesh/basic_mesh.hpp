@@ -7,6 +7,7 @@
 #include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <concepts>
@@ -15,7 +16,10 @@
 #include <limits>
 #include <ranges>
 #include <span>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace kith {
 
@@ -48,6 +52,34 @@ public:
     {
         const std::size_t first = topology_.first_corner(face), end = topology_.first_corner(face + 1);
         return {topology_.corner_vertex.data() + first, end - first};
+    }
+
+    /// Returns the faces as a list: a range of what face(i) returns.
+    [[nodiscard]] auto faces() const
+    {
+        return std::views::iota(std::size_t(0), face_count()) |
+               std::views::transform([this](std::size_t i) { return face(i); });
+    }
+    /// Returns the faces in a type of the caller's: faces_as<std::array<int, 4>>(), faces_as<std::vector<int>>().
+    /// Errors: mesh_error for a face that an array has no room for, or too much.
+    template <class Face>
+    [[nodiscard]] std::vector<Face> faces_as() const
+    {
+        std::vector<Face> result;
+        result.reserve(face_count());
+        for (const auto vertices : faces()) {
+            if constexpr (requires { std::tuple_size<Face>::value; }) {
+                Face& made = result.emplace_back();
+                if (vertices.size() != made.size())
+                    throw mesh_error("face " + std::to_string(result.size() - 1) + " has " +
+                                     std::to_string(vertices.size()) + " vertices, not " + std::to_string(made.size()) +
+                                     "; take faces_as<std::vector<int>>(), or triangulate the mesh first");
+                std::ranges::transform(vertices, made.begin(), [](Index v) { return typename Face::value_type(v); });
+            } else {
+                result.emplace_back(vertices.begin(), vertices.end());
+            }
+        }
+        return result;
     }
 
     [[nodiscard]] const connectivity<Index>& topology() const { return topology_; }

@@ -63,9 +63,9 @@ public:
 private:
     static constexpr bool can_be_made = requires(std::size_t i) { traits::template at<Handle>(i); };
 
-    /// The handles and, below the bound, their numbers.
+    /// Keeps the handles and, below the bound, their numbers. Ranges such as views::filter are no constant ones.
     template <class Range>
-    [[gnu::noinline]] void keep(const M& mesh, const Range& range, std::size_t bound)
+    [[gnu::noinline]] void keep(const M& mesh, Range& range, std::size_t bound)
     {
         kept_.resize(size_);
         numbers_.resize(bound, index_type(none));

@@ -5,7 +5,10 @@
 #include "match.hpp"
 #include "mesh_report.hpp"
 
+#include <kith/base/refused.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -168,6 +171,7 @@ mesh_report validate(const Points& points, const face_list& faces, std::size_t f
 /// face or the faces themselves does not change a bit of any refined point.
 /// Errors: mesh_error with everything that `validate` finds, in numbers from `first_number` on. Cost: as `validate`.
 template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points>
+    requires affine_value<std::ranges::range_value_t<Points>>
 auto make_mesh(const Points& points, const face_list& faces, std::size_t first_number = 0)
 {
     using point = std::ranges::range_value_t<Points>;
@@ -191,10 +195,18 @@ auto make_mesh(const Points& points, const face_list& faces, std::size_t first_n
 
 /// The same from a range of ranges, e.g. std::vector<std::vector<int>>.
 template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points, std::ranges::input_range Faces>
-    requires(not std::same_as<Faces, face_list>)
+    requires(not std::same_as<Faces, face_list> and affine_value<std::ranges::range_value_t<Points>>)
 auto make_mesh(const Points& points, const Faces& faces)
 {
     return make_mesh<Index>(points, face_list(faces));
+}
+/// Says that points of this type cannot be combined.
+template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points, class Faces>
+    requires(not affine_value<std::ranges::range_value_t<Points>>)
+auto make_mesh(const Points&, const Faces&, std::size_t = 0)
+{
+    static_cast<void>(refused::point_without_affine<(sizeof(Points) > 0)>());
+    return basic_mesh<std::array<double, 3>, Index>();
 }
 
 /// Values at the corners of faces, in the order of their list, in that of the mesh which `make_mesh` makes of these
