@@ -215,6 +215,20 @@ TEST(hierarchy, carries_from_any_level_to_any_finer_one)
     EXPECT_EQ(h.levels.carry(1, 1, h.levels[1].points()).size(), 42U);
 }
 
+TEST(hierarchy, carries_any_array_of_values)
+{
+    refined_house h;
+    std::vector<double> values(11);
+    std::array<double, 11> same;
+    for (std::size_t v = 0; v < values.size(); ++v)
+        same[v] = values[v] = double(v * v);
+    const auto right = h.levels.carry(0, 2, std::span<const double>(values));
+    EXPECT_TRUE(std::ranges::equal(h.levels.carry(0, 2, values), right));
+    EXPECT_TRUE(std::ranges::equal(h.levels.carry(0, 2, same), right));
+    EXPECT_TRUE(std::ranges::equal(h.levels.carry(0, 2, std::span(values)), right));
+    EXPECT_TRUE(std::ranges::equal(h.levels.carry(1, 2, h.levels.carry(0, 1, values)), right));
+}
+
 TEST(hierarchy, refuses_the_wrong_number_of_values)
 {
     const refined_house h;

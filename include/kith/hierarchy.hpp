@@ -15,6 +15,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <ranges>
 #include <span>
 #include <string>
 #include <utility>
@@ -40,15 +41,14 @@ public:
     }
 
     /// Adds n levels; refine(1) twice is refine(2), bit for bit. Levels that were undone are given up. Errors: as the
-    /// function `refine`; the levels so far stay.
+    /// function `refine`. Where this or another function throws the hierarchy is as before the call.
     void refine(int n = 1)
     {
         static_cast<void>(refine(n, [](double) { return true; }));
     }
 
-    /// The same; after each level go_on(done) is told the share of the work that is done, 0 to 1, and may return false:
-    /// then the hierarchy becomes what it was before the call, without levels that were undone before. Returns whether
-    /// it went on to the end.
+    /// Same, but calls go_on(done) after each level with the share of the work that is done, 0 to 1. Where it returns
+    /// false the hierarchy becomes what it was before the call. Returns whether it went on to the end.
     template <std::predicate<double> GoOn>
     bool refine(int n, const GoOn& go_on)
     {
@@ -57,15 +57,7 @@ public:
             return true;
         require_room(n);
         const auto shares = shares_of_work(elements(depth()).counts(), scheme(depth()), n, levels_.generation(depth()));
-        const std::vector<bool> held = levels_.held();
-        for (int i = 1; i <= n; ++i) {
-            levels_.add();
-            if (not go_on(shares[std::size_t(i)])) {
-                levels_.go_back(held);
-                return false;
-            }
-        }
-        return true;
+        return levels_.add(n, [&](int level) { return go_on(shares[std::size_t(level)]); });
     }
 
     /// Adds a level in which some faces of the last level are refined and the mesh stays conforming; the scheme is
@@ -183,8 +175,9 @@ public:
         return ancestor_in(levels_, level, numbered(levels_.at(level, x)), coarser);
     }
 
-    /// The elements of a finer level that have this element of `level` as their ancestor; those of different elements
-    /// have none in common. Errors: mesh_error unless level <= finer, and for handles of no element of this level.
+    /// Returns the elements of a finer level that have this element of `level` as their ancestor. No element descends
+    /// from two elements. The descendants of a face are those inside it: the vertices and edges on its border descend
+    /// from its edges and vertices. For the closed face take the descendants of these, too. Errors: mesh_error unless level <= finer, and for handles of no element of this level.
     /// Cost: O(their ranges), few per level; where edges are found by matching O(vertices of the dictionary + edges)
     /// per level.
     template <handle_of<M> X>
@@ -196,22 +189,20 @@ public:
     /// Moves the vertices of a level, and those of all finer levels with them: the same bits as refining a mesh with
     /// these points, without making its connectivity again; state of the levels, which does not follow from places,
     /// stays. Points in the order of dense numbers.
-    /// Errors: mesh_error unless there is a point per vertex, all finite; nothing is moved then. Where memory runs out,
-    /// finer levels may stay as they were. Cost: that of `carry`.
+    /// Errors: mesh_error unless there is a point per vertex, all finite. Cost: that of `carry`, and memory for the new
+    /// points of all these levels.
     void move_points(int level, std::span<const typename traits::point> points)
         requires movable_mesh<M>
     {
         require_finite(level, points);
-        auto moved = carry(level, level, points);
-        for (int finer = level; finer <= depth(); ++finer)
-            static_cast<void>(levels_.at(finer)); // refused before anything is moved
+        std::vector<storage<typename traits::point>> moved;
+        moved.push_back(carry(level, level, points));
+        for (int finer = level; finer < depth(); ++finer)
+            moved.push_back(carry(finer, finer + 1, moved.back()));
         levels_.forget_undone();
-        for (bool by_hand = true;; by_hand = false, ++level) {
-            set_points(levels_.mesh(level), elements(level), moved);
-            levels_.set_moved(level, by_hand);
-            if (level == depth())
-                return;
-            moved = carry(level, level + 1, std::span<const typename traits::point>(moved.data(), moved.size()));
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+            set_points(levels_.mesh(level + int(i)), elements(level + int(i)), moved[i]);
+            levels_.set_moved(level + int(i), i == 0);
         }
     }
 
@@ -227,6 +218,15 @@ public:
             throw mesh_error("level " + std::to_string(from) + " has " + std::to_string(elements(from).vertex_count()) +
                              " vertices, " + std::to_string(values.size()) + " values were given; give one per vertex");
         return storage<T>(carry(from, to, on_vertices(values, by_mask())).values());
+    }
+    /// Same, but for any array of values: a std::vector, a std::array, a `storage`.
+    template <std::ranges::contiguous_range Values>
+    [[nodiscard]] auto carry(int from, int to, const Values& values) const
+    {
+        using T = std::ranges::range_value_t<Values>;
+        static_cast<void>(refused::point_without_affine<not affine_value<T>>());
+        if constexpr (affine_value<T>)
+            return carry(from, to, std::span<const T>(values));
     }
 
     /// A field of level `from` carried to level `to` by its rule: once over the levels between. Errors: as above.
@@ -285,8 +285,10 @@ private:
                                       levels_.generation(0),
                                       sizeof(typename traits::point),
                                       sizeof(index_type));
-            detail::require_bytes(
-                scheme_name<Scheme>(), peak_bytes_keeping_last(planned, levels_.kept()), last, options_.memory_limit);
+            detail::require_bytes(scheme_name<Scheme>(),
+                                  peak_bytes_keeping_last(planned, levels_.kept(), depth()),
+                                  last,
+                                  options_.memory_limit);
         }
     }
 

@@ -7,6 +7,8 @@
 #include <kith/step/level_state.hpp>
 #include <kith/step/step.hpp>
 
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -35,13 +37,11 @@ template <mesh M, scheme Scheme>
 class level_store {
     using traits = mesh_traits<M>;
     using level_type = level_of<M>;
+    using numbering_type = numbering_of<Scheme, typename level_type::index_type>;
 
     struct held_mesh {
         /// Made in place: meshes of OpenMesh cannot be moved.
-        template <class MakeMesh>
-        explicit held_mesh(const MakeMesh& make_mesh) : mesh(make_mesh())
-        {
-        }
+        explicit held_mesh(const auto& make_mesh) : mesh(make_mesh()) {}
 
         M mesh;
         mutable std::optional<level_type> view;
@@ -50,16 +50,12 @@ class level_store {
 
     struct entry {
         explicit entry(Scheme here_scheme) : scheme(std::move(here_scheme)) {}
-        template <class MakeMesh>
-        void hold(const MakeMesh& make_mesh)
-        {
-            here = std::make_unique<held_mesh>(make_mesh);
-        }
+        void hold(const auto& make_mesh) { here = std::make_unique<held_mesh>(make_mesh); }
 
-        std::unique_ptr<held_mesh> here;                           ///< none of a level that was dropped
-        Scheme scheme;                                             ///< of the step to the next level
-        numbering_of<Scheme, typename level_type::index_type> ids; ///< of the next level
-        bool is_moved = false; ///< its points are no longer those that the step before has made
+        std::unique_ptr<held_mesh> here; ///< none of a level that was dropped
+        Scheme scheme;                   ///< of the step to the next level
+        numbering_type ids;              ///< of the next level
+        bool is_moved = false;           ///< its points are no longer those that the step before has made
     };
 
 public:
@@ -78,32 +74,58 @@ public:
     /// How many of the last levels are kept.
     [[nodiscard]] int kept() const { return kept_; }
 
-    /// Adds a level, drops the one that is kept no longer, and gives up those that were undone, with what was chosen
-    /// for them.
-    /// Errors: as those of a step.
-    void add()
+    /// Adds n levels, drops those that are kept no longer, and gives up those that were undone, with what was chosen for
+    /// them. go_on(i) is called after the i-th of them. Returns false where it has returned false: then, and after an
+    /// error, all is as before the call. Errors: those of a step and of go_on.
+    template <std::predicate<int> GoOn>
+    bool add(int n, const GoOn& go_on)
     {
-        if (undone() == 0)
-            return take_step();
-        add_by(choose_all);
+        const int before = depth_;
+        entry& last = *levels_[std::size_t(before)];
+        Scheme scheme = last.scheme;
+        std::vector<std::unique_ptr<entry>> given_up(levels_.size() - 1 - std::size_t(before));
+        auto ids = std::move(last.ids);
+        std::move(levels_.begin() + before + 1, levels_.end(), given_up.begin());
+        levels_.resize(std::size_t(before) + 1);
+        const auto go_back = [&] {
+            levels_.resize(std::size_t(before) + 1);
+            depth_ = before;
+            swap_states(last.scheme, scheme);
+            last.ids = std::move(ids);
+            for (auto& each : given_up)
+                levels_.push_back(std::move(each)); // for which there is room, since they were there before
+        };
+        try {
+            if (not given_up.empty())
+                choose_all(last.scheme, elements(before));
+            for (int i = 1; i <= n; ++i) {
+                take_step();
+                drop_old(before + 1); // the levels of before are kept for go_back
+                if (not go_on(i)) {
+                    go_back();
+                    return false;
+                }
+            }
+        } catch (...) {
+            go_back();
+            throw;
+        }
+        drop_old();
+        return true;
     }
-    /// The same with another scheme from the last level on: change(scheme, elements). Errors: as above, and those of
-    /// `change`; the scheme stays then.
+    /// Adds a level by another scheme from the last level on: change(scheme, elements). Errors: those of a step and of
+    /// `change`; all is as before the call then.
     template <class Change>
     void add_by(const Change& change)
     {
-        Scheme& scheme = levels_[std::size_t(depth_)]->scheme;
-        Scheme before = scheme;
-        try {
+        change_last([&](Scheme& scheme) {
             change(scheme, elements(depth_));
             take_step();
-        } catch (...) {
-            swap_states(scheme, before); // all that may have changed
-            throw;
-        }
+        });
+        drop_old();
     }
     /// Takes the last n levels back. Of each the scheme stays, and points that were moved. Precondition: 0 <= n <=
-    /// depth().
+    /// depth(). Errors: those of `restore`; nothing is taken back then.
     void undo(int n)
     {
         if (levels_[std::size_t(depth_ - n)]->here == nullptr)
@@ -112,21 +134,26 @@ public:
             if (not levels_[std::size_t(depth_)]->is_moved)
                 levels_[std::size_t(depth_)]->here.reset();
     }
-    /// Makes the next n again, the same bits. Precondition: 0 <= n <= undone().
+    /// Makes the next n again, the same bits. Precondition: 0 <= n <= undone(). Errors: those of a step; all is as
+    /// before the call then.
     void redo(int n)
     {
-        for (; n > 0; --n, ++depth_) {
-            entry& next = *levels_[std::size_t(depth_ + 1)];
-            if (not next.here)
-                next.hold([&] { return refined(depth_); });
+        const int before = depth_;
+        try {
+            for (; n > 0; --n, ++depth_)
+                if (not levels_[std::size_t(depth_ + 1)]->here)
+                    make_next(depth_);
+        } catch (...) {
+            undo(depth_ - before);
+            throw;
         }
         drop_old();
     }
-    /// Gives up levels that were undone.
+    /// Gives up levels that were undone. Errors: std::bad_alloc; they stay then.
     void forget_undone()
     {
         if (undone() > 0)
-            choose_all(levels_[std::size_t(depth_)]->scheme, elements(depth_));
+            change_last([&](Scheme& scheme) { choose_all(scheme, elements(depth_)); });
         levels_.resize(std::size_t(depth_) + 1);
     }
     void keep_last(int count)
@@ -134,35 +161,28 @@ public:
         kept_ = count;
         drop_old();
     }
-    /// Makes a level that was dropped again, from the last one before it that is there.
+    /// Makes a level that was dropped again, from the last one before it that is there. Errors: those of a step; all is
+    /// as before then.
     void restore(int level)
     {
         static_cast<void>(entry_at(level));
         int from = level;
         while (not levels_[std::size_t(from)]->here)
             --from;
-        for (int next = from + 1; next <= level; ++next) {
-            levels_[std::size_t(next)]->hold([&] { return refined(next - 1); });
-            if (next - 1 != from)
-                levels_[std::size_t(next - 1)]->here.reset();
+        int made = from;
+        const auto drop_between = [&] {
+            if (made != from)
+                levels_[std::size_t(made)]->here.reset();
+        };
+        try {
+            for (; made < level; ++made) {
+                make_next(made);
+                drop_between();
+            }
+        } catch (...) {
+            drop_between();
+            throw;
         }
-    }
-    /// Of each level whether it is in memory.
-    [[nodiscard]] std::vector<bool> held() const
-    {
-        std::vector<bool> result;
-        for (int level = 0; level <= depth_; ++level)
-            result.push_back(levels_[std::size_t(level)]->here != nullptr);
-        return result;
-    }
-    /// Takes the levels back that were not there, and restores those that were held.
-    void go_back(const std::vector<bool>& held)
-    {
-        depth_ = int(held.size()) - 1;
-        levels_.resize(held.size());
-        for (int level = 0; level <= depth(); ++level)
-            if (held[std::size_t(level)] and not levels_[std::size_t(level)]->here)
-                restore(level);
     }
 
     /// The mesh of a level, to be changed. Precondition: the level is in memory.
@@ -190,7 +210,7 @@ public:
     }
     [[nodiscard]] const level_type& elements(int level) const
     {
-        const held_mesh& here = *at(level).here;
+        const auto& here = *at(level).here;
         std::call_once(here.viewed, [&] { here.view.emplace(here.mesh); });
         return *here.view;
     }
@@ -214,37 +234,53 @@ private:
         if constexpr (selecting_scheme<Scheme, level_type>)
             scheme.select(elements, std::vector<unsigned char>(elements.face_count(), 1));
     }
-    void take_step()
+    /// Calls change(scheme) with the scheme of the last level. After an error its state is that of before.
+    template <class Change>
+    void change_last(const Change& change)
     {
-        entry& last = *levels_[std::size_t(depth_)];
-        // Of the step that was undone, if there is one: by these a level that is redone goes.
-        auto ids = std::move(last.ids);
+        Scheme &scheme = levels_[std::size_t(depth_)]->scheme, before = scheme;
         try {
-            auto next = std::make_unique<entry>(last.scheme);
-            next->hold([&] { return refined(depth()); });
-            advance(next->scheme, elements(depth()), generation(depth()), last.ids, next->here->mesh);
-            levels_.resize(std::size_t(depth_) + 1);
-            levels_.push_back(std::move(next));
+            change(scheme);
         } catch (...) {
-            last.ids = std::move(ids);
+            swap_states(scheme, before);
             throw;
         }
-        ++depth_;
-        drop_old();
     }
-    /// The mesh of the next level, and the numbering of the step to it.
-    M refined(int level)
+    /// Adds the next level in place of those that were undone. After an error all is as before.
+    void take_step()
     {
-        entry& coarse = *levels_[std::size_t(level)];
+        levels_.reserve(std::size_t(depth_) + 2);
+        entry& last = *levels_[std::size_t(depth_)];
+        numbering_type ids;
+        auto next = std::make_unique<entry>(last.scheme);
+        next->hold([&] { return refined(depth_, ids); });
+        advance(next->scheme, elements(depth_), generation(depth_), ids, next->here->mesh);
+        last.ids = std::move(ids);
+        levels_.resize(std::size_t(depth_) + 1);
+        levels_.push_back(std::move(next));
+        ++depth_;
+    }
+    /// Makes the mesh of the level after this one again. After an error all is as before.
+    void make_next(int level)
+    {
+        numbering_type ids;
+        levels_[std::size_t(level) + 1]->hold([&] { return refined(level, ids); });
+        levels_[std::size_t(level)]->ids = std::move(ids);
+    }
+    /// Returns the mesh of the next level, and in `ids` the numbering of the step to it.
+    M refined(int level, numbering_type& ids) const
+    {
+        const entry& coarse = *levels_[std::size_t(level)];
         if constexpr (requires { coarse.here->mesh.topology(); })
-            return refine_mesh<connect::everything>(coarse.here->mesh, coarse.scheme, coarse.ids);
+            return refine_mesh<connect::everything>(coarse.here->mesh, coarse.scheme, ids);
         else
-            return refine_level_like(coarse.here->mesh, elements(level), coarse.scheme, generation(level), coarse.ids);
+            return refine_level_like(coarse.here->mesh, elements(level), coarse.scheme, generation(level), ids);
     }
 
-    void drop_old()
+    /// Drops the levels from `first` on that are kept no longer.
+    void drop_old(int first = 1)
     {
-        for (int level = 1; level <= depth() - kept_; ++level)
+        for (int level = first; level <= depth() - kept_; ++level)
             if (not levels_[std::size_t(level)]->is_moved)
                 levels_[std::size_t(level)]->here.reset();
     }
