@@ -378,6 +378,38 @@ TEST(selected, inside_the_chosen_faces_points_are_those_of_full_refinement)
     look(kith::catmull_clark(), kith::refine(native(shapes::shaken(shapes::house())), kith::catmull_clark(), 2));
 }
 
+TEST(selected, an_edge_with_one_green_end_is_halved_by_a_scheme_of_wide_masks)
+{
+    hierarchy levels(native(shapes::shaken(figures::triangulated(shapes::grid(6, 6)))), selected(kith::butterfly()));
+    levels.refine_faces(std::array{handles::face{30}});
+    levels.refine(); // all faces, and each green pair is split as the face that it was
+    const auto& level = levels.elements(1);
+    std::vector<int> parts(levels[0].face_count(), 0);
+    const auto parent = [&](const auto& f) { return levels.ancestor(1, f.handle(), 0).f->value; };
+    for (const auto f : level.faces())
+        ++parts[parent(f)];
+    std::vector<bool> is_green(level.vertex_count(), false);
+    for (const auto f : level.faces())
+        for (const auto v : f.vertices())
+            is_green[v.index()] = is_green[v.index()] or parts[parent(f)] == 2;
+    int first_alone = 0, second_alone = 0, other_masks = 0;
+    for (const auto e : level.edges()) {
+        if (not e.is_boundary() and parent(e.lface()) == parent(e.rface()) and parts[parent(e.lface())] == 2)
+            continue; // between a green pair: it is gone
+        const point made = levels[2].point(levels.assoc(1, e.handle(), kith::targets::V).value);
+        const bool is_halved = made == middle(e.org().point(), e.dst().point());
+        const bool first = is_green[e.org().index()], second = is_green[e.dst().index()];
+        if (first or second)
+            EXPECT_TRUE(is_halved) << "edge " << e.index();
+        first_alone += first and not second;
+        second_alone += second and not first;
+        other_masks += not first and not second and not is_halved;
+    }
+    EXPECT_GT(first_alone, 0);
+    EXPECT_GT(second_alone, 0);
+    EXPECT_GT(other_masks, 0);
+}
+
 TEST(selected, part_of_a_green_pair_splits_the_face_that_it_was)
 {
     const auto mesh = native(shapes::shaken(figures::triangulated(shapes::grid())));
