@@ -21,10 +21,14 @@
 #include <kith/limit_rules/unified.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,7 +38,7 @@ namespace detail {
 
 struct any_masks {
     template <class... Masks>
-    void operator()(const Masks&...) const;
+    void operator()(const Masks&...) const; // masks, and what else the rules tell
 };
 
 template <scheme Scheme, level Level>
@@ -51,6 +55,11 @@ concept has_limit_positions = requires(const detail::limit_rules_argument<Scheme
 template <class Scheme, class Element, class Level>
 concept has_limit_tangents = requires(const detail::limit_rules_argument<Scheme, Level>& rules, const Element& x) {
     limit_rules<Scheme>::tangents(rules, x, detail::any_masks());
+};
+/// The limit_rules of a scheme have masks for each side of a crease at such elements.
+template <class Scheme, class Element, class Level>
+concept has_limit_sides = requires(const detail::limit_rules_argument<Scheme, Level>& rules, const Element& x) {
+    limit_rules<Scheme>::sides(rules, x, detail::any_masks());
 };
 
 namespace detail {
@@ -109,45 +118,54 @@ private:
     double factor_;
 };
 
-/// The sums of two tangent masks are finite, and not so small that digits are lost.
-inline bool are_in_range(const normal_vector& first, const normal_vector& second)
+/// Whether the sums of tangent masks are finite, and not so small that digits are lost.
+template <class... Vectors>
+bool are_in_range(const Vectors&... tangents)
 {
     const auto is_in_range = [](std::uint64_t bits) { return is_usual(bits) and bits >= 1023 - 900; };
-    return is_in_range(exponent_bits(first)) and is_in_range(exponent_bits(second));
+    return (is_in_range(exponent_bits(tangents)) and ...);
 }
 
-/// The unit normal that two tangent masks give; nothing where they give none. Where their sums are not in range, they
-/// are formed once more of scaled points.
+/// The tangents that masks give. Where their sums are not in range, they are formed once more of scaled points.
+template <level Level, class... Masks>
+std::array<normal_vector, sizeof...(Masks)> tangents_of(const Masks&... masks)
+{
+    const auto over = [&](const auto& values) { return std::array{scaled(masks.evaluate(values), 0)...}; };
+    const auto are_finite = [](const auto& tangents) {
+        return std::ranges::all_of(tangents, [](const normal_vector& t) { return is_finite(t); });
+    };
+    auto tangents = over(bare_points<Level>());
+    if (std::apply([](const auto&... t) { return are_in_range(t...); }, tangents))
+        return tangents;
+    if (not are_finite(tangents))
+        tangents = over(scaled_points<Level>(std::scalbn(1., -100)));
+    int least = std::numeric_limits<int>::max();
+    for (const normal_vector& t : tangents) {
+        common_exponent exponent;
+        exponent.add(t);
+        least = std::min(least, exponent.value());
+    }
+    if (least < -900)
+        if (const auto larger = over(scaled_points<Level>(std::scalbn(1., 200))); are_finite(larger))
+            tangents = larger;
+    return tangents;
+}
+
+/// The unit normal that two tangent masks give; nothing where they give none.
 template <level Level, class First, class Second>
 std::optional<normal_vector> normal_of(const First& first, const Second& second)
 {
-    const auto over = [&](const auto& values) {
-        const auto a = first.evaluate(values), b = second.evaluate(values);
-        return std::pair{scaled(a, 0), scaled(b, 0)};
-    };
-    const auto are_finite = [](const auto& tangents) {
-        return is_finite(tangents.first) and is_finite(tangents.second);
-    };
-    auto tangents = over(bare_points<Level>());
-    if (are_in_range(tangents.first, tangents.second))
-        return unit_normal(tangents.first, tangents.second);
-    if (not are_finite(tangents))
-        tangents = over(scaled_points<Level>(std::scalbn(1., -100)));
-    common_exponent a, b;
-    a.add(tangents.first);
-    b.add(tangents.second);
-    if (std::min(a.value(), b.value()) < -900)
-        if (const auto larger = over(scaled_points<Level>(std::scalbn(1., 200))); are_finite(larger))
-            tangents = larger;
-    return unit_normal(tangents.first, tangents.second);
+    const auto [a, b] = tangents_of<Level>(first, second);
+    return unit_normal(a, b);
 }
 
 } // namespace detail
 
-/// Where the vertices of a level end up when it is refined for ever, by closed masks alone; nothing where none is known
-/// (faces that the first step splits, darts, semi-sharp creases that still decay): limit_surface finds those, too.
-/// `level` is mesh.elements(i) of a hierarchy, `scheme` its scheme(i). Instead of the level, its vertices() or, where
-/// the scheme has masks for them, its faces() may be given: of Doo-Sabin, level.faces(). Cost: O(corners).
+/// The limits of the vertices of a level, by closed masks alone; nothing where none is known (faces that the first step
+/// splits, semi-sharp creases that still decay): limit_surface_of finds those, too. `level` is mesh.elements(i) of a
+/// hierarchy, `scheme` its scheme(i). Instead of the level, its vertices() or, where the scheme has masks for them, its
+/// faces() may be given: of Doo-Sabin, level.faces(). The level must be a whole mesh: at the cuts of a part the masks
+/// would take the part's rim for a boundary. For a tile, pass the tile (limits_of_tile.hpp). Cost: O(corners).
 template <level Level, element Element, scheme Scheme>
 auto limit_positions(const all_elements<Level, Element>& elements, const Scheme& scheme)
 {
@@ -174,7 +192,8 @@ auto limit_values(const Level& level, const Scheme& scheme, std::span<const T> v
 }
 
 /// The unit normals of the limit surface at the same places, outward for counter-clockwise faces; nothing where no mask
-/// is known or the surface has none (corners with several faces, creases). For points of three coordinates.
+/// is known or the surface has no single normal (corners with several faces, creases): limit_surface_of has one for
+/// each side of a crease. A normal does not depend on the level. For points of three coordinates and a whole mesh.
 template <level Level, element Element, scheme Scheme>
 auto limit_normals(const all_elements<Level, Element>& elements, const Scheme& scheme)
 {

@@ -3,6 +3,7 @@
 
 #include "limit.hpp"
 #include "limit_rings.hpp"
+#include "limit_sides.hpp"
 
 #include <kith/mesh/close_boundary_loops.hpp>
 #include <kith/step/step.hpp>
@@ -31,6 +32,7 @@ public:
     struct found {
         std::optional<Point> position;
         std::optional<normal_vector> normal;
+        std::vector<limit_side> sides{}; ///< of a vertex whose normal follows from those of its sides
     };
     using mesh_type = basic_mesh<Point, Index>;
     using level_type = level_of<mesh_type>;
@@ -91,6 +93,13 @@ public:
                 limit_rules<Scheme>::tangents(rules, x, [&](const auto& first, const auto& second) {
                     limit.normal = normal_of<Level>(first, second);
                 });
+        if constexpr (has_limit_sides<Scheme, Element<Level>, Level>)
+            if (not limit.normal and limit.sides.empty() and step <= last_normal) {
+                limit_rules<Scheme>::sides(rules, x, [&](const auto& part, bool is_half_turn, const auto&... masks) {
+                    limit.sides.push_back(side_of(part, is_half_turn, masks...));
+                });
+                limit.normal = mean_normal(limit.sides);
+            }
     }
 
 private:

@@ -10,19 +10,43 @@
 #include <concepts>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace kith {
 
+/// The unit normal at a corner of a face, by the number of the corner.
+struct corner_normal {
+    std::size_t corner;
+    normal_vector normal;
+
+    friend bool operator==(const corner_normal&, const corner_normal&) = default;
+};
+
 /// The vertices of a level at their places on the limit surface, with the unit normals there, outward for
-/// counter-clockwise faces.
+/// counter-clockwise faces. Faces on different sides of infinitely sharp edges have different normals at a vertex:
+/// `corner_normals` has these by increasing corner. The normal of such a vertex is their mean, each weighed by one minus
+/// the cosine of the angle of its side.
 template <class Point>
 struct limit_surface {
     storage<Point> positions;
-    storage<normal_vector> normals;
+    storage<normal_vector> normals;              ///< per vertex
+    std::vector<corner_normal> corner_normals{}; ///< of the corners at such vertices; all others have their vertex's
 };
+
+/// Returns the normals of all corners of the faces of a mesh, of which these are the limits. Cost: O(corners).
+template <class Point, std::unsigned_integral Index>
+storage<normal_vector> normals_of_corners(const basic_mesh<Point, Index>& mesh, const limit_surface<Point>& limits)
+{
+    storage<normal_vector> result(mesh.corner_count());
+    for (std::size_t c = 0; c < result.size(); ++c)
+        result[c] = limits.normals[mesh.topology().corner_vertex[c]];
+    for (const auto& [corner, normal] : limits.corner_normals)
+        result[corner] = normal;
+    return result;
+}
 
 /// The rings of faces around some faces that limit_surface_around looks at for the vertices of these.
 template <searchable_scheme Scheme>
@@ -84,6 +108,10 @@ public:
     {
         if (limit.position)
             surface_.positions[v] = *limit.position;
+        if (has_no_normal_[v] != 0 and limit.sides.size() > 1) {
+            const std::scoped_lock lock(sides_are_added_);
+            sides_.emplace_back(v, limit.sides);
+        }
         if (limit.normal and has_no_normal_[v] != 0) {
             surface_.normals[v] = *limit.normal;
             has_no_normal_[v] = 0;
@@ -118,14 +146,46 @@ public:
         const auto places = std::as_const(surface_.positions).data();
         fill_normals(mesh, std::span<const Point>(places, mesh.vertex_count()), has_no_normal_, surface_.normals);
         fill_normals(mesh, std::span<const Point>(mesh.points()), has_no_normal_, surface_.normals);
+        if constexpr (has_limit_sides<Scheme,
+                                      vertex<level_of<basic_mesh<Point, Index>>>,
+                                      level_of<basic_mesh<Point, Index>>>)
+            list_corners(mesh, scheme);
         return std::move(surface_);
     }
     /// Precondition: has_normals().
     limit_surface<Point> take() && { return std::move(surface_); }
 
 private:
+    /// Lists the corners on the sides that were found.
+    void list_corners(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
+    {
+        if (sides_.empty())
+            return;
+        std::ranges::sort(sides_, {}, [](const auto& of_vertex) { return of_vertex.first; });
+        const level_of<basic_mesh<Point, Index>> level(mesh);
+        const auto& rules = limit_rules<Scheme>::on(scheme, level);
+        for (std::size_t i = 0; i < sides_.size(); ++i) {
+            const auto& [v, sides] = sides_[i];
+            if (i != 0 and sides_[i - 1].first == v) // it was looked at twice
+                continue;
+            auto side = sides.begin();
+            limit_rules<Scheme>::sectors(rules, level.vertices()[v], [&](const auto& part) {
+                const auto& normal = (side++)->normal;
+                std::size_t faces = 0;
+                for (const auto& c : part.first.fan_from_here()) {
+                    if (not normal or faces++ == part.faces)
+                        break;
+                    surface_.corner_normals.push_back({c.index(), *normal});
+                }
+            });
+        }
+        std::ranges::sort(surface_.corner_normals, {}, &corner_normal::corner);
+    }
+
     limit_surface<Point> surface_;
     std::vector<unsigned char> has_no_normal_;
+    std::vector<std::pair<std::size_t, std::vector<limit_side>>> sides_; // of vertices, in any order
+    std::mutex sides_are_added_;
 };
 
 } // namespace detail
@@ -161,7 +221,8 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
 
 /// Where all vertices of a mesh end up when it is refined for ever. By closed masks where they are known; where not,
 /// what lies around the vertex is refined until what has become of it has one, or is a point; docs/schemes.md, Limit. A
-/// normal is that of the limit surface where it is known at once or a few steps on, else the mean of the normals of the
+/// normal is that of the limit surface where it is known at once or a few steps on, and then the same on all levels. At
+/// infinitely sharp edges each side has a normal, in corner_normals. Elsewhere it is the mean of the normals of the
 /// faces at their limit positions, weighed by area, or, if these have none, at their places; zero if these have none
 /// either. `scheme` is that of this level: the creases are its. For points of three coordinates. Errors: mesh_error for
 /// a mesh without edges or with faces that the scheme does not take, for creases of another level, and where what lies

@@ -2,16 +2,13 @@
 #pragma once
 
 #include <kith/base/cos_turn.hpp>
-#include <kith/crease/sharp_rules.hpp>
 #include <kith/field/with_fields.hpp>
 #include <kith/mask/by_valence.hpp>
 #include <kith/mask/mask.hpp>
 #include <kith/step/scheme.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace kith {
@@ -98,109 +95,6 @@ struct limit_rules<with_fields<Scheme, Fields...>> : limit_rules<Scheme> {
     static decltype(auto) on(const with_fields<Scheme, Fields...>& scheme, const Level& level)
     {
         return limit_rules<Scheme>::on(scheme.plain(), level);
-    }
-};
-
-/// A scheme with creases, and what they are on a level.
-template <scheme_with_sharp_rules Scheme, level Level>
-struct creased_scheme {
-    const Scheme& scheme;
-    sharp_rules<Level> sharp;
-};
-
-/// The limit rules of schemes with sharp_rules; position and tangents take a creased_scheme.
-struct crease_limits : limit_defaults {
-    /// The masks ask about the vertex's own faces alone.
-    template <scheme_with_sharp_rules Scheme>
-    static constexpr int rings(const Scheme&)
-    {
-        return 0;
-    }
-    template <scheme_with_sharp_rules Scheme, level Level>
-    static creased_scheme<Scheme, Level> on(const Scheme& scheme, const Level& level)
-    {
-        return {scheme, sharp_rules(level, scheme.sharpness, scheme.corners, boundary_curve_of(scheme))};
-    }
-    /// The limit at corners, and along boundaries and creases: 1/6, 2/3, 1/6, where a cubic B-spline curve ends up.
-    template <scheme_with_sharp_rules Scheme, level Level, class Use>
-    static void position_on_curve(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
-    {
-        const auto [kind, ends] = limit_of(s, v);
-        if (kind == limit_kind::corner)
-            use(sum(v));
-        else if (kind == limit_kind::curve)
-            use((ends[0] + 4. * v + ends[1]) / 6);
-    }
-    /// Corners and vertices of creases stay what they are, unless these decay.
-    template <scheme_with_sharp_rules Scheme, level Level>
-    static bool never_has_tangents(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
-    {
-        return not s.sharp.is_smooth(v) and limit_of(s, v).kind != limit_kind::unknown and not turns_of_ring(s, v) and
-               not is_corner_of_one_face(s, v);
-    }
-    /// A corner with one face lies in the plane of its two edges; at other corners and along creases each side has a
-    /// plane of its own, and none is given.
-    template <scheme_with_sharp_rules Scheme, level Level, class Use>
-    static void tangents_at_corner(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
-    {
-        if (is_corner_of_one_face(s, v))
-            use(v.first_rim() - v, v.last_rim() - v);
-    }
-
-protected:
-    struct ring_turns {
-        bool inside;        ///< the ring spans a full turn, and not half of one
-        std::int64_t turns; ///< a face at the vertex spans one of so many parts of a full turn
-    };
-    /// Nothing where the ring spans neither: at corners and along creases.
-    template <scheme_with_sharp_rules Scheme, level Level>
-    static std::optional<ring_turns> turns_of_ring(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
-    {
-        const std::size_t k = v.face_count();
-        if (s.sharp.is_smooth(v))
-            return ring_turns{true, std::int64_t(k)};
-        if (v.is_boundary() and k >= 2 and limit_of(s, v).kind == limit_kind::curve)
-            return ring_turns{false, std::int64_t(2 * k)};
-        return {};
-    }
-
-private:
-    /// What the limit at a vertex that is not smooth depends on: nothing (a corner), a curve, or more than a mask can
-    /// tell.
-    enum class limit_kind : unsigned char { corner, curve, unknown };
-    template <level Level>
-    struct limit_rule {
-        limit_kind kind;
-        std::array<vertex<Level>, 2> ends; ///< the neighbours along the curve
-    };
-    template <scheme_with_sharp_rules Scheme, level Level>
-    static bool is_corner_of_one_face(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
-    {
-        return v.is_boundary() and v.face_count() == 1 and limit_of(s, v).kind == limit_kind::corner;
-    }
-    template <scheme_with_sharp_rules Scheme, level Level>
-    static limit_rule<Level> limit_of(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
-    {
-        using kinds = typename sharp_rules<Level>::rule_kind;
-        const auto rule = s.sharp.rule_of(v);
-        if (not is_known(s, v) or rule.kind == kinds::smooth)
-            return {limit_kind::unknown, rule.ends};
-        return {rule.kind == kinds::corner ? limit_kind::corner : limit_kind::curve, rule.ends};
-    }
-    /// Whether the rule of a vertex says its limit: what is semi-sharp has another rule on a later level, and the limit
-    /// of the curve of thirds is not known.
-    template <scheme_with_sharp_rules Scheme, level Level>
-    static bool is_known(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v)
-    {
-        if (s.sharp.is_kept_corner(v))
-            return true;
-        if (v.is_boundary() and boundary_curve_of(s.scheme) == boundary_curve::thirds)
-            return false;
-        const auto is_semi_sharp = [](double sharpness) { return 0 < sharpness and sharpness < infinitely_sharp; };
-        for (const auto e : v.edges())
-            if (is_semi_sharp(s.scheme.sharpness.sharpness(e)))
-                return false;
-        return not is_semi_sharp(s.scheme.sharpness.of_vertex(v.index()));
     }
 };
 
