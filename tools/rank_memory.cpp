@@ -8,17 +8,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace kith::tool {
 
 memory_limit memory_of_ranks(mpi::communicator& comm, const rank_request& request)
 {
-    std::array<char, MPI_MAX_PROCESSOR_NAME> name{};
-    int length = 0;
-    kith::mpi::detail::check(MPI_Get_processor_name(name.data(), &length), "MPI_Get_processor_name");
-    const std::uint64_t host = std::hash<std::string_view>()({name.data(), std::size_t(length)});
+    const std::uint64_t host = std::hash<std::string>()(mpi::host_name());
     const auto hosts = comm.to_each(std::vector<std::uint64_t>(std::size_t(comm.size()), host));
     const double share = double(available_memory()) / double(std::ranges::count(hosts, host));
     const double least = comm.minimum(std::array{share})[0];

@@ -302,6 +302,7 @@ template <class Scheme>
 void refine_slices(mpi::communicator& comm, rank_request& request, const Scheme& scheme, phase_seconds& seconds)
 {
     const tile_request& what = request.what;
+    mpi::require_readable_on_all(comm, request.input);
     std::optional<slice_attributes> attributes;
     int rings = 1;
     mpi::in_agreement(comm, [&] {

@@ -6,12 +6,12 @@
 #include <kith/number/corners_at_vertices.hpp>
 #include <kith/number/whole_lineage.hpp>
 #include <kith/part/partition.hpp>
+#include <kith/part/scheme_members.hpp>
 #include <kith/ranks/deal_tiles.hpp>
 #include <kith/ranks/field_exchange.hpp>
 #include <kith/ranks/grow_shadows.hpp>
 #include <kith/ranks/require_tiles.hpp>
 #include <kith/ranks/runs_of_ranks.hpp>
-#include <kith/ranks/tile_generation.hpp>
 #include <kith/refine.hpp>
 #include <kith/tile/cut_tiles.hpp>
 #include <kith/tile/pack.hpp>
@@ -56,24 +56,26 @@ public:
     /// another mesh.
     exchanging_refinement(communicator& comm, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                           const partition& parts, int rings_per_step)
-        : comm_(comm), scheme_(scheme), rings_(rings_per_step)
+        : exchanging_refinement(comm, scheme, rings_per_step)
     {
         std::optional<tile_cutter<Point, Index, Scheme>> cutter;
-        std::vector<std::byte> setting;
-        in_agreement(comm, [&] {
-            require_rings();
+        auto setting = in_agreement(comm, [&] {
+            packer out;
             if (not comm.is_root())
-                return;
+                return out.take();
             kith::detail::require_control(mesh, scheme_, 0);
             cutter.emplace(mesh, scheme_, parts.part_of, parts.parts);
             runs_ = cutter->runs();
-            setting = packer().add(cutter->counts()).add(std::uint64_t(parts.parts)).add(mesh.generation()).take();
+            return out.add(cutter->counts()).add(std::uint64_t(parts.parts)).add(mesh.generation()).take();
         });
         setting = comm.broadcast(std::move(setting));
-        unpacker in(setting);
-        counts_.push_back(in.get<whole_counts>());
-        const auto all = in.get<std::uint64_t>();
-        generation_ = in.get<int>();
+        std::uint64_t all = 0;
+        in_agreement(comm, [&] {
+            unpacker in(setting);
+            counts_.push_back(in.get<whole_counts>());
+            all = in.get<std::uint64_t>();
+            generation_ = in.get<int>();
+        });
         const auto packed = deal_tiles(comm, all, [&](std::uint64_t t) { return pack(cutter->cut(t, rings_)); });
         in_agreement(comm, [&] {
             for (std::size_t i = 0; i < packed.size(); ++i) {
@@ -85,17 +87,18 @@ public:
         });
     }
 
-    /// Collective. From tiles of level 0, all of one generation, that have `rings_per_step` rings of shadows, wherever
-    /// they come from: read_tiles makes them of a file that is too large for one rank. State of the scheme (creases) is
-    /// that of the whole mesh, by its numbers, as far as the tiles of this rank go. Errors: phase_error for what the
-    /// scheme cannot take.
+    /// Takes tiles of level 0, all of one generation, such as those of read_tiles. Each has one ring of shadows or more;
+    /// what is missing of `rings_per_step` rings is fetched from the owners. State of the scheme (creases) is that of the
+    /// whole mesh, by its numbers, as far as the tiles of this rank go. Collective. Errors: phase_error for what the
+    /// scheme cannot take, and for a tile without a complete ring.
     exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                           const Scheme& scheme, int rings_per_step)
-        : comm_(comm), scheme_(scheme), rings_(rings_per_step), counts_{counts}, tiles_(std::move(tiles))
+        : exchanging_refinement(comm, scheme, rings_per_step)
     {
         static_assert(not marks_edges<Scheme>, "marks of edges are counted where tiles are cut");
+        tiles_ = std::move(tiles);
         in_agreement(comm, [&] {
-            require_rings();
+            counts_.push_back(counts);
             require_tiles(tiles_, scheme_);
             for (const auto& [number, part] : tiles_) {
                 schemes_.push_back(kith::detail::scheme_of_tile(scheme_, part));
@@ -104,6 +107,7 @@ public:
             kith::detail::take_part(scheme_, scheme_, part_numbers<Index>());
         });
         generation_ = generation_of_tiles(comm, tiles_);
+        grow_shadows(comm, std::span(tiles_), std::span(schemes_), rings_);
     }
 
     /// Local.
@@ -130,7 +134,9 @@ public:
     /// mesh of one degree has one; O(boundary) memory.
     [[nodiscard]] whole_lineage<columns_type<Scheme>> lineage()
     {
-        return {counts_, steps_, corners_, runs_of_ranks(comm_, runs_).joined()};
+        const auto runs = runs_of_ranks(comm_, runs_);
+        return in_agreement(
+            comm_, [&] { return whole_lineage<columns_type<Scheme>>(counts_, steps_, corners_, runs.joined()); });
     }
 
     /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which
@@ -162,8 +168,10 @@ public:
         });
         ++level_;
         ++generation_;
-        counts_.push_back(steps_.back().counts());
-        corners_.emplace_back();
+        in_agreement(comm_, [&] {
+            counts_.push_back(steps_.back().counts());
+            corners_.emplace_back();
+        });
         if constexpr (numbers_corners_at_vertices<Scheme>) {
             std::vector<corners_at_vertices::boundary_vertex> boundary;
             in_agreement(comm_, [&] {
@@ -183,11 +191,16 @@ public:
     }
 
 private:
-    void require_rings() const
+    exchanging_refinement(communicator& comm, const Scheme& scheme, int rings_per_step)
+        : comm_(comm), scheme_(scheme), rings_(rings_per_step)
     {
-        if (rings_ < 1)
-            throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(rings_) +
-                             " rings per step; a step needs 1 or more");
+        kith::detail::require_named_state<Scheme>();
+        require_same_refinement(comm, scheme_, 0, rings_);
+        in_agreement(comm, [&] {
+            if (rings_ < 1)
+                throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(rings_) +
+                                 " rings per step; a step needs 1 or more");
+        });
     }
     /// What ranks say to all stands between phases: one that fails must not leave others waiting.
     void number()
@@ -208,29 +221,35 @@ private:
 
     void require_agreement()
     {
-        const std::string remedy = "; " + std::to_string(rings_) + " rings per step are too few for " +
-                                   std::string(scheme_name<Scheme>()) + ", ask for more";
+        const auto refuse = [&](const std::string& problem) {
+            throw mesh_error("level " + std::to_string(level_) + ": " + problem + "; " + std::to_string(rings_) +
+                             " rings per step are too few for " + std::string(scheme_name<Scheme>()) +
+                             ", ask for more");
+        };
         std::array<std::uint64_t, 3> owned{};
         for (const auto& [number, part] : tiles_)
             for (const auto kind : {element_kind::vertex, element_kind::edge, element_kind::face})
                 owned[std::size_t(kind)] += owned_count(marks_of(part, kind));
         owned = comm_.sum(owned);
-        if (owned != std::array{counts().vertices, counts().edges, counts().faces})
-            throw phase_error(0,
-                              "level " + std::to_string(level_) + ": the tiles do not own each element once" + remedy);
+        in_agreement(comm_, [&] {
+            if (owned != std::array{counts().vertices, counts().edges, counts().faces})
+                refuse("the tiles do not own each element once");
+        });
         field_exchange exchange(comm_, tiles(), element_kind::vertex);
-        std::vector<std::vector<Point>> points;
-        for (const auto& [number, part] : tiles_)
-            points.emplace_back(part.mesh.points().begin(), part.mesh.points().end());
+        auto points = in_agreement(comm_, [&] {
+            std::vector<std::vector<Point>> result;
+            for (const auto& [number, part] : tiles_)
+                result.emplace_back(part.mesh.points().begin(), part.mesh.points().end());
+            return result;
+        });
         exchange.exchange(points);
-        std::string problem;
-        for (std::size_t t = 0; t < tiles_.size() and problem.empty(); ++t)
-            for (std::size_t v = 0; v < points[t].size() and problem.empty(); ++v)
-                if (std::memcmp(&points[t][v], &tiles_[t].part.mesh.point(v), sizeof(Point)) != 0)
-                    problem = "level " + std::to_string(level_) + ": tile " + std::to_string(tiles_[t].number) +
-                              " has vertex " + std::to_string(tiles_[t].part.vertex_ids[v]) +
-                              " elsewhere than its owner" + remedy;
-        comm_.agree(problem);
+        in_agreement(comm_, [&] {
+            for (std::size_t t = 0; t < tiles_.size(); ++t)
+                for (std::size_t v = 0; v < points[t].size(); ++v)
+                    if (std::memcmp(&points[t][v], &tiles_[t].part.mesh.point(v), sizeof(Point)) != 0)
+                        refuse("tile " + std::to_string(tiles_[t].number) + " has vertex " +
+                               std::to_string(tiles_[t].part.vertex_ids[v]) + " elsewhere than its owner");
+        });
     }
 
     communicator& comm_;

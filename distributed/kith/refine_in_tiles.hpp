@@ -3,6 +3,7 @@
 
 #include <kith/part/partition.hpp>
 #include <kith/part/phase_seconds.hpp>
+#include <kith/part/scheme_members.hpp>
 #include <kith/tile/cut_tiles.hpp>
 #include <kith/tile/refine_tile.hpp>
 #include <kith/tile/require_control.hpp>
@@ -28,6 +29,7 @@ public:
         : cutter_(checked(mesh, scheme, levels), scheme, parts.part_of, parts.parts)
         , whole_(whole_of(cutter_, scheme, levels, last_rings))
     {
+        detail::require_named_state<Scheme>();
     }
     /// Refused: such a mesh would be gone when its tiles are cut.
     tiled_refinement(const basic_mesh<Point, Index>&& mesh, const Scheme& scheme, int levels, const partition& parts,
@@ -95,5 +97,10 @@ private:
     tile_cutter<Point, Index, Scheme> cutter_;
     whole_levels<Scheme> whole_;
 };
+
+// A scheme without reach is refused in one sentence.
+template <class Point, std::unsigned_integral Index, scheme Scheme, class... Rest>
+tiled_refinement(const basic_mesh<Point, Index>&, const Scheme&, int, const partition&, Rest...)
+    -> tiled_refinement<Point, Index, detail::refused_in_tiles<Scheme>>;
 
 } // namespace kith

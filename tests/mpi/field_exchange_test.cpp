@@ -157,3 +157,28 @@ TEST(field_exchange, says_when_a_tile_is_missing)
     });
     EXPECT_NE(text.find("give all tiles of the level"), std::string::npos) << text;
 }
+
+TEST(field_exchange, refuses_values_of_other_sizes_on_all_ranks)
+{
+    const auto torus = native(shapes::torus(5, 7));
+    const auto tiles = refined_tiles(torus, kith::catmull_clark{}, 1, scattered(torus, 6, 6), 1);
+    kith::mpi::field_exchange exchange(world(), std::span(tiles), element_kind::vertex);
+    const auto text = [&](std::size_t more_values, bool one_tile_less) {
+        std::vector<std::vector<double>> fields;
+        for (const auto& [number, part] : tiles)
+            fields.emplace_back(part.mesh.vertex_count(), 1.);
+        if (world().is_root() and one_tile_less)
+            fields.pop_back();
+        if (world().is_root() and more_values != 0)
+            fields.back().resize(fields.back().size() + more_values);
+        return error_text<kith::mpi::phase_error>([&] { exchange.exchange(fields); });
+    };
+    EXPECT_EQ(text(0, false), "no error");
+    EXPECT_NE(text(0, true).find("; this rank has "), std::string::npos) << text(0, true);
+    EXPECT_NE(text(2, false).find(" elements of this kind, shadows included"), std::string::npos) << text(2, false);
+    std::vector<std::vector<double>> fields;
+    for (const auto& [number, part] : tiles)
+        fields.emplace_back(part.mesh.vertex_count(), 1.);
+    const auto add = [](double a, double b) { return world().is_root() ? throw std::runtime_error("no sum") : a + b; };
+    EXPECT_EQ(error_text<kith::mpi::phase_error>([&] { exchange.sum_to_owners(fields, add); }), "no sum");
+}

@@ -15,6 +15,8 @@
 #include <kith/ranks/write_level.hpp>
 #include <kith/refine_in_tiles.hpp>
 
+#include <algorithm>
+#include <fstream>
 #include <numeric>
 
 namespace {
@@ -42,6 +44,14 @@ private:
     std::optional<vtu_files::directory> made_;
     std::string path_;
 };
+
+/// What jobs have left of files that they did not finish.
+int unfinished_in(const fs::path& directory)
+{
+    return int(std::ranges::count_if(fs::directory_iterator(directory), [](const auto& entry) {
+        return entry.path().filename().string().find(".incomplete") != std::string::npos;
+    }));
+}
 
 template <class Scheme>
 using kept_tiles = std::vector<kith::kept_tile<tile3d, Scheme>>;
@@ -134,7 +144,7 @@ TEST(write_level, writes_the_bytes_of_one_tile_on_any_ranks)
                     layout.write_tile(file, tile.part, {0, 0}, kith::values_of(tile.scheme, fields...));
             });
             EXPECT_TRUE(vtu_files::bytes_of(path) == vtu_files::bytes_of(here.path() / "alone.vtu"));
-            EXPECT_FALSE(fs::exists(path.string() + ".incomplete"));
+            EXPECT_EQ(unfinished_in(here.path()), 0);
         });
     }
     const auto counts = whole.whole().counts(2);
@@ -175,8 +185,53 @@ TEST(write_level, says_what_is_wrong_and_leaves_nothing)
     for (auto& tile : kept)
         tile.scheme = some_fields::without_values(tile.scheme);
     EXPECT_NE(text("b.vtu", 1).find("the field \"heat\" has 0 values"), std::string::npos);
+    EXPECT_NE(text("b.pvtu", 1).find("number them from 0 to 2"), std::string::npos);
+    for (auto& tile : kept)
+        tile.number /= 3;
+    EXPECT_NE(text("b.pvtu", 1).find("the field \"heat\" has 0 values"), std::string::npos);
+    EXPECT_NE(text(world().is_root() ? "b.vtu" : "c.vtu", 1)
+                  .find(world().size() == 1 ? "has 0 values" : "is not that of rank 0"),
+              std::string::npos);
     if (world().is_root()) {
         EXPECT_FALSE(fs::exists(here.path() / "b.vtu"));
-        EXPECT_FALSE(fs::exists(here.path() / "b.vtu.incomplete"));
+        EXPECT_FALSE(fs::exists(here.path() / "b.pvtu"));
+        EXPECT_EQ(unfinished_in(here.path()), 0);
     }
+}
+
+TEST(write_level, of_several_jobs_with_one_path_do_not_disturb_each_other)
+{
+    const auto torus = native(shapes::shaken(shapes::torus(5, 6)));
+    const auto given = kith::with_fields(kith::catmull_clark{}, kith::on_vertices(std::vector<double>(30, 1.5)));
+    const shared_directory here;
+    const auto write = [&](kith::mpi::communicator& comm, const std::string& name) {
+        kith::mpi::rank_refinement refinement(comm, torus, given, 2, in_blocks(torus, 4), 0);
+        const auto kept = refinement.keep_levels(kith::mpi::sharing::spmd);
+        kith::mpi::write_level(
+            comm, (here.path() / name).string(), kept, 2, refinement.whole().counts(2), kith::field_named<0>("heat"));
+    };
+    write(world(), "alone.vtu");
+    write(world(), "alone.pvtu");
+    MPI_Comm jobs = MPI_COMM_NULL; // each rank is a job of its own
+    MPI_Comm_split(MPI_COMM_WORLD, world().rank(), 0, &jobs);
+    {
+        kith::mpi::communicator alone(jobs);
+        for (int times = 0; times < 5; ++times)
+            for (const char* name : {"many.vtu", "many.pvtu"})
+                EXPECT_EQ(error_text<std::exception>([&] { write(alone, name); }), "no error") << name;
+    }
+    MPI_Comm_free(&jobs);
+    world().agree("");
+    EXPECT_TRUE(vtu_files::bytes_of(here.path() / "many.vtu") == vtu_files::bytes_of(here.path() / "alone.vtu"));
+    for (int t = 0; t < 4; ++t) {
+        const std::string piece = std::to_string(t) + ".vtu";
+        EXPECT_TRUE(vtu_files::bytes_of(here.path() / "many.pieces" / piece) ==
+                    vtu_files::bytes_of(here.path() / "alone.pieces" / piece));
+    }
+    EXPECT_EQ(unfinished_in(here.path()), 0);
+    world().agree("");
+    if (world().is_root())
+        std::ofstream(here.path() / "many.pieces" / "notes.txt") << "mine";
+    EXPECT_NE(error_text<kith::mpi::phase_error>([&] { write(world(), "many.pvtu"); }).find("but holds notes.txt"),
+              std::string::npos);
 }

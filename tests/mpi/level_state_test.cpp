@@ -10,16 +10,6 @@
 
 namespace {
 
-/// Every element of every tile of all ranks is where it is in the mesh that was refined as one, and has one owner.
-void expect_same(std::span<const kith::numbered_tile<tile3d>> tiles, const mesh3d& whole)
-{
-    std::vector<int> vertices(whole.vertex_count()), edges(whole.edge_count()), faces(whole.face_count());
-    for (const auto& [number, part] : tiles)
-        EXPECT_EQ(difference(part, whole, vertices, edges, faces), "") << "tile " << number;
-    for (const auto n : world().sum(std::vector<std::uint64_t>(faces.begin(), faces.end())))
-        EXPECT_EQ(n, 1U);
-}
-
 /// Rank 0 has the mesh and the state, the others the options only.
 template <class Scheme>
 void expect_same_from_one_rank(const mesh3d& mesh, const Scheme& scheme, const Scheme& options,

@@ -55,3 +55,14 @@ inline kith::partition in_blocks(const mesh3d& mesh, std::size_t parts)
 {
     return {partitions::blocks(mesh.face_count(), parts), parts};
 }
+
+/// Collective: every element of every tile of all ranks is where it is in the mesh that was refined as one, and has one
+/// owner.
+inline void expect_same(std::span<const kith::numbered_tile<tile3d>> tiles, const mesh3d& whole)
+{
+    std::vector<int> vertices(whole.vertex_count()), edges(whole.edge_count()), faces(whole.face_count());
+    for (const auto& [number, part] : tiles)
+        EXPECT_EQ(difference(part, whole, vertices, edges, faces), "") << "tile " << number;
+    for (const auto n : world().sum(std::vector<std::uint64_t>(faces.begin(), faces.end())))
+        EXPECT_EQ(n, 1U);
+}

@@ -122,6 +122,25 @@ on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --slices
 exits 1
 says 'cube.off: is no PLY file'
 one_message
+# A file that a rank cannot read: the reason, and the rank if others can.
+on 3 refine missing.ply -s catmull-clark -n 1 -o out.vtu --slices
+exits 1
+says 'missing.ply: cannot be opened: No such file or directory$'
+one_message
+mkdir folder.ply elsewhere
+on 3 refine folder.ply -s catmull-clark -n 1 -o out.vtu --slices
+exits 1
+says 'folder.ply: is a directory, not a file$'
+one_message
+words=(refine quads.ply -s catmull-clark -n 1 -o "$PWD/out.vtu" --slices)
+command="mpirun -n 2 kith-mpi ${words[*]} : -n 1 -wdir elsewhere kith-mpi ${words[*]}"
+timeout 60 mpirun -n 2 "$kith_mpi" "${words[@]}" : -n 1 -wdir "$PWD/elsewhere" "$kith_mpi" "${words[@]}" \
+    >"$results/out" 2>"$results/err" </dev/null
+code=$?
+exits 1
+says 'quads.ply: cannot be opened: No such file or directory on rank 2 of 3, .*; put the file where all ranks see it$'
+one_message
+rmdir folder.ply elsewhere
 on 3 refine quads.ply -s catmull-clark -n 1 -o out.vtu --slices --verify
 exits 2
 says '.-verify: needs the whole mesh on one rank; leave out this or --slices'

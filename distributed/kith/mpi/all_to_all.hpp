@@ -2,7 +2,9 @@
 #pragma once
 
 #include "communicator.hpp"
+#include "in_agreement.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -16,29 +18,39 @@ namespace kith::mpi {
 /// Messages between ranks that know how long they are, and the bytes they carry. Move only.
 class under_way {
 public:
-    /// Local: starts them all. `sizes[r]` bytes come from rank r; what a rank sends to itself is handed over.
-    /// Errors: mpi::error.
-    under_way(communicator& comm, std::vector<std::vector<std::byte>> to, const std::vector<std::uint64_t>& sizes)
+    /// Prepares them, with all memory that they need. `sizes[r]` bytes will come from rank r. Local.
+    under_way(std::vector<std::vector<std::byte>> to, const std::vector<std::uint64_t>& sizes, int self)
         : sent_(std::move(to)), received_(sizes.size())
     {
-        const auto self = std::size_t(comm.rank());
-        for (std::size_t r = 0; r < sizes.size(); ++r) // all memory before any is under way, should there not be enough
-            if (r != self)
+        for (std::size_t r = 0; r < sizes.size(); ++r)
+            if (r != std::size_t(self))
                 received_[r].resize(sizes[r]);
         requests_.reserve(2 * sizes.size());
-        try {
-            start(comm, sizes.size());
-        } catch (...) {
-            // Nobody may wait for what others will never send; what has begun still writes to its buffers, which stay
-            // until the job ends.
-            static_cast<void>(new std::pair(std::move(sent_), std::move(received_)));
-            throw;
-        }
-        received_[self] = std::move(sent_[self]);
     }
     under_way(under_way&&) noexcept = default; // a list that was moved from is empty, so nobody waits twice
     under_way& operator=(under_way&&) = delete;
     ~under_way() { MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
+
+    /// Starts them all; the message of a rank to itself is handed over. Local. Errors: mpi::error.
+    void start(communicator& comm)
+    {
+        const auto self = std::size_t(comm.rank());
+        try {
+            for (std::size_t r = 0; r < received_.size(); ++r)
+                if (r != self)
+                    comm.start_receive(received_[r], int(r), requests_);
+            for (std::size_t r = 0; r < received_.size(); ++r)
+                if (r != self)
+                    comm.start_send(sent_[r], int(r), requests_);
+        } catch (...) {
+            // Nobody may wait for what others will never send; what has begun still writes to its buffers, which stay
+            // until the job ends.
+            static_cast<void>(new std::pair(std::move(sent_), std::move(received_)));
+            requests_.clear();
+            throw;
+        }
+        received_[self] = std::move(sent_[self]);
+    }
 
     /// Waits, and returns what has come, by rank. Errors: mpi::error.
     std::vector<std::vector<std::byte>> finish()
@@ -50,66 +62,90 @@ public:
     }
 
 private:
-    void start(communicator& comm, std::size_t ranks)
-    {
-        const auto self = std::size_t(comm.rank());
-        for (std::size_t r = 0; r < ranks; ++r)
-            if (r != self)
-                comm.start_receive(received_[r], int(r), requests_);
-        for (std::size_t r = 0; r < ranks; ++r)
-            if (r != self)
-                comm.start_send(sent_[r], int(r), requests_);
-    }
-
     std::vector<std::vector<std::byte>> sent_, received_;
     std::vector<MPI_Request> requests_;
 };
 
-/// Collective: `to[r]` goes to rank r, and what came from rank r is the r-th of the result.
-/// Cost: a number to each rank, and the messages that are not empty. Errors: mpi::error.
-inline std::vector<std::vector<std::byte>> all_to_all(communicator& comm, std::vector<std::vector<std::byte>> to)
+namespace detail {
+
+template <class T>
+std::vector<std::byte> bytes_of(const std::vector<T>& values)
 {
-    std::vector<std::uint64_t> sizes(to.size());
-    for (std::size_t r = 0; r < to.size(); ++r)
-        sizes[r] = to[r].size();
-    return under_way(comm, std::move(to), comm.to_each(sizes)).finish();
+    const auto bytes = std::as_bytes(std::span(values));
+    return {bytes.begin(), bytes.end()};
 }
 template <class T>
-    requires std::is_trivially_copyable_v<T>
-std::vector<std::vector<T>> all_to_all(communicator& comm, const std::vector<std::vector<T>>& to)
+std::vector<T> values_in(const std::vector<std::byte>& bytes)
 {
-    std::vector<std::vector<std::byte>> bytes(to.size());
-    for (std::size_t r = 0; r < to.size(); ++r) {
-        const auto all = std::as_bytes(std::span(to[r]));
-        bytes[r].assign(all.begin(), all.end());
-    }
-    const auto coming = all_to_all(comm, std::move(bytes));
-    std::vector<std::vector<T>> result(coming.size());
-    for (std::size_t r = 0; r < coming.size(); ++r) {
-        result[r].resize(coming[r].size() / sizeof(T));
-        if (not coming[r].empty())
-            std::memcpy(result[r].data(), coming[r].data(), coming[r].size());
-    }
+    std::vector<T> result(bytes.size() / sizeof(T));
+    if (not bytes.empty())
+        std::memcpy(result.data(), bytes.data(), bytes.size());
     return result;
 }
 
-/// Collective: what all ranks have, one rank after the other, on all ranks. Errors: mpi::error.
+} // namespace detail
+
+/// Makes lists, one for each rank, by make(), sends list r to rank r, and returns the list that came from each rank.
+/// A list is a std::vector of std::byte or of another type that can be copied as bytes. Collective.
+/// Errors: phase_error for an exception of `make` and for lack of memory, on all ranks; mpi::error.
+/// Cost: three agreements, a number to each rank, and the messages that are not empty.
+template <class Make>
+auto all_to_all(communicator& comm, const Make& make)
+    requires std::invocable<const Make&>
+{
+    using value = typename std::remove_cvref_t<std::invoke_result_t<const Make&>>::value_type::value_type;
+    static_assert(std::is_trivially_copyable_v<value>, "values that are plain bytes can be sent, others not");
+    std::vector<std::vector<std::byte>> to;
+    std::vector<std::uint64_t> sizes;
+    in_agreement(comm, [&] {
+        decltype(auto) lists = make();
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(lists)>, decltype(to)>)
+            to = std::move(lists);
+        else
+            for (const auto& list : lists)
+                to.push_back(detail::bytes_of(list));
+        for (const auto& bytes : to)
+            sizes.push_back(bytes.size());
+    });
+    sizes = comm.to_each(std::move(sizes));
+    auto messages = in_agreement(comm, [&] { return under_way(std::move(to), sizes, comm.rank()); });
+    messages.start(comm);
+    auto came = messages.finish();
+    if constexpr (std::is_same_v<value, std::byte>)
+        return came;
+    else
+        return in_agreement(comm, [&] {
+            std::vector<std::vector<value>> result;
+            for (const auto& bytes : came)
+                result.push_back(detail::values_in<value>(bytes));
+            return result;
+        });
+}
+/// Same for lists that are there.
+template <class T>
+std::vector<std::vector<T>> all_to_all(communicator& comm, std::vector<std::vector<T>> to)
+{
+    return all_to_all(comm, [&]() -> std::vector<std::vector<T>>& { return to; });
+}
+
+/// Returns what all ranks have, one rank after the other, on all ranks. Collective.
+/// Errors: phase_error for lack of memory; mpi::error.
 template <class T>
     requires std::is_trivially_copyable_v<T>
 std::vector<T> all_of_ranks(communicator& comm, const std::vector<T>& mine)
 {
-    std::vector<std::vector<T>> to(std::size_t(comm.size()));
-    to[0] = mine;
-    std::vector<std::byte> all;
-    for (const auto& part : all_to_all(comm, to)) {
-        const auto bytes = std::as_bytes(std::span(part));
-        all.insert(all.end(), bytes.begin(), bytes.end());
-    }
-    all = comm.broadcast(std::move(all));
-    std::vector<T> result(all.size() / sizeof(T));
-    if (not all.empty())
-        std::memcpy(result.data(), all.data(), all.size());
-    return result;
+    const auto came = all_to_all(comm, [&] {
+        std::vector<std::vector<T>> to(std::size_t(comm.size()));
+        to[0] = mine;
+        return to;
+    });
+    const auto all = comm.broadcast(in_agreement(comm, [&] {
+        std::vector<T> joined;
+        for (const auto& part : came)
+            joined.insert(joined.end(), part.begin(), part.end());
+        return detail::bytes_of(joined);
+    }));
+    return in_agreement(comm, [&] { return detail::values_in<T>(all); });
 }
 
 } // namespace kith::mpi

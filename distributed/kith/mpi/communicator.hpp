@@ -127,24 +127,28 @@ public:
         start(MPI_Irecv, "MPI_Irecv", bytes, from, known_tag, requests, &communicator::count_received);
     }
 
-    /// Collective: one number from each rank to each, by rank.
-    [[nodiscard]] std::vector<std::uint64_t> to_each(const std::vector<std::uint64_t>& numbers)
+    /// Sends number r of each rank to rank r; returns those that came, by rank. Allocates nothing. Collective.
+    [[nodiscard]] std::vector<std::uint64_t> to_each(std::vector<std::uint64_t> numbers)
     {
-        std::vector<std::uint64_t> result(numbers.size());
-        detail::check(MPI_Alltoall(numbers.data(), 1, MPI_UINT64_T, result.data(), 1, MPI_UINT64_T, comm_),
+        detail::check(MPI_Alltoall(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, numbers.data(), 1, MPI_UINT64_T, comm_),
                       "MPI_Alltoall");
-        return result;
+        return numbers;
     }
 
-    /// Collective: what the root gives is what all get.
+    /// Returns the bytes of the root on all ranks. Collective. Errors: phase_error if a rank has no room for them.
     std::vector<std::byte> broadcast(std::vector<std::byte> bytes)
     {
         std::uint64_t size = bytes.size();
         MPI_Request request = MPI_REQUEST_NULL;
         detail::check(MPI_Ibcast(&size, 1, MPI_UINT64_T, 0, comm_, &request), "MPI_Ibcast");
         detail::wait_for(request, seconds_[phase::wait], "MPI_Ibcast");
-        if (not is_root())
-            bytes = room_for(size);
+        std::string problem;
+        try {
+            bytes.resize(size);
+        } catch (const std::bad_alloc&) {
+            problem = "no memory"; // fits into a string without memory of its own
+        }
+        agree(problem);
         const phase_timer timer(seconds_[phase::send]);
         for_each_chunk(std::span(bytes), [&](std::span<std::byte> chunk) {
             detail::check(MPI_Bcast(chunk.data(), int(chunk.size()), MPI_BYTE, 0, comm_), "MPI_Bcast");
@@ -185,8 +189,8 @@ public:
         return values;
     }
 
-    /// Collective, between phases: when a rank brings a problem, all ranks throw the one of the lowest such rank, so
-    /// that an error on one rank is one message and no hang. Errors: phase_error.
+    /// Throws on all ranks the problem of the lowest rank that brings one, so that an error on one rank is one message
+    /// and no hang. Collective, between phases. Errors: phase_error, whose text has 4096 bytes at most.
     void agree(const std::string& problem);
 
 private:
@@ -258,12 +262,11 @@ inline void communicator::agree(const std::string& problem)
     detail::wait_for(request, seconds_[phase::wait], "MPI_Iallreduce");
     if (first == std::numeric_limits<int>::max())
         return;
-    std::string text = problem;
-    std::uint64_t size = text.size();
+    std::array<char, 4096> text{}; // a rank without memory hears of it, too
+    std::uint64_t size = problem.copy(text.data(), text.size());
     detail::check(MPI_Bcast(&size, 1, MPI_UINT64_T, first, comm_), "MPI_Bcast");
-    text.resize(size);
     detail::check(MPI_Bcast(text.data(), int(size), MPI_CHAR, first, comm_), "MPI_Bcast");
-    throw phase_error(first, text);
+    throw phase_error(first, std::string(text.data(), size));
 }
 
 } // namespace kith::mpi

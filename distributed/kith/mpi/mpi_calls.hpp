@@ -6,6 +6,7 @@
 #include <kith/part/phase_seconds.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <stdexcept>
@@ -54,5 +55,14 @@ inline void wait_for(MPI_Request request, double& seconds, const char* call)
 }
 
 } // namespace detail
+
+/// Returns the name of the machine that this rank runs on. Local. Errors: mpi::error.
+inline std::string host_name()
+{
+    std::array<char, MPI_MAX_PROCESSOR_NAME> name{};
+    int length = 0;
+    detail::check(MPI_Get_processor_name(name.data(), &length), "MPI_Get_processor_name");
+    return {name.data(), std::size_t(length)};
+}
 
 } // namespace kith::mpi

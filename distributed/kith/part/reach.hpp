@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/association/columns.hpp>
 #include <kith/base/error.hpp>
+#include <kith/base/refused.hpp>
 #include <kith/step/scheme.hpp>
 
+#include <concepts>
 #include <string>
 #include <vector>
 
@@ -27,5 +30,40 @@ std::vector<int> ring_schedule(const S& scheme, int levels, int last = 0)
         rings[level - 1] = reach_of(scheme, rings[level]);
     return rings;
 }
+
+namespace detail {
+
+/// Stands for a scheme that tiles refuse, so that the compiler says no more of it than one sentence.
+struct any_reaching_scheme {
+    template <class Scheme>
+        requires(not std::same_as<Scheme, any_reaching_scheme>)
+    any_reaching_scheme(const Scheme&); // NOLINT(google-explicit-constructor): every scheme becomes one
+
+    static constexpr auto traits()
+    {
+        return scheme_traits{.reach = [](int rings) { return rings; }};
+    }
+    static constexpr auto columns()
+    {
+        return kith::columns(
+            new_vertices(per_vertex, per_edge, per_face), new_edges(per_end, per_side), new_faces(quads(per_corner)));
+    }
+    template <class R>
+    void operator()(const R&) const
+    {
+    }
+};
+
+/// Refuses a scheme without reach.
+template <scheme Scheme>
+struct scheme_in_tiles {
+    static constexpr refused::scheme_without_reach<not reaching_scheme<Scheme>> sentence{};
+    using type = any_reaching_scheme;
+};
+template <scheme Scheme>
+    requires(not reaching_scheme<Scheme>)
+using refused_in_tiles = typename scheme_in_tiles<Scheme>::type;
+
+} // namespace detail
 
 } // namespace kith

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/base/error.hpp>
 #include <kith/mpi/all_to_all.hpp>
+#include <kith/mpi/in_agreement.hpp>
 #include <kith/tile/numbered_tile.hpp>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <span>
 #include <string>
 #include <tuple>
@@ -31,65 +34,75 @@ public:
     field_exchange(communicator& comm, std::span<const numbered_tile<Tile>> tiles, element_kind kind) : comm_(comm)
     {
         const auto ranks = std::size_t(comm.size());
-        std::vector<std::vector<offer>> offers(ranks);
-        std::vector<std::vector<global_id>> questions(ranks);
-        std::vector<std::vector<slot>> asking(ranks);
-        double rings = 0;
-        for (const auto& tile : tiles)
-            rings = std::max(rings, double(rings_of_shadows(tile.part)));
+        double rings = in_agreement(comm, [&] {
+            double most = 0;
+            for (const auto& tile : tiles)
+                most = std::max(most, double(rings_of_shadows(tile.part)));
+            return most;
+        });
         rings = comm.maximum(std::array{rings})[0];
-        for (std::size_t t = 0; t < tiles.size(); ++t) {
-            const auto& part = tiles[t].part;
-            const auto ids = ids_of(part, kind);
-            const auto marks = marks_of(part, kind);
-            const auto is_seen = seen_by_others(part, kind, int(rings));
-            for (std::size_t x = 0; x < ids.size(); ++x) {
-                const std::size_t directory = ids[x] % ranks;
-                if ((marks[x] & owned_mark) == 0) {
-                    questions[directory].push_back(ids[x]);
-                    asking[directory].push_back({t, x});
-                } else if (is_seen[x] != 0) {
-                    offers[directory].push_back({ids[x], {t, x}});
+        std::vector<std::vector<offer>> offers;
+        std::vector<std::vector<global_id>> questions;
+        std::vector<std::vector<slot>> asking;
+        in_agreement(comm, [&] {
+            offers.resize(ranks), questions.resize(ranks), asking.resize(ranks);
+            for (std::size_t t = 0; t < tiles.size(); ++t) {
+                const auto& part = tiles[t].part;
+                const auto ids = ids_of(part, kind);
+                const auto marks = marks_of(part, kind);
+                sizes_.emplace_back(tiles[t].number, ids.size());
+                const auto is_seen = seen_by_others(part, kind, int(rings));
+                for (std::size_t x = 0; x < ids.size(); ++x) {
+                    const std::size_t directory = ids[x] % ranks;
+                    if ((marks[x] & owned_mark) == 0) {
+                        questions[directory].push_back(ids[x]);
+                        asking[directory].push_back({t, x});
+                    } else if (is_seen[x] != 0) {
+                        offers[directory].push_back({ids[x], {t, x}});
+                    }
                 }
             }
-        }
-        const auto owners = find_owners(offers, questions);
-        std::string problem;
-        std::vector<std::vector<request>> wanted(ranks);
-        receive_.resize(ranks);
-        for (std::size_t directory = 0; directory < ranks; ++directory)
-            for (std::size_t i = 0; i < owners[directory].size(); ++i) {
-                const auto& [rank, there] = owners[directory][i];
-                const slot here = asking[directory][i];
-                if (rank == nobody) {
-                    problem = "an element that tile " + std::to_string(tiles[here.tile].number) +
-                              " sees has no owner on any rank; give all tiles of the level, each once";
-                    continue;
+        });
+        const auto owners = find_owners(std::move(offers), std::move(questions));
+        send_ = all_to_all(comm, [&] {
+            std::vector<std::vector<request>> wanted(ranks);
+            receive_.resize(ranks);
+            for (std::size_t directory = 0; directory < ranks; ++directory)
+                for (std::size_t i = 0; i < owners[directory].size(); ++i) {
+                    const auto& [rank, there] = owners[directory][i];
+                    const slot here = asking[directory][i];
+                    if (rank == nobody)
+                        throw mesh_error("an element that tile " + std::to_string(tiles[here.tile].number) +
+                                         " sees has no owner on any rank; give all tiles of the level, each once");
+                    wanted[rank].push_back({there, tiles[here.tile].number, here.element});
+                    receive_[rank].push_back(here);
                 }
-                wanted[rank].push_back({there, tiles[here.tile].number, here.element});
-                receive_[rank].push_back(here);
-            }
-        comm.agree(problem);
-        send_ = all_to_all(comm, wanted);
-        put_sums_in_order();
+            return wanted;
+        });
+        in_agreement(comm, [&] { put_sums_in_order(); });
     }
 
-    /// Collective: what was started goes on while this rank computes, until finish.
+    /// Starts an exchange, which goes on while this rank computes, until finish. Collective.
+    /// Errors: phase_error for fields of other sizes than the tiles, and for lack of memory.
     template <class Fields>
     [[nodiscard]] under_way begin(const Fields& fields)
     {
-        return start<value_of<Fields>>(send_, receive_, [&](const request& r) { return at(fields, r.where); });
+        return start<value_of<Fields>>(fields, send_, receive_, [&](const request& r) { return at(fields, r.where); });
     }
-    /// Collective: waits for what begin started and stores it at the shadows of fields of the same type.
+    /// Waits for what begin started and stores it at the shadows of fields of the same type. Collective.
+    /// Errors: phase_error for fields of other sizes than the tiles.
     template <class Fields>
     void finish(under_way& started, Fields& fields)
     {
         const auto coming = started.finish();
-        for (std::size_t rank = 0; rank < coming.size(); ++rank)
-            for (std::size_t i = 0; i < receive_[rank].size(); ++i)
-                at(fields, receive_[rank][i]) = value<value_of<Fields>>(coming[rank], i);
+        in_agreement(comm_, [&] {
+            require_sizes(fields);
+            for (std::size_t rank = 0; rank < coming.size(); ++rank)
+                for (std::size_t i = 0; i < receive_[rank].size(); ++i)
+                    at(fields, receive_[rank][i]) = value<value_of<Fields>>(coming[rank], i);
+        });
     }
-    /// Collective: the values of owners become those of their shadows.
+    /// Gives shadows the values of their owners. Collective. Errors: as begin.
     template <class Fields>
     void exchange(Fields& fields)
     {
@@ -97,16 +110,21 @@ public:
         finish(started, fields);
     }
 
-    /// Collective: adds the values of shadows to that of their owner, by `add(owner's, shadow's)`, in the order of the
-    /// tiles' numbers. So the bits do not depend on the ranks; on the tiles they do, as sums of floats must.
+    /// Adds the values of shadows to that of their owner, by `add(owner's, shadow's)`, in the order of the tiles'
+    /// numbers. So the bits do not depend on the ranks; on the tiles they do, as sums of floats must. Collective.
+    /// Errors: as begin, and phase_error for an exception of `add`.
     template <class Fields, class Add>
     void sum_to_owners(Fields& fields, const Add& add)
     {
         using value_type = value_of<Fields>;
-        const auto coming = start<value_type>(receive_, send_, [&](slot where) { return at(fields, where); }).finish();
-        for (const auto& [rank, i] : sums_)
-            at(fields, send_[rank][i].where) = add(at(fields, send_[rank][i].where),
-                                                   value<value_type>(coming[rank], i));
+        const auto value_at = [&](slot where) { return at(fields, where); };
+        const auto coming = start<value_type>(fields, receive_, send_, value_at).finish();
+        in_agreement(comm_, [&] {
+            for (const auto& [rank, i] : sums_) {
+                auto& sum = at(fields, send_[rank][i].where);
+                sum = add(sum, value<value_type>(coming[rank], i));
+            }
+        });
     }
 
     /// Local: how many values this rank sends and receives in an exchange, those to itself included.
@@ -171,41 +189,66 @@ private:
     }
 
     /// Element i is looked up on rank i modulo ranks, so that nobody has to know of all.
-    std::vector<std::vector<owner>> find_owners(const std::vector<std::vector<offer>>& offers,
-                                                const std::vector<std::vector<global_id>>& questions)
+    std::vector<std::vector<owner>> find_owners(std::vector<std::vector<offer>> offers,
+                                                std::vector<std::vector<global_id>> questions)
     {
-        std::vector<std::pair<global_id, owner>> known;
-        const auto offered = all_to_all(comm_, offers);
-        for (std::size_t rank = 0; rank < offered.size(); ++rank)
-            for (const offer& o : offered[rank])
-                known.push_back({o.id, {rank, o.where}});
-        std::ranges::sort(known, {}, &std::pair<global_id, owner>::first);
-        const auto asked = all_to_all(comm_, questions);
-        std::vector<std::vector<owner>> answers(asked.size());
-        for (std::size_t rank = 0; rank < asked.size(); ++rank)
-            for (const global_id id : asked[rank]) {
-                const auto found = std::ranges::lower_bound(known, id, {}, &std::pair<global_id, owner>::first);
-                answers[rank].push_back(found != known.end() and found->first == id ? found->second
-                                                                                    : owner{nobody, {}});
-            }
-        return all_to_all(comm_, answers);
+        const auto offered = all_to_all(comm_, std::move(offers));
+        const auto known = in_agreement(comm_, [&] {
+            std::vector<std::pair<global_id, owner>> result;
+            for (std::size_t rank = 0; rank < offered.size(); ++rank)
+                for (const offer& o : offered[rank])
+                    result.push_back({o.id, {rank, o.where}});
+            std::ranges::sort(result, {}, &std::pair<global_id, owner>::first);
+            return result;
+        });
+        const auto asked = all_to_all(comm_, std::move(questions));
+        return all_to_all(comm_, [&] {
+            std::vector<std::vector<owner>> answers(asked.size());
+            for (std::size_t rank = 0; rank < asked.size(); ++rank)
+                for (const global_id id : asked[rank]) {
+                    const auto found = std::ranges::lower_bound(known, id, {}, &std::pair<global_id, owner>::first);
+                    answers[rank].push_back(found != known.end() and found->first == id ? found->second
+                                                                                        : owner{nobody, {}});
+                }
+            return answers;
+        });
     }
 
-    template <class T, class To, class From, class Value>
-    under_way start(const To& to, const From& from, const Value& value_at)
+    /// Errors: mesh_error unless there is a value for each element of each tile, where the type of `fields` tells sizes.
+    template <class Fields>
+    void require_sizes(const Fields& fields) const
+    {
+        if constexpr (requires { std::size(fields), std::size(fields[0]); }) {
+            if (std::size(fields) != sizes_.size())
+                throw mesh_error("the values of " + std::to_string(std::size(fields)) +
+                                 " tiles were given; this rank has " + std::to_string(sizes_.size()));
+            for (std::size_t t = 0; t < sizes_.size(); ++t)
+                if (std::size(fields[t]) != sizes_[t].second)
+                    throw mesh_error("tile " + std::to_string(sizes_[t].first) + " was given " +
+                                     std::to_string(std::size(fields[t])) + " values; it has " +
+                                     std::to_string(sizes_[t].second) + " elements of this kind, shadows included");
+        }
+    }
+    template <class T, class Fields, class To, class From, class Value>
+    under_way start(const Fields& fields, const To& to, const From& from, const Value& value_at)
     {
         static_assert(std::is_trivially_copyable_v<T>, "values that are plain bytes can be sent, others not");
-        std::vector<std::vector<std::byte>> bytes(to.size());
-        std::vector<std::uint64_t> sizes(to.size());
-        for (std::size_t rank = 0; rank < to.size(); ++rank) {
-            bytes[rank].resize(to[rank].size() * sizeof(T));
-            sizes[rank] = from[rank].size() * sizeof(T);
-            for (std::size_t i = 0; i < to[rank].size(); ++i) {
-                const T x = value_at(to[rank][i]);
-                std::memcpy(bytes[rank].data() + i * sizeof(T), &x, sizeof(T));
+        auto result = in_agreement(comm_, [&] {
+            require_sizes(fields);
+            std::vector<std::vector<std::byte>> bytes(to.size());
+            std::vector<std::uint64_t> sizes(to.size());
+            for (std::size_t rank = 0; rank < to.size(); ++rank) {
+                bytes[rank].resize(to[rank].size() * sizeof(T));
+                sizes[rank] = from[rank].size() * sizeof(T);
+                for (std::size_t i = 0; i < to[rank].size(); ++i) {
+                    const T x = value_at(to[rank][i]);
+                    std::memcpy(bytes[rank].data() + i * sizeof(T), &x, sizeof(T));
+                }
             }
-        }
-        return under_way(comm_, std::move(bytes), sizes);
+            return under_way(std::move(bytes), sizes, comm_.rank());
+        });
+        result.start(comm_);
+        return result;
     }
 
     void put_sums_in_order()
@@ -220,9 +263,10 @@ private:
     }
 
     communicator& comm_;
-    std::vector<std::vector<request>> send_;                // per rank, what it wants
-    std::vector<std::vector<slot>> receive_;                // per rank, where to store what it sends
-    std::vector<std::pair<std::size_t, std::size_t>> sums_; // of send_, in the order in which values are added
+    std::vector<std::pair<std::uint64_t, std::size_t>> sizes_; // of each tile its number and how many elements it has
+    std::vector<std::vector<request>> send_;                   // per rank, what it wants
+    std::vector<std::vector<slot>> receive_;                   // per rank, where to store what it sends
+    std::vector<std::pair<std::size_t, std::size_t>> sums_;    // of send_, in the order in which values are added
 };
 
 } // namespace kith::mpi

@@ -220,9 +220,12 @@ template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> gather(communicator& comm, std::span<const numbered_tile<tile<Point, Index>>> tiles,
                                 const whole_counts& counts, std::uint64_t memory_limit)
 {
-    std::vector<const tile<Point, Index>*> parts;
-    for (const auto& numbered : tiles)
-        parts.push_back(&numbered.part);
+    const auto parts = in_agreement(comm, [&] {
+        std::vector<const tile<Point, Index>*> result;
+        for (const auto& numbered : tiles)
+            result.push_back(&numbered.part);
+        return result;
+    });
     return detail::gather_tiles(
         comm, parts, counts, memory_limit, 0, [](packer&, std::size_t) {}, [](unpacker&, const auto&) {});
 }
@@ -245,11 +248,13 @@ gather(communicator& comm, const std::vector<kept_tile<tile<Point, Index>, Schem
 {
     std::vector<const tile<Point, Index>*> parts;
     std::vector<const Scheme*> schemes;
-    for (const auto& kept : tiles)
-        if (kept.level == level) {
-            parts.push_back(&kept.part);
-            schemes.push_back(&kept.scheme);
-        }
+    in_agreement(comm, [&] {
+        for (const auto& kept : tiles)
+            if (kept.level == level) {
+                parts.push_back(&kept.part);
+                schemes.push_back(&kept.scheme);
+            }
+    });
     const auto owned_state = [&](std::size_t i) {
         std::vector<Index> faces;
         for (std::size_t f = 0; f < parts[i]->mesh.face_count(); ++f)
@@ -266,8 +271,9 @@ gather(communicator& comm, const std::vector<kept_tile<tile<Point, Index>, Schem
         }
     });
     bytes = comm.sum(std::array{bytes})[0];
-    const Scheme without = kith::detail::scheme_of_part(scheme, part_numbers<Index>());
-    Scheme whole = without;
+    const Scheme without = in_agreement(comm,
+                                        [&] { return kith::detail::scheme_of_part(scheme, part_numbers<Index>()); });
+    Scheme whole = in_agreement(comm, [&] { return without; });
     auto mesh = detail::gather_tiles(
         comm,
         parts,

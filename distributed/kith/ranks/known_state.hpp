@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/tile/known_faces.hpp>
 #include <kith/tile/pack.hpp>
 #include <kith/tile/tile_job.hpp>
 
@@ -93,6 +94,23 @@ known_state<Scheme> unpack_known_state(unpacker& in, Scheme scheme)
     elements.degrees = in.get_array<std::vector<std::uint64_t>>();
     unpack_state(in, scheme);
     return {std::move(scheme), std::move(elements)};
+}
+
+/// Adds faces to a message.
+template <class Point>
+void pack_faces(packer& out, const known_faces<Point>& some)
+{
+    out.add_array(some.faces).add_array(some.corners).add_array(some.vertices);
+}
+/// Returns the faces that pack_faces has added. Errors: pack_error.
+template <class Point>
+known_faces<Point> unpack_faces(unpacker& in)
+{
+    known_faces<Point> result;
+    result.faces = in.get_array<decltype(result.faces)>();
+    result.corners = in.get_array<decltype(result.corners)>();
+    result.vertices = in.get_array<decltype(result.vertices)>();
+    return result;
 }
 
 /// Lets the state of a scheme take over that of another of its kind for a part, whose elements have these numbers here.

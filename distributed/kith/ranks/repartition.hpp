@@ -28,26 +28,26 @@ template <std::ranges::input_range Tiles, std::predicate<const std::ranges::rang
 std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, std::uint64_t all_tiles,
                                        const IsMeant& is_meant)
 {
-    std::vector<std::uint64_t> faces(all_tiles), seen(all_tiles);
-    std::string problem;
-    for (const auto& tile : tiles) {
-        if (not is_meant(tile))
-            continue;
-        if (tile.number >= all_tiles) {
-            problem = "tile " + std::to_string(tile.number) + " is not one of " + std::to_string(all_tiles) +
-                      "; give the number of all tiles";
-            break;
+    std::vector<std::uint64_t> faces, seen;
+    in_agreement(comm, [&] {
+        faces.resize(all_tiles), seen.resize(all_tiles);
+        for (const auto& tile : tiles) {
+            if (not is_meant(tile))
+                continue;
+            if (tile.number >= all_tiles)
+                throw mesh_error("tile " + std::to_string(tile.number) + " is not one of " + std::to_string(all_tiles) +
+                                 "; give the number of all tiles");
+            ++seen[tile.number];
+            faces[tile.number] += owned_count(tile.part.face_marks);
         }
-        ++seen[tile.number];
-        faces[tile.number] += owned_count(tile.part.face_marks);
-    }
-    comm.agree(problem);
+    });
     seen = comm.sum(std::move(seen));
-    for (std::uint64_t t = 0; t < all_tiles; ++t)
-        if (seen[t] != 1)
-            problem = "tile " + std::to_string(t) + " is there " + std::to_string(seen[t]) +
-                      " times; give all tiles of the level, each once";
-    comm.agree(problem);
+    in_agreement(comm, [&] {
+        for (std::uint64_t t = 0; t < all_tiles; ++t)
+            if (seen[t] != 1)
+                throw mesh_error("tile " + std::to_string(t) + " is there " + std::to_string(seen[t]) +
+                                 " times; give all tiles of the level, each once");
+    });
     return comm.sum(std::move(faces));
 }
 
@@ -109,12 +109,12 @@ inline std::vector<int> balanced_ranks(std::span<const std::uint64_t> faces_of_t
 namespace detail {
 
 /// Moves things that have the number of a tile: `write(packer, moving)` empties one, `read(unpacker, number)` makes it
-/// again.
-template <class Moving, std::invocable<packer&, Moving&> Write, std::invocable<unpacker&, std::uint64_t> Read>
+/// again. They are sorted by order(thing).
+template <class Moving, std::invocable<packer&, Moving&> Write, std::invocable<unpacker&, std::uint64_t> Read,
+          std::invocable<const Moving&> Order>
 std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles, std::span<const int> rank_of,
-                                  const Write& write, const Read& read)
+                                  const Write& write, const Read& read, const Order& order)
 {
-    std::vector<std::vector<std::byte>> to(std::size_t(comm.size()));
     in_agreement(comm, [&] {
         for (const auto& moving : tiles) {
             if (moving.number >= rank_of.size())
@@ -125,7 +125,8 @@ std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles,
                                  "; there are ranks 0 to " + std::to_string(comm.size() - 1));
         }
     });
-    in_agreement(comm, [&] {
+    const auto came = all_to_all(comm, [&] {
+        std::vector<std::vector<std::byte>> to(std::size_t(comm.size()));
         for (auto& moving : tiles) {
             packer out;
             out.add(moving.number);
@@ -134,18 +135,17 @@ std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles,
             auto& bytes = to[std::size_t(rank_of[moving.number])];
             bytes.insert(bytes.end(), message.begin(), message.end());
         }
+        return to;
     });
-    const auto came = all_to_all(comm, std::move(to));
-    tiles.clear();
-    in_agreement(comm, [&] {
+    return in_agreement(comm, [&] {
+        std::vector<Moving> here;
         for (const auto& bytes : came)
             for (unpacker in(bytes); not in.is_at_end();) {
                 const auto number = in.template get<std::uint64_t>();
-                tiles.push_back(read(in, number));
+                here.push_back(read(in, number));
             }
-        tiles = in_order(std::move(tiles), [](const Moving& tile) { return tile.number; });
+        return in_order(std::move(here), order);
     });
-    return tiles;
 }
 
 } // namespace detail
@@ -154,8 +154,8 @@ std::vector<Moving> move_to_ranks(communicator& comm, std::vector<Moving> tiles,
 /// ranks. Returns those that are here now, in the order of their numbers, with all they knew: their roots on level 0
 /// travel with them, and what an element came from follows from its number, on any rank (whole_numbering::origin,
 /// whole_lineage).
-/// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory where
-/// messages are made and taken apart; mpi::error, and std::bad_alloc in between, which no other rank hears of.
+/// Errors: phase_error for a tile or a rank that does not exist, before anything is moved, and for lack of memory;
+/// mpi::error.
 /// Cost: a message per pair of ranks; the tiles of this rank are in memory twice meanwhile.
 template <class Point, std::unsigned_integral Index>
 std::vector<numbered_tile<tile<Point, Index>>>
@@ -173,7 +173,8 @@ repartition(communicator& comm, std::vector<numbered_tile<tile<Point, Index>>> t
         [](unpacker& in, std::uint64_t number) {
             const auto packed = in.get_array<std::vector<std::byte>>();
             return moving{number, unpack<Point, Index>(packed, no_scheme()).part};
-        });
+        },
+        [](const moving& tile) { return tile.number; });
 }
 
 /// Collective. The same for tiles with their schemes, of one or several levels: their state (creases, fields) moves
@@ -185,7 +186,7 @@ std::vector<kept_tile<tile<Point, Index>, Scheme>> repartition(communicator& com
                                                                std::span<const int> rank_of, const Scheme& scheme)
 {
     using moving = kept_tile<tile<Point, Index>, Scheme>;
-    auto result = detail::move_to_ranks(
+    return detail::move_to_ranks(
         comm,
         std::move(tiles),
         rank_of,
@@ -198,8 +199,8 @@ std::vector<kept_tile<tile<Point, Index>, Scheme>> repartition(communicator& com
             const auto packed = in.get_array<std::vector<std::byte>>();
             auto [part, its_scheme] = unpack<Point, Index>(packed, scheme);
             return moving{number, level, std::move(part), std::move(its_scheme)};
-        });
-    return detail::in_order(std::move(result), [](const moving& kept) { return std::pair(kept.number, kept.level); });
+        },
+        [](const moving& kept) { return std::pair(kept.number, kept.level); });
 }
 
 } // namespace kith::mpi

@@ -4,10 +4,12 @@
 #include <kith/part/phase_seconds.hpp>
 #include <kith/part/tile.hpp>
 #include <kith/tile/refine_tile.hpp>
+#include <kith/tile/tiles_at_once.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <utility>
 
 namespace kith::mpi {
@@ -70,5 +72,40 @@ work_done refine_counted(std::uint64_t number, tile_job<Tile, Scheme> job, const
     done.seconds.add(spent, at_once);
     return done;
 }
+
+/// Refines tiles on the threads of this rank, hands them to `use` and adds up the work. Local.
+template <reaching_scheme Scheme, class Use>
+class tile_worker {
+public:
+    /// `whole` and `use` must outlive this object; `last` and `use` are those of refine_counted.
+    tile_worker(const whole_levels<Scheme>& whole, connect last, const Use& use, std::size_t most_at_once)
+        : whole_(whole), last_(last), use_(use), most_at_once_(most_at_once)
+    {
+    }
+    [[nodiscard]] std::size_t most_at_once() const { return most_at_once_; }
+    [[nodiscard]] const work_done& done() const { return done_; }
+
+    /// Refines so many tiles; job(i) returns the number of the i-th one and its tile_job. Errors: those of the steps, of
+    /// `job` and of `use`.
+    template <std::invocable<std::size_t> Job>
+    void refine(std::size_t tiles, const Job& job)
+    {
+        const std::size_t at_once = tiles_at_once(tiles, most_at_once_);
+        for_each_at_once(tiles, at_once, [&](std::size_t i) {
+            auto [number, here] = job(i);
+            const work_done more = refine_counted(number, std::move(here), whole_, last_, use_, at_once);
+            const std::lock_guard lock(adding_);
+            done_ += more;
+        });
+    }
+
+private:
+    const whole_levels<Scheme>& whole_;
+    connect last_;
+    const Use& use_;
+    std::size_t most_at_once_;
+    work_done done_;
+    std::mutex adding_;
+};
 
 } // namespace kith::mpi

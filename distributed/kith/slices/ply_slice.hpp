@@ -9,14 +9,18 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -38,10 +42,23 @@ struct mesh_slice {
 class sliced_ply {
 public:
     /// Reads the header. Cost: that, and a sweep over the bytes behind the faces if there are lists among them.
-    explicit sliced_ply(std::string path) : path_(std::move(path)), in_(path_, std::ios::binary)
+    explicit sliced_ply(std::string path) : path_(std::move(path))
     {
         static_assert(std::endian::native == std::endian::little, "the file is read as it lies");
+        require_readable(path_);
+        in_.open(path_, std::ios::binary);
         read_header();
+    }
+    /// Throws the reason of the system if there is no file at this path that can be read, or a directory.
+    static void require_readable(const std::string& path)
+    {
+        std::error_code failed;
+        if (std::filesystem::is_directory(path, failed))
+            throw mesh_error(path + ": is a directory, not a file");
+        errno = 0;
+        if (not std::ifstream(path, std::ios::binary))
+            throw mesh_error(
+                path + ": cannot be opened: " + (errno != 0 ? std::strerror(errno) : "the system tells no reason"));
     }
 
     [[nodiscard]] global_id vertices() const { return header_.vertices; }

@@ -38,24 +38,28 @@ template <class Point, std::unsigned_integral Index>
 tile<Point, Index> tile_of_slice(communicator& comm, const mesh_slice<Point>& slice, slice_links<Point>& links)
 {
     auto faces = links.own_faces();
-    const auto missing = links.faces_around();
-    const auto asked = all_to_all(comm, missing);
-    std::vector<std::vector<std::byte>> replies(asked.size());
-    for (std::size_t rank = 0; rank < asked.size(); ++rank) {
-        known_faces<Point> reply;
-        for (const global_id face : asked[rank]) {
-            const std::size_t f = face - slice.first_face;
-            reply.append_face(faces, f, f * std::size_t(slice.degree));
+    const auto asked = all_to_all(comm, links.faces_around());
+    const auto came = all_to_all(comm, [&] {
+        std::vector<std::vector<std::byte>> replies(asked.size());
+        for (std::size_t rank = 0; rank < asked.size(); ++rank) {
+            known_faces<Point> reply;
+            for (const global_id face : asked[rank]) {
+                const std::size_t f = face - slice.first_face;
+                reply.append_face(faces, f, f * std::size_t(slice.degree));
+            }
+            packer out;
+            kith::detail::pack_faces(out, reply);
+            replies[rank] = out.take();
         }
-        packer out;
-        pack_faces(out, reply);
-        replies[rank] = out.take();
-    }
-    for (const auto& bytes : all_to_all(comm, std::move(replies))) {
-        unpacker in(bytes);
-        faces.append(unpack_faces<Point>(in));
-    }
-    return tile_of_faces<Index>(std::move(faces), false, 0, true);
+        return replies;
+    });
+    return in_agreement(comm, [&] {
+        for (const auto& bytes : came) {
+            unpacker in(bytes);
+            faces.append(kith::detail::unpack_faces<Point>(in));
+        }
+        return tile_of_faces<Index>(std::move(faces), false, 0, true);
+    });
 }
 
 /// Whoever owns the smallest face of an element owns it. Precondition: a ring of shadows around faces [first, end).
@@ -84,11 +88,25 @@ void mark_owned(tile<Point, Index>& part, global_id first, global_id end)
 
 } // namespace detail
 
-/// Collective: reads a PLY file of triangles or of quads, each rank its part of the bytes, and makes one tile per rank
-/// with `rings` > 0 rings of shadows: the tiles that tile_cutter makes of the mesh and its block_partition, with the
-/// numbers that make_mesh gives. A vertex, and the edges to larger ones, are looked after by the rank that reads the
-/// vertex.
-/// Errors: phase_error for a file that cannot be read so, and for what is not a manifold.
+/// Makes sure that all ranks can read a file, before they read their parts of it. Collective.
+/// Errors: phase_error with the path and the reason of the system and, if only some ranks cannot read it, with the rank
+/// and its host.
+inline void require_readable_on_all(communicator& comm, const std::string& path)
+{
+    std::string problem = problem_of([&] { sliced_ply::require_readable(path); });
+    const bool is_here = problem.empty();
+    const std::uint64_t failed = comm.sum(std::array{std::uint64_t(is_here ? 0 : 1)})[0];
+    if (not is_here and failed != std::uint64_t(comm.size()))
+        problem += " on rank " + std::to_string(comm.rank()) + " of " + std::to_string(comm.size()) + ", " +
+                   host_name() + "; put the file where all ranks see it";
+    comm.agree(problem);
+}
+
+/// Reads a PLY file of triangles or of quads, each rank its part of the bytes, and returns one tile per rank with
+/// `rings` > 0 rings of shadows: the tiles that tile_cutter makes of the mesh and its block_partition, with the numbers
+/// that make_mesh gives. A vertex, and the edges to larger ones, are looked after by the rank that reads the vertex.
+/// Collective. Errors: phase_error for a file that a rank cannot read, for the contents of other kinds of files, and
+/// for a mesh that is no manifold.
 /// Cost: O(file / ranks) memory and work on each rank, and of the shadows, but O(n log n) work for a vertex of n faces;
 /// about twenty messages at most to each rank.
 template <std::unsigned_integral Index = std::uint32_t>
@@ -96,25 +114,34 @@ sliced_mesh<std::array<double, 3>, Index> read_tiles(communicator& comm, const s
 {
     using point = std::array<double, 3>;
     sliced_mesh<point, Index> result;
+    require_readable_on_all(comm, path);
     mesh_slice<point> slice;
-    in_agreement(comm, [&] {
+    const auto ranges = in_agreement(comm, [&] {
+        if (rings < 1)
+            throw mesh_error(path + ": tiles with " + std::to_string(rings) +
+                             " rings of shadows were asked for; ask for 1 or more");
         sliced_ply file(path);
-        const slice_ranges ranges(file.vertices(), file.faces(), file.degree(), comm.size());
+        slice_ranges all(file.vertices(), file.faces(), file.degree(), comm.size());
         const auto r = std::size_t(comm.rank());
-        slice = file.read(ranges.face[r], ranges.face[r + 1], ranges.vertex[r], ranges.vertex[r + 1]);
+        slice = file.read(all.face[r], all.face[r + 1], all.vertex[r], all.vertex[r + 1]);
         result.bytes_read = file.bytes_read();
         try {
             start_at_smallest(slice);
         } catch (const mesh_error& error) {
             throw mesh_error(path + ": " + error.what());
         }
+        return all;
     });
-    const slice_ranges ranges(slice.vertices, slice.faces, slice.degree, comm.size());
+    require_same_on_ranks(comm, slice.vertices, "the number of vertices", path);
+    require_same_on_ranks(comm, slice.faces, "the number of faces", path);
     detail::slice_links<point> links(comm, path, slice, ranges);
     result.counts = {slice.vertices, links.edges(), slice.faces, slice.faces * global_id(slice.degree)};
     auto part = detail::tile_of_slice<point, Index>(comm, slice, links);
-    detail::mark_owned(part, ranges.face[std::size_t(comm.rank())], ranges.face[std::size_t(comm.rank()) + 1]);
-    result.tiles.push_back({std::uint64_t(comm.rank()), std::move(part)});
+    in_agreement(comm, [&] {
+        const auto r = std::size_t(comm.rank());
+        detail::mark_owned(part, ranges.face[r], ranges.face[r + 1]);
+        result.tiles.push_back({std::uint64_t(comm.rank()), std::move(part)});
+    });
     grow_shadows(comm, std::span(result.tiles), rings);
     return result;
 }

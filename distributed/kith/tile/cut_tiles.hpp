@@ -65,6 +65,20 @@ public:
     {
         return std::span(faces_).subspan(first_[part], first_[part + 1] - first_[part]);
     }
+    /// Returns the number of faces and of corners of the part with the most corners, from which the most new faces come.
+    /// Cost: O(faces).
+    [[nodiscard]] std::array<std::uint64_t, 2> largest() const
+    {
+        std::array<std::uint64_t, 2> result{0, 0};
+        for (std::size_t part = 0; part < parts(); ++part) {
+            std::uint64_t corners = 0;
+            for (const Index f : faces(part))
+                corners += mesh_.face(f).size();
+            if (corners > result[1])
+                result = {faces(part).size(), corners};
+        }
+        return result;
+    }
     [[nodiscard]] whole_counts counts() const
     {
         return {mesh_.vertex_count(),
@@ -126,6 +140,8 @@ private:
     job_type cut_around(std::span<const Index> seeds, int rings)
     {
         auto part = cutter_.cut(cutter_.faces_around(seeds, rings));
+        if (std::exchange(is_marked_, true)) // a call has ended by an exception
+            std::ranges::fill(is_ours_, 0);
         for (const Index f : seeds)
             is_ours_[f] = 1;
         tile<Point, Index> result;
@@ -134,6 +150,7 @@ private:
         fill_faces(part, result);
         for (const Index f : seeds)
             is_ours_[f] = 0;
+        is_marked_ = false;
         auto scheme = detail::scheme_of_part(scheme_, part.numbers());
         result.mesh = std::move(part.mesh);
         return {std::move(result), std::move(scheme)};
@@ -196,6 +213,7 @@ private:
     submesh_cutter<Point, Index> cutter_;
     std::vector<std::size_t> first_;
     std::vector<Index> faces_;
+    bool is_marked_ = false; // some of these are
     std::vector<unsigned char> is_ours_;
     std::vector<global_id> corners_before_, marked_before_; // per vertex, per edge, and of all
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -235,5 +236,40 @@ tile<Point, Index> tile_of_faces(known_faces<Point> faces, bool with_first_corne
     return detail::known_faces_builder<Point, Index>(std::move(faces))
         .build(with_first_corners, generation, with_corners_before);
 }
+
+namespace detail {
+
+/// Marks in a tile that has grown the elements that it owned before.
+template <tile_like Tile>
+void keep_owned(const Tile& before, Tile& grown)
+{
+    const auto keep = [](const auto& old_ids, const auto& old_marks, const auto& ids, auto& marks) {
+        for (std::size_t x = 0; x < ids.size(); ++x) {
+            const auto old = std::lower_bound(old_ids.begin(), old_ids.end(), ids[x]) - old_ids.begin();
+            const bool is_copy = x != 0 and ids[x - 1] == ids[x];
+            if (std::size_t(old) < old_ids.size() and old_ids[std::size_t(old)] == ids[x] and not is_copy)
+                marks[x] = static_cast<unsigned char>(marks[x] | (old_marks[std::size_t(old)] & owned_mark));
+        }
+    };
+    keep(before.vertex_ids, before.vertex_marks, grown.vertex_ids, grown.vertex_marks);
+    keep(before.edge_ids, before.edge_marks, grown.edge_ids, grown.edge_marks);
+    keep(before.face_ids, before.face_marks, grown.face_ids, grown.face_marks);
+}
+
+/// Returns a tile with more faces, which owns the same elements. Cost: O(elements log of them).
+template <class Point, std::unsigned_integral Index>
+tile<Point, Index> with_faces(const tile<Point, Index>& part, const known_faces<Point>& more)
+{
+    std::vector<Index> all(part.mesh.face_count());
+    std::iota(all.begin(), all.end(), Index(0));
+    auto known = known_faces_of(part, std::span<const Index>(all));
+    known.append(more);
+    auto grown = tile_of_faces<Index>(
+        std::move(known), not part.first_corner_ids.empty(), part.mesh.generation(), not part.corners_before.empty());
+    keep_owned(part, grown);
+    return grown;
+}
+
+} // namespace detail
 
 } // namespace kith

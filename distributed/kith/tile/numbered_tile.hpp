@@ -39,16 +39,27 @@ std::span<const unsigned char> marks_of(const Tile& part, element_kind kind)
     return {marks.data(), marks.size()};
 }
 
-/// How many rings of shadows a tile has around the faces it owns. Precondition: the tile has its edges.
-/// Cost: O(elements) per ring.
+namespace detail {
+
 template <tile_like Tile>
-int rings_of_shadows(const Tile& part)
+std::vector<typename Tile::index_type> owned_faces_of(const Tile& part)
 {
     using index = typename Tile::index_type;
     std::vector<index> owned;
     for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
         if (part.owns_face(f))
             owned.push_back(index(f));
+    return owned;
+}
+
+} // namespace detail
+
+/// Returns the number of rings that the outermost shadow of a tile is away from the faces that the tile owns; the last
+/// rings may have gaps. Precondition: the tile has its edges. Cost: O(elements) per ring.
+template <tile_like Tile>
+int rings_of_shadows(const Tile& part)
+{
+    const auto owned = detail::owned_faces_of(part);
     submesh_cutter cutter(part.mesh);
     int rings = 0;
     for (std::size_t reached = owned.size(), before = 0; reached != part.mesh.face_count() and reached != before;
@@ -56,6 +67,24 @@ int rings_of_shadows(const Tile& part)
         before = reached;
         reached = cutter.faces_around(owned, rings + 1).size();
     }
+    return rings;
+}
+
+/// Returns how many rings of shadows a tile has without gaps, or `most` if there are at least as many: of a tile that
+/// holds the whole mesh, or owns nothing, all are there. Precondition: the tile has its edges.
+/// Cost: O(elements) per ring.
+template <tile_like Tile>
+int complete_rings(const Tile& part, int most)
+{
+    const auto owned = detail::owned_faces_of(part);
+    const auto is_incomplete = incomplete_vertices(part);
+    const auto is_at_cut = [&](auto f) {
+        return std::ranges::any_of(part.mesh.face(f), [&](auto v) { return is_incomplete[v] != 0; });
+    };
+    submesh_cutter cutter(part.mesh);
+    int rings = 0;
+    while (rings < most and std::ranges::none_of(cutter.faces_around(owned, rings), is_at_cut))
+        ++rings;
     return rings;
 }
 

@@ -89,6 +89,21 @@ struct point_without_affine {
                   "kith: these points or values have no kith::affine, which says how they are added and scaled; "
                   "specialise kith::affine for their type, or take std::array<double, 3>");
 };
+template <bool Mistake>
+struct unnamed_state {
+    static_assert(not Mistake,
+                  "kith: a scheme keeps a container, a pointer or a class with memory of its own that traits().state "
+                  "does not name; in tiles and on ranks it would be read by the numbers of other elements. Values per "
+                  "element are state: .state = &its_scheme::its_member, such as a field; say .constants_only = true if "
+                  "no value belongs to an element");
+};
+template <bool Mistake>
+struct scheme_without_reach {
+    static_assert(not Mistake,
+                  "kith: tiles and ranks refine schemes that say in their traits() how far a step reaches: .reach = "
+                  "[](int rings) {...}; selected refines some faces only, and schemes for closed meshes take no tile: "
+                  "refine with hierarchy, or all faces with the scheme itself");
+};
 
 /// The lines of a polygon that is none.
 struct any_lines {};

@@ -34,6 +34,9 @@ struct scheme_traits {
     face_shape faces = face_shape::any; ///< others are refused
     bool closed_only = false;           ///< a boundary is refused
     bool trusted = false; ///< its text has been tested with every association checked: they need no check any more
+    /// Its members beside `state` are constants, which belong to no element: a table of weights, a function. Tiles and
+    /// ranks ask for this word where a member is a container, a pointer or a class that owns memory.
+    bool constants_only = false;
     int valence = 0;      ///< of all inner vertices that a step has made, where it is the same everywhere; else 0
     Next next{};          ///< refused: counts of the next level follow from the columns, see next_counts
     /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take, and

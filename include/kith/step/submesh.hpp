@@ -88,10 +88,11 @@ public:
     {
     }
 
-    /// The faces within `rings` rings of the seeds, increasing. A ring is what shares a vertex. Precondition: the seeds
-    /// are increasing.
+    /// Returns the faces within `rings` rings of the seeds, increasing. A ring is the faces that share a vertex with the
+    /// faces before. Precondition: the seeds are increasing.
     [[nodiscard]] std::vector<Index> faces_around(std::span<const Index> seeds, int rings)
     {
+        begin();
         const auto& t = mesh_.topology();
         std::vector<Index> faces(seeds.begin(), seeds.end()), vertices;
         for (const Index f : faces)
@@ -120,12 +121,14 @@ public:
         put_in_order(faces, face_);
         for (const Index f : faces)
             face_[f] = none;
+        is_marked_ = false;
         return faces;
     }
 
-    /// Precondition: the faces are increasing.
+    /// Returns the submesh of these faces. Precondition: the faces are increasing.
     [[nodiscard]] submesh<Point, Index> cut(std::span<const Index> faces)
     {
+        begin();
         const auto& t = mesh_.topology();
         submesh<Point, Index> result;
         result.face_from.assign(faces.begin(), faces.end());
@@ -176,6 +179,7 @@ public:
             edge_[e] = none;
         for (const Index f : faces)
             face_[f] = none;
+        is_marked_ = false;
         result.mesh = {std::move(points), std::move(fine), mesh_.generation()};
         return result;
     }
@@ -183,6 +187,14 @@ public:
 private:
     static constexpr Index none = connectivity<Index>::none;
 
+    /// Removes the marks that a call left which ended by an exception.
+    void begin()
+    {
+        if (is_marked_)
+            for (auto* marks : {&vertex_, &edge_, &face_})
+                std::fill(marks->begin(), marks->end(), none);
+        is_marked_ = true;
+    }
     [[nodiscard]] bool is_here(Index corner) const
     {
         return corner != none and face_[mesh_.topology().face_of(corner)] != none;
@@ -224,6 +236,7 @@ private:
 
     const basic_mesh<Point, Index>& mesh_;
     std::vector<Index> vertex_, edge_, face_; // the numbers in the submesh at work; none outside of it
+    bool is_marked_ = false;                  // a call is at work, or has ended by an exception
 };
 
 } // namespace kith
