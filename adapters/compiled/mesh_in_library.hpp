@@ -35,17 +35,19 @@ property_values<Handle, M> property_values<Handle, M>::read_in_library(const M& 
 
 } // namespace kith::detail
 
-/// KITH_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type and their properties are read, and
-/// how such meshes are made.
-#define KITH_MESH_IN_LIBRARY(...)                                                                                      \
+/// KITH_READ_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type and their properties are read.
+/// KITH_MESH_IN_LIBRARY(mesh): also how such meshes are made.
+#define KITH_READ_MESH_IN_LIBRARY(...)                                                                                 \
     template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::lift_in_library(const __VA_ARGS__&);                  \
     template numbers_in_mesh detail::read_numbers_in_library(const __VA_ARGS__&);                                      \
-    template __VA_ARGS__ detail::make_in_library(const __VA_ARGS__&,                                                   \
-                                                 const detail::level_source<lifted_point<__VA_ARGS__>::type>&);        \
     KITH_PROPERTIES_IN_LIBRARY(vertex, __VA_ARGS__)                                                                    \
     KITH_PROPERTIES_IN_LIBRARY(halfedge, __VA_ARGS__)                                                                  \
     KITH_PROPERTIES_IN_LIBRARY(edge, __VA_ARGS__)                                                                      \
     KITH_PROPERTIES_IN_LIBRARY(face, __VA_ARGS__)
+#define KITH_MESH_IN_LIBRARY(...)                                                                                      \
+    KITH_READ_MESH_IN_LIBRARY(__VA_ARGS__)                                                                             \
+    template __VA_ARGS__ detail::make_in_library(const __VA_ARGS__&,                                                   \
+                                                 const detail::level_source<lifted_point<__VA_ARGS__>::type>&);
 #define KITH_PROPERTIES_IN_LIBRARY(element, ...)                                                                       \
     template detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>                                   \
     detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>::read_in_library(                          \

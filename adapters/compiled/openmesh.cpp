@@ -5,6 +5,8 @@
 
 namespace kith {
 
+KITH_READ_MESH_IN_LIBRARY(openmesh::kernel_view<float>)
+KITH_READ_MESH_IN_LIBRARY(openmesh::kernel_view<double>)
 KITH_MESH_IN_LIBRARY(OpenMesh::PolyMesh_ArrayKernelT<>)
 KITH_MESH_IN_LIBRARY(OpenMesh::TriMesh_ArrayKernelT<>)
 KITH_MESH_IN_LIBRARY(OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>)

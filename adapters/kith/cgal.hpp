@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace kith {
 
@@ -30,10 +31,27 @@ struct affine<CGAL::Point_3<Kernel>> : coordinates_affine<typename Kernel::FT, 3
     }
 };
 
-/// A refined mesh has its points and no other property maps; cgal_properties.hpp carries those of the source.
+namespace detail {
+
 template <class Point>
-struct mesh_traits<CGAL::Surface_mesh<Point>> {
-    using mesh_type = CGAL::Surface_mesh<Point>;
+CGAL::Surface_mesh<Point> surface_mesh_below(const CGAL::Surface_mesh<Point>*);
+
+} // namespace detail
+
+/// A CGAL::Surface_mesh or a class derived from one.
+template <class M>
+concept surface_mesh_or_derived = requires(const M* mesh) { detail::surface_mesh_below(mesh); };
+/// The Surface_mesh that such a class is or has as its base.
+template <surface_mesh_or_derived M>
+using surface_mesh_of = decltype(detail::surface_mesh_below(std::declval<const M*>()));
+
+/// Traits of CGAL::Surface_mesh and of classes derived from it. A refined mesh of a derived class is one that its
+/// default constructor made. It has its points and no other property maps; cgal_properties.hpp carries those of the
+/// source.
+template <surface_mesh_or_derived M>
+struct mesh_traits<M> {
+    using mesh_type = surface_mesh_of<M>;
+    using Point = typename mesh_type::Point; // NOLINT(readability-identifier-naming): as CGAL calls it
     using vertex = typename mesh_type::Vertex_index;
     using edge = typename mesh_type::Edge_index;
     using face = typename mesh_type::Face_index;
@@ -73,7 +91,7 @@ struct mesh_traits<CGAL::Surface_mesh<Point>> {
     static bool is_isolated(const mesh_type& m, vertex v) { return m.is_isolated(v); }
     static const Point& point_of(const mesh_type& m, vertex v) { return m.point(v); }
 
-    static mesh_type build(basic_mesh<Point, std::uint32_t>&& fine) { return fill<mesh_type>(fine); }
+    static M build(basic_mesh<Point, std::uint32_t>&& fine) { return fill<M>(fine); }
 
     static void make_room(mesh_type& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {

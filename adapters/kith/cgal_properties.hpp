@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cgal.hpp"
+#include "cgal_arrays.hpp"
 #include "cgal_values.hpp"
 
 #include <kith/carry_properties.hpp>
@@ -18,10 +19,11 @@
 
 namespace kith {
 
-/// The property maps of a CGAL::Surface_mesh.
-template <class Point>
-struct property_access<CGAL::Surface_mesh<Point>> {
-    using mesh = CGAL::Surface_mesh<Point>;
+/// The property maps of a CGAL::Surface_mesh, or of a class derived from it.
+template <surface_mesh_or_derived M>
+struct property_access<M> {
+    using mesh = surface_mesh_of<M>;
+    using Point = typename mesh::Point; // NOLINT(readability-identifier-naming): as CGAL calls it
     using kernel = typename CGAL::Kernel_traits<Point>::Kernel;
     /// Exact numbers stay exact, floats are averaged as doubles.
     using number = std::conditional_t<std::floating_point<typename kernel::FT>, double, typename kernel::FT>;
@@ -47,7 +49,7 @@ struct property_access<CGAL::Surface_mesh<Point>> {
                                                              "v:removed",
                                                              "e:removed",
                                                              "f:removed",
-                                                             mesh_traits<mesh>::odd_generation};
+                                                             mesh_traits<M>::odd_generation};
         return std::ranges::find(own, name) != own.end();
     }
     template <class>
@@ -74,14 +76,20 @@ struct property_access<CGAL::Surface_mesh<Point>> {
     }
 
     /// A map knows what new elements have, and tells it by giving it to one.
-    static mesh with_one_element(const mesh& m)
+    static M with_one_element(const M& m)
     {
-        mesh result = m;
-        result.clear_without_removing_property_maps();
-        result.add_vertex();
-        result.add_edge();
-        result.add_face();
+        M result = m;
+        mesh& one = result;
+        one.clear_without_removing_property_maps();
+        one.add_vertex();
+        one.add_edge();
+        one.add_face();
         return result;
+    }
+    template <class Handle>
+    static std::vector<detail::any_property> other_properties(mesh& m, const std::vector<detail::known_property>& known)
+    {
+        return detail::other_arrays<Handle>(m, names<Handle>(m), known);
     }
     /// What T() leaves open is open in a map that was made without a value.
     template <class T>
@@ -91,7 +99,7 @@ struct property_access<CGAL::Surface_mesh<Point>> {
     template <class Handle>
     static std::string standard_name(standard_property which)
     {
-        return detail::standard_name<mesh, Handle>(which, {"color", "normal", "texcoord"});
+        return detail::standard_name<M, Handle>(which, {"color", "normal", "texcoord"});
     }
     template <standard_property Which>
     using standard_type = std::conditional_t<

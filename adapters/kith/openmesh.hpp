@@ -51,43 +51,111 @@ struct affine<OpenMesh::VectorT<Scalar, N>> : coordinates_affine<Scalar, std::si
 template <std::integral Scalar, int N>
 struct affine<OpenMesh::VectorT<Scalar, N>> : rounded_affine<OpenMesh::VectorT<Scalar, N>, Scalar, std::size_t(N)> {};
 
+namespace detail {
+
+/// The elements of OpenMesh's meshes, through the part of these that their traits say nothing of.
+struct openmesh_connectivity {
+    using kernel = OpenMesh::PolyConnectivity;
+
+protected:
+    template <class Handle>
+    static auto alive(const kernel& m, std::size_t bound, bool has_status)
+    {
+        const auto is_removed = [&m, has_status](Handle x) { return has_status and m.status(x).deleted(); };
+        return numbered_handles<Handle, int, decltype(is_removed)>(int(bound), is_removed);
+    }
+
+public:
+    using vertex = OpenMesh::VertexHandle;
+    using edge = OpenMesh::EdgeHandle;
+    using face = OpenMesh::FaceHandle;
+    using halfedge = OpenMesh::HalfedgeHandle;
+
+    static auto vertices(const kernel& m) { return alive<vertex>(m, m.n_vertices(), m.has_vertex_status()); }
+    static auto edges(const kernel& m) { return alive<edge>(m, m.n_edges(), m.has_edge_status()); }
+    static auto faces(const kernel& m) { return alive<face>(m, m.n_faces(), m.has_face_status()); }
+    template <class Handle>
+    static std::size_t index(const kernel&, Handle x)
+    {
+        return std::size_t(x.idx());
+    }
+    // These count deleted elements, too: they are bounds.
+    static std::size_t vertex_bound(const kernel& m) { return m.n_vertices(); }
+    static std::size_t edge_bound(const kernel& m) { return m.n_edges(); }
+    static std::size_t face_bound(const kernel& m) { return m.n_faces(); }
+    static std::size_t halfedge_bound(const kernel& m) { return m.n_halfedges(); }
+
+    static halfedge next(const kernel& m, halfedge h) { return m.next_halfedge_handle(h); }
+    static halfedge prev(const kernel& m, halfedge h) { return m.prev_halfedge_handle(h); }
+    static halfedge opposite(const kernel& m, halfedge h) { return m.opposite_halfedge_handle(h); }
+    static bool is_boundary(const kernel& m, halfedge h) { return m.is_boundary(h); }
+    static vertex source(const kernel& m, halfedge h) { return m.from_vertex_handle(h); }
+    static edge edge_of(const kernel& m, halfedge h) { return m.edge_handle(h); }
+    static face face_of(const kernel& m, halfedge h) { return m.face_handle(h); }
+    static halfedge halfedge_of(const kernel& m, vertex v) { return m.halfedge_handle(v); }
+    static halfedge halfedge_of(const kernel& m, edge e) { return m.halfedge_handle(e, 0); }
+    static halfedge halfedge_of(const kernel& m, face f) { return m.halfedge_handle(f); }
+    static bool is_isolated(const kernel& m, vertex v) { return m.is_isolated(v); }
+    static vertex target(const kernel& m, halfedge h) { return m.to_vertex_handle(h); }
+
+    /// Errors: mesh_error for more edges than OpenMesh can number.
+    static void require_room(std::size_t edges)
+    {
+        if (edges > std::size_t(std::numeric_limits<int>::max()) / 2)
+            throw mesh_error("OpenMesh numbers half-edges with int, the next level has " + std::to_string(edges) +
+                             " edges; refine fewer times");
+    }
+    [[noreturn]] static void refuse_degree(int face, std::size_t degree)
+    {
+        throw mesh_error("OpenMesh's TriMesh holds triangles only, face " + std::to_string(face) + " has " +
+                         std::to_string(degree) + " vertices; refine a PolyMesh instead");
+    }
+    template <class Handle>
+    static Handle at(std::size_t i)
+    {
+        return Handle(int(i));
+    }
+    static void set_side(kernel& m, halfedge h, face f, vertex target, halfedge next)
+    {
+        m.set_face_handle(h, f);
+        m.set_vertex_handle(h, target);
+        m.set_next_halfedge_handle(h, next);
+    }
+    /// A boundary vertex must name the half-edge without face that leaves it.
+    static void set_boundary_side(kernel& m, halfedge h, vertex target, halfedge next)
+    {
+        m.set_boundary(h);
+        m.set_vertex_handle(h, target);
+        m.set_next_halfedge_handle(h, next);
+        m.set_halfedge_handle(m.to_vertex_handle(m.opposite_halfedge_handle(h)), h);
+    }
+    static void set_start(kernel& m, face f, halfedge h, std::size_t) { m.set_halfedge_handle(f, h); }
+    static void set_start(kernel& m, vertex v, halfedge leaving) { m.set_halfedge_handle(v, leaving); }
+
+    static constexpr const char* odd_generation = "kith:odd_generation"; ///< the name of a property of the mesh
+    static void mark_odd_generation(kernel& m)
+    {
+        OpenMesh::MPropHandleT<bool> odd;
+        m.add_property(odd, odd_generation);
+        m.property(odd) = true;
+    }
+    static int generation(const kernel& m)
+    {
+        OpenMesh::MPropHandleT<bool> odd;
+        return m.get_property_handle(odd, odd_generation) ? 1 : 0;
+    }
+};
+
+} // namespace detail
+
 /// Meshes of OpenMesh's array kernel, polygons or triangles, any traits, classes derived from them included.
 /// A refined mesh has the attributes of its source, in traits or by request: status, normals, colors, texture
 /// coordinates and the texture index. Their values are zero and properties of the user's own are left out;
 /// openmesh_properties.hpp carries them.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
-struct mesh_traits<M> {
-    using vertex = OpenMesh::VertexHandle;
-    using edge = OpenMesh::EdgeHandle;
-    using face = OpenMesh::FaceHandle;
-    using halfedge = OpenMesh::HalfedgeHandle;
+struct mesh_traits<M> : detail::openmesh_connectivity {
     using point = typename M::Point;
 
-    static auto vertices(const M& m) { return alive<vertex>(m, m.n_vertices(), m.has_vertex_status()); }
-    static auto edges(const M& m) { return alive<edge>(m, m.n_edges(), m.has_edge_status()); }
-    static auto faces(const M& m) { return alive<face>(m, m.n_faces(), m.has_face_status()); }
-    template <class Handle>
-    static std::size_t index(const M&, Handle x)
-    {
-        return std::size_t(x.idx());
-    }
-    // These count deleted elements, too: they are bounds.
-    static std::size_t vertex_bound(const M& m) { return m.n_vertices(); }
-    static std::size_t edge_bound(const M& m) { return m.n_edges(); }
-    static std::size_t face_bound(const M& m) { return m.n_faces(); }
-    static std::size_t halfedge_bound(const M& m) { return m.n_halfedges(); }
-
-    static halfedge next(const M& m, halfedge h) { return m.next_halfedge_handle(h); }
-    static halfedge prev(const M& m, halfedge h) { return m.prev_halfedge_handle(h); }
-    static halfedge opposite(const M& m, halfedge h) { return m.opposite_halfedge_handle(h); }
-    static bool is_boundary(const M& m, halfedge h) { return m.is_boundary(h); }
-    static vertex source(const M& m, halfedge h) { return m.from_vertex_handle(h); }
-    static edge edge_of(const M& m, halfedge h) { return m.edge_handle(h); }
-    static face face_of(const M& m, halfedge h) { return m.face_handle(h); }
-    static halfedge halfedge_of(const M& m, vertex v) { return m.halfedge_handle(v); }
-    static halfedge halfedge_of(const M& m, edge e) { return m.halfedge_handle(e, 0); }
-    static halfedge halfedge_of(const M& m, face f) { return m.halfedge_handle(f); }
-    static bool is_isolated(const M& m, vertex v) { return m.is_isolated(v); }
     static const point& point_of(const M& m, vertex v) { return m.point(v); }
 
     static M build(basic_mesh<point, std::uint32_t>&& fine) { return fill<M>(fine); }
@@ -100,13 +168,6 @@ struct mesh_traits<M> {
         });
     }
 
-    /// Errors: mesh_error for more edges than OpenMesh can number.
-    static void require_room(std::size_t edges)
-    {
-        if (edges > std::size_t(std::numeric_limits<int>::max()) / 2)
-            throw mesh_error("OpenMesh numbers half-edges with int, the next level has " + std::to_string(edges) +
-                             " edges; refine fewer times");
-    }
     static void make_room(M& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {
         require_room(edges);
@@ -119,65 +180,24 @@ struct mesh_traits<M> {
             advise_large_pages(points(m), vertices);
         }
         m.resize(vertices, edges, faces);
-        clear_attributes(m, 0);
+        clear_attributes(m);
     }
-    /// Of all elements, but for the first vertices, which keep theirs.
-    static void clear_attributes(M& m, std::size_t vertices_to_keep)
+    /// Makes the attributes of all elements zero.
+    static void clear_attributes(M& m)
     {
         for_each_attribute([&](auto has, auto, auto property) {
-            if (not(m.*has)())
-                return;
-            const auto handle = (m.*property)();
-            auto& values = m.property(handle).data_vector();
-            for (std::size_t i = is_on_vertices(handle) ? vertices_to_keep : 0; i < values.size(); ++i)
-                set_zero(values[i]);
+            if ((m.*has)())
+                for (auto& value : m.property((m.*property)()).data_vector())
+                    set_zero(value);
         });
     }
     static point* points(M& m) { return m.property(m.points_pph()).data_vector().data(); }
-    template <class Handle>
-    static Handle at(std::size_t i)
-    {
-        return Handle(int(i));
-    }
-    static vertex target(const M& m, halfedge h) { return m.to_vertex_handle(h); }
-    static void set_side(M& m, halfedge h, face f, vertex target, halfedge next)
-    {
-        m.set_face_handle(h, f);
-        m.set_vertex_handle(h, target);
-        m.set_next_halfedge_handle(h, next);
-    }
-    /// A boundary vertex must name the half-edge without face that leaves it.
-    static void set_boundary_side(M& m, halfedge h, vertex target, halfedge next)
-    {
-        m.set_boundary(h);
-        m.set_vertex_handle(h, target);
-        m.set_next_halfedge_handle(h, next);
-        m.set_halfedge_handle(m.to_vertex_handle(m.opposite_halfedge_handle(h)), h);
-    }
+    using detail::openmesh_connectivity::set_start;
     static void set_start(M& m, face f, halfedge h, std::size_t degree)
     {
         if (M::is_trimesh() and degree != 3)
-            throw mesh_error("OpenMesh's TriMesh holds triangles only, face " + std::to_string(f.idx()) + " has " +
-                             std::to_string(degree) + " vertices; refine a PolyMesh instead");
+            refuse_degree(f.idx(), degree);
         m.set_halfedge_handle(f, h);
-    }
-    static void set_start(M& m, vertex v, halfedge leaving) { m.set_halfedge_handle(v, leaving); }
-    static void mark_odd_generation(M& m)
-    {
-        OpenMesh::MPropHandleT<bool> odd;
-        m.add_property(odd, odd_generation);
-        m.property(odd) = true;
-    }
-    static void forget_generation(M& m)
-    {
-        OpenMesh::MPropHandleT<bool> odd;
-        if (m.get_property_handle(odd, odd_generation))
-            m.remove_property(odd);
-    }
-    static int generation(const M& m)
-    {
-        OpenMesh::MPropHandleT<bool> odd;
-        return m.get_property_handle(odd, odd_generation) ? 1 : 0;
     }
 
     /// What elements may have beside points: how to ask whether they do, to ask for it, and where it is.
@@ -205,14 +225,6 @@ struct mesh_traits<M> {
     }
 
 private:
-    static constexpr const char* odd_generation = "kith:odd_generation";
-
-    template <class T>
-    static bool is_on_vertices(OpenMesh::VPropHandleT<T>)
-    {
-        return true;
-    }
-    static bool is_on_vertices(OpenMesh::BaseHandle) { return false; }
     /// A vector of OpenMesh is made without values.
     template <class Scalar, int N>
     static void set_zero(OpenMesh::VectorT<Scalar, N>& value)
@@ -223,13 +235,6 @@ private:
     static void set_zero(Value& value)
     {
         value = Value();
-    }
-
-    template <class Handle>
-    static auto alive(const M& m, std::size_t bound, bool has_status)
-    {
-        const auto is_removed = [&m, has_status](Handle x) { return has_status and m.status(x).deleted(); };
-        return numbered_handles<Handle, int, decltype(is_removed)>(int(bound), is_removed);
     }
 };
 

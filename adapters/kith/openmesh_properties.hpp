@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "openmesh.hpp"
+#include "openmesh_kernel.hpp"
 
 #include <kith/carry_properties.hpp>
 #include <kith/property/standard_property.hpp>
 
 #include <OpenMesh/Core/Mesh/Status.hh>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -42,6 +43,7 @@ struct openmesh_property {
 
     explicit operator bool() const { return values != nullptr; }
     decltype(auto) operator[](OpenMesh::BaseHandle x) const { return (*values)[x.idx()]; }
+    [[nodiscard]] const void* array() const { return static_cast<const OpenMesh::BaseProperty*>(values); }
 };
 
 // Of the part that all meshes of OpenMesh have in common, so that they are compiled once for all.
@@ -60,12 +62,27 @@ openmesh_property<OpenMesh::PropertyT<T>> add_property(OpenMesh::BaseKernel& m, 
     return {&m.property(handle)};
 }
 
-} // namespace detail
+/// Calls f(property) for each property on elements with such handles.
+template <class Handle, class Kernel, class F>
+void for_each_property(Kernel& m, const F& f)
+{
+    const auto all = [&f](auto begin, auto end) {
+        for (auto p = begin; p != end; ++p)
+            if (*p != nullptr)
+                f(*p);
+    };
+    if constexpr (std::same_as<Handle, OpenMesh::VertexHandle>)
+        all(m.vprops_begin(), m.vprops_end());
+    else if constexpr (std::same_as<Handle, OpenMesh::HalfedgeHandle>)
+        all(m.hprops_begin(), m.hprops_end());
+    else if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>)
+        all(m.eprops_begin(), m.eprops_end());
+    else
+        all(m.fprops_begin(), m.fprops_end());
+}
 
-/// The properties of a mesh of OpenMesh that have a name, and its attributes in traits or by request: status, colors
-/// and texture coordinates are carried, normals are not; update_normals() makes them.
-template <std::derived_from<OpenMesh::PolyConnectivity> M>
-struct property_access<M> {
+/// The part of a mesh's properties that its traits say nothing of.
+struct openmesh_properties {
     using number = double;
     template <class Scalar>
     using vectors = std::tuple<OpenMesh::VectorT<Scalar, 1>, OpenMesh::VectorT<Scalar, 2>, OpenMesh::VectorT<Scalar, 3>,
@@ -77,30 +94,98 @@ struct property_access<M> {
                    std::array<double, 3>, std::array<double, 4>>(),
         vectors<float>(), vectors<double>(), vectors<unsigned char>(), vectors<int>(), vectors<unsigned>()));
 
+    static bool is_reserved(const std::string& name) { return name == "v:points"; }
+    /// There may be several properties with one name, each of another type.
+    static constexpr bool types_share_names = true;
+    static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
+    template <class Handle, class T>
+    static auto find(const OpenMesh::BaseKernel& m, const std::string& name)
+    {
+        return find_property<Handle, T>(m, name);
+    }
+};
+
+} // namespace detail
+
+/// All properties of a mesh, for who overwrites it. Values of any type can be copied.
+template <class Scalar>
+struct property_access<openmesh::kernel_view<Scalar>> : detail::openmesh_properties {
+    using mesh = openmesh::kernel_view<Scalar>;
+
+    template <class Handle>
+    static std::vector<std::string> names(const mesh& m)
+    {
+        std::vector<std::string> result;
+        detail::for_each_property<Handle>(m.mesh(), [&](const OpenMesh::BaseProperty* p) {
+            if (not is_reserved(p->name()) and not m.is_hidden(p))
+                result.push_back(p->name());
+        });
+        return result;
+    }
+    template <class Handle, class T>
+    static auto find(const mesh& m, const std::string& name)
+    {
+        return detail::find_property<Handle, T>(m.mesh(), name);
+    }
+    template <class Handle, class T>
+    static auto add(mesh& m, const std::string& name)
+    {
+        return detail::add_property<Handle, T>(m.mesh(), name);
+    }
+    template <class Handle>
+    static std::vector<detail::any_property> other_properties(mesh& m, const std::vector<detail::known_property>& known)
+    {
+        std::vector<detail::any_property> result;
+        detail::for_each_property<Handle>(m.mesh(), [&](OpenMesh::BaseProperty* p) {
+            if (is_reserved(p->name()) or follows_from_points(p->name()) or m.is_hidden(p) or
+                std::ranges::find(known, static_cast<const void*>(p), &detail::known_property::array) != known.end())
+                return;
+            const auto copy = [](void* a, std::size_t from, std::size_t to) {
+                static_cast<OpenMesh::BaseProperty*>(a)->copy(from, to);
+            };
+            const auto swap = [](void* a, std::size_t x, std::size_t y) {
+                static_cast<OpenMesh::BaseProperty*>(a)->swap(x, y);
+            };
+            result.push_back({p->name(), p, copy, swap});
+        });
+        return result;
+    }
+    template <class Handle>
+    static std::string standard_name(standard_property)
+    {
+        return "";
+    }
+    template <standard_property>
+    using standard_type = void;
+};
+
+/// The properties of a mesh of OpenMesh that have a name, and its attributes in traits or by request: status, colors
+/// and texture coordinates are carried, normals are not; update_normals() makes them.
+template <std::derived_from<OpenMesh::PolyConnectivity> M>
+struct property_access<M> : detail::openmesh_properties {
     template <class Handle>
     static std::vector<std::string> names(const M& m)
     {
         std::vector<std::string> result;
-        const auto add_all = [&]<class Data>(auto begin, auto end, std::type_identity<Data>) {
+        const auto add_all = [&]<class Data>(std::type_identity<Data>) {
             // Every mesh has what its traits say of elements, which mostly is nothing.
-            const auto is_nothing = [](const auto* p) {
-                return std::is_empty_v<Data> and dynamic_cast<const OpenMesh::PropertyT<Data>*>(p) != nullptr;
-            };
-            for (auto p = begin; p != end; ++p)
-                if (*p != nullptr and not is_reserved((*p)->name()) and not is_nothing(*p))
-                    result.push_back((*p)->name());
+            detail::for_each_property<Handle>(m, [&](const OpenMesh::BaseProperty* p) {
+                const bool is_nothing = std::is_empty_v<Data> and
+                                        dynamic_cast<const OpenMesh::PropertyT<Data>*>(p) != nullptr;
+                if (not is_reserved(p->name()) and not is_nothing)
+                    result.push_back(p->name());
+            });
         };
         if constexpr (std::same_as<Handle, OpenMesh::VertexHandle>)
-            add_all(m.vprops_begin(), m.vprops_end(), std::type_identity<typename M::VertexData>());
+            add_all(std::type_identity<typename M::VertexData>());
         else if constexpr (std::same_as<Handle, OpenMesh::HalfedgeHandle>)
-            add_all(m.hprops_begin(), m.hprops_end(), std::type_identity<typename M::HalfedgeData>());
+            add_all(std::type_identity<typename M::HalfedgeData>());
         else if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>)
-            add_all(m.eprops_begin(), m.eprops_end(), std::type_identity<typename M::EdgeData>());
+            add_all(std::type_identity<typename M::EdgeData>());
         else
-            add_all(m.fprops_begin(), m.fprops_end(), std::type_identity<typename M::FaceData>());
+            add_all(std::type_identity<typename M::FaceData>());
         return result;
     }
-    static bool is_reserved(const std::string& name) { return name == "v:points"; }
     /// What the traits of the mesh say of elements has no name either, but is the same in each such mesh.
     template <class T>
     static bool is_unnamed(const std::string& name)
@@ -109,15 +194,6 @@ struct property_access<M> {
             std::same_as<T, typename M::EdgeData> or std::same_as<T, typename M::FaceData>)
             return false;
         return name == "<vprop>" or name == "<hprop>" or name == "<eprop>" or name == "<fprop>" or name == "<mprop>";
-    }
-    /// There may be several properties with one name, each of another type.
-    static constexpr bool types_share_names = true;
-    static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
-
-    template <class Handle, class T>
-    static auto find(const M& m, const std::string& name)
-    {
-        return detail::find_property<Handle, T>(m, name);
     }
     template <class Handle, class T>
     static auto add(M& m, const std::string& name)

@@ -95,28 +95,43 @@ property_by_rule<Handle, T, Rule> by_rule(std::string name, Rule rule)
     return {std::move(name), std::move(rule)};
 }
 
-/// What has become of the properties of a mesh, by their names.
+/// The outcome for the properties of a mesh, by their names.
 struct property_report {
     std::vector<std::string> carried;
-    /// Of a type that is not known, normals, or without a name of their own; what by_rule names and is not there.
-    std::vector<std::string> left_out;
+    /// Those of a type that is not known, normals, those without a name of their own, and those that by_rule names
+    /// where there is none of that name and type.
+    std::vector<omission> left_out;
 };
 
 namespace detail {
 
-/// What is told of a property, and on what it lies: on elements of several kinds there may be properties of one name.
+/// A property in a report, with the kind of elements on which it lies: properties of several kinds may share a name.
 struct told_property {
     std::string name;
     std::optional<field_on> where; ///< nothing for those of the mesh as a whole
+    std::string why;               ///< empty for those that are carried
 
-    friend bool operator==(const told_property&, const told_property&) = default;
+    [[nodiscard]] bool is(const std::string& other, std::optional<field_on> other_where) const
+    {
+        return name == other and where == other_where;
+    }
 };
-inline std::vector<std::string> names_of(const std::vector<told_property>& all)
+
+inline constexpr const char* unknown_type = "kith does not know its type; name the type: carry_properties<type>(...)";
+inline constexpr const char* no_name = "it has no name of its own, and this one may stand for anything in another mesh";
+inline constexpr const char* made_of_points = "it follows from the points; let the library make it anew";
+inline constexpr const char* edges_unknown =
+    "the scheme does not tell which new edges lie along old ones; declare its new_edges";
+inline constexpr const char* absent = "by_rule names it and there is none of that name; check the name";
+inline constexpr const char* other_type = "by_rule names it with a type that it does not have; name its own type";
+
+/// The reason for which values of this name are not carried by their type.
+template <mesh_with_properties M>
+const char* why_unknown(const std::string& name)
 {
-    std::vector<std::string> result;
-    for (const told_property& each : all)
-        result.push_back(each.name);
-    return result;
+    if (is_unnamed<M>(name))
+        return no_name;
+    return property_access<M>::follows_from_points(name) ? made_of_points : unknown_type;
 }
 
 template <class Handle, mesh M, scheme Scheme>
@@ -145,7 +160,7 @@ bool carry_property(const hierarchy<M, Scheme>& levels, int from, int to, M& fin
     const T nothing = unset.template of<Handle, T>(name);
     auto target = add_unset<Handle>(fine, name, nothing);
     carry_map<Handle>(levels, from, to, source, target, rule);
-    store_beside_faces<Handle>(fine, target, nothing);
+    store_nothing(target, handles_beside_faces<Handle>(fine), nothing);
     return true;
 }
 
@@ -192,10 +207,11 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
         throw mesh_error("the mesh that is to have the properties is not level " + std::to_string(to) +
                          " of the hierarchy; give a copy of that level");
     std::vector<detail::told_property> carried, left_out;
-    const auto tell = [](auto& told, const std::vector<std::string>& names, std::optional<field_on> where) {
-        for (const std::string& name : names)
-            told.push_back({name, where});
-    };
+    const auto tell =
+        [](auto& told, const std::vector<std::string>& names, std::optional<field_on> where, const char* why = "") {
+            for (const std::string& name : names)
+                told.push_back({name, where, why});
+        };
     detail::unset_values<M> unset(levels[from]);
     const auto carry = [&]<class On>(On) {
         using types = decltype(std::tuple_cat(std::declval<typename property_access<M>::value_types>(),
@@ -207,12 +223,12 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
         constexpr bool can_carry = not is_edge or numbering_of<Scheme, std::uint32_t>::has_edges;
         if constexpr (can_carry)
             detail::carry_values(levels, from, to, fine, values);
-        tell(can_carry ? carried : left_out, values.known(), where);
+        tell(can_carry ? carried : left_out, values.known(), where, can_carry ? "" : detail::edges_unknown);
         for (const std::string& name : values.unknown()) {
             const bool has_mean = ((not detail::is_unnamed<M, More>(name) and
                                     detail::carry_mean<On, More>(levels, from, to, fine, unset, name)) or
                                    ...);
-            (has_mean ? carried : left_out).push_back({name, where});
+            (has_mean ? carried : left_out).push_back({name, where, has_mean ? "" : detail::why_unknown<M>(name)});
         }
     };
     carry(typename traits::vertex());
@@ -222,25 +238,35 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
 
     if constexpr (requires(std::vector<std::string>& names) { property_access<M>::copy_of_whole(fine, fine, names); }) {
         std::vector<std::string> copied;
-        tell(left_out, property_access<M>::copy_of_whole(levels[from], fine, copied), std::nullopt);
+        for (const std::string& name : property_access<M>::copy_of_whole(levels[from], fine, copied))
+            left_out.push_back({name, std::nullopt, detail::why_unknown<M>(name)});
         tell(carried, copied, std::nullopt);
     }
 
     [[maybe_unused]] const auto carry_by_rule =
         [&]<class On, class Value, class By>(const property_by_rule<On, Value, By>& each) {
-            const detail::told_property told{each.name, detail::kind_of_handle<M, On>};
-            const auto found = std::ranges::find(left_out, told);
-            const bool is_new = std::ranges::find(carried, told) == carried.end();
-            if (not detail::carry_property<On, Value>(levels, from, to, fine, unset, each.name, each.rule)) {
-                if (is_new and found == left_out.end())
-                    left_out.push_back(told);
+            constexpr field_on where = detail::kind_of_handle<M, On>;
+            const auto is_it = [&](const detail::told_property& told) { return told.is(each.name, where); };
+            const auto found = std::ranges::find_if(left_out, is_it);
+            if (detail::carry_property<On, Value>(levels, from, to, fine, unset, each.name, each.rule)) {
+                if (found != left_out.end()) {
+                    carried.push_back({each.name, where, ""});
+                    left_out.erase(found);
+                }
             } else if (found != left_out.end()) {
-                left_out.erase(found);
-                carried.push_back(told);
+                found->why = detail::other_type;
+            } else {
+                const bool has_other_type = std::ranges::any_of(carried, is_it);
+                left_out.push_back({each.name, where, has_other_type ? detail::other_type : detail::absent});
             }
         };
     (carry_by_rule(rules), ...);
-    return {detail::names_of(carried), detail::names_of(left_out)};
+    property_report report;
+    for (detail::told_property& each : carried)
+        report.carried.push_back(std::move(each.name));
+    for (detail::told_property& each : left_out)
+        report.left_out.push_back({std::move(each.name), std::move(each.why)});
+    return report;
 }
 
 /// `refine`, to the same points, with all properties that can be carried. Errors: as hierarchy::refine. Cost: that of

@@ -58,7 +58,7 @@ private:
 /// Any model of CGAL's FaceListGraph as a mesh to kith, with a property map of its points: a view, which reads.
 /// Descriptors without numbers, such as those of Polyhedron_3, are numbered in tables when it is made, in the order of
 /// the graph. Coordinates that are floats or doubles are read as arrays, so that all such graphs are refined by the
-/// same code.
+/// same code. Isolated vertices are left out, like removed ones.
 template <class Graph, class VertexPointMap>
 class face_graph {
     template <class Descriptor>
@@ -82,8 +82,14 @@ public:
     face_graph(const Graph& graph, VertexPointMap points) : graph_(&graph), points_(points)
     {
         using namespace graph_calls;
-        for (const vertex v : all_vertices(graph))
-            vertices_.push_back(v), vertex_numbers_.add(v);
+        std::uint32_t number = 0;
+        for (const vertex v : all_vertices(graph)) {
+            if (not is_alone(graph, v))
+                vertices_.push_back(v), vertex_numbers_.add(v), joined_.push_back(number);
+            ++number;
+        }
+        if (joined_.size() == number)
+            joined_.clear();
         for (const face f : all_faces(graph))
             faces_.push_back(f), face_numbers_.add(f);
         for (const auto& e : all_edges(graph)) {
@@ -105,6 +111,8 @@ public:
     [[nodiscard]] const std::vector<vertex>& vertices() const { return vertices_; }
     [[nodiscard]] const std::vector<edge>& edges() const { return edges_; }
     [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
+    /// The numbers of these vertices among all of the graph; empty if no vertex is left out.
+    [[nodiscard]] const std::vector<std::uint32_t>& joined() const { return joined_; }
     [[nodiscard]] const auto& vertex_numbers() const { return vertex_numbers_; }
     [[nodiscard]] const auto& face_numbers() const { return face_numbers_; }
     [[nodiscard]] const auto& halfedge_numbers() const { return halfedge_numbers_; }
@@ -131,6 +139,7 @@ private:
     const Graph* graph_;
     VertexPointMap points_;
     std::vector<vertex> vertices_;
+    std::vector<std::uint32_t> joined_;
     std::vector<edge> edges_;
     std::vector<face> faces_;
     std::vector<halfedge> directing_; ///< by the numbers of edges

@@ -24,8 +24,10 @@ void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation
 {
     using view_type = face_graph<Graph, VertexPointMap>;
     const view_type view(std::as_const(g), points);
+    if (view.faces().empty())
+        return;
     auto control = lift_valid(view); // before all else, as it looks whether this is a mesh
-    typename in_place::properties_of<Graph>::type carried(g);
+    typename in_place::properties_of<Graph>::type carried(g, view.joined());
     control = {storage<typename view_type::point>(control.points()), control.topology(), generation};
     in_place::require_faces(view, control, scheme);
     in_place::refined<typename view_type::point> surface{std::move(control), true};
@@ -121,7 +123,7 @@ template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_pa
 void PQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
     detail::repeat_by_mask(
-        pmesh, np, linear(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+        detail::graph_of(pmesh), np, linear(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
             detail::place_faces(view, mask, ids.vertices, points);
             detail::place_edges_and_vertices(view, mask, ids.vertices, points);
         });
@@ -131,17 +133,19 @@ void PQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_value
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void PTQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
-    detail::repeat_by_mask(
-        pmesh, np, linear_triangles(), [&](const auto& view, const auto&, const auto& ids, const auto& points) {
-            detail::place_edges_and_vertices(view, mask, ids.vertices, points);
-        });
+    detail::repeat_by_mask(detail::graph_of(pmesh),
+                           np,
+                           linear_triangles(),
+                           [&](const auto& view, const auto&, const auto& ids, const auto& points) {
+                               detail::place_edges_and_vertices(view, mask, ids.vertices, points);
+                           });
 }
 
 /// The same for the dual split: CGAL's DQQMask_3, whose corner_node takes the half-edge to the corner in its face.
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void DQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
-    detail::repeat_by_mask(pmesh,
+    detail::repeat_by_mask(detail::graph_of(pmesh),
                            np,
                            doo_sabin{.boundary = doo_sabin_boundary::drop},
                            [&](const auto& view, const auto&, const auto& ids, const auto& points) {
@@ -154,7 +158,7 @@ void DQQ(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_value
 template <class Graph, class Mask, class Np = CGAL::parameters::Default_named_parameters>
 void Sqrt3(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_values())
 {
-    detail::repeat(pmesh, np, [&](const auto& vpm, int step) {
+    detail::repeat(detail::graph_of(pmesh), np, [&](const auto& vpm, int step) {
         const auto place = [&](const auto& view, const auto& mesh, const auto& ids, const auto& points) {
             const auto& numbers = ids.vertices;
             const level_of<std::remove_cvref_t<decltype(view)>> level(view);
@@ -180,7 +184,7 @@ void Sqrt3(Graph& pmesh, Mask mask, const Np& np = CGAL::parameters::default_val
                                      points[numbers.template id<tuple_kind::v>(end)]);
                 }
         };
-        detail::step_by_mask(pmesh, vpm, sqrt3(), step % 2, place);
+        detail::step_by_mask(detail::graph_of(pmesh), vpm, sqrt3(), step % 2, place);
     });
 }
 

@@ -16,10 +16,12 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace kith::cgal {
 
@@ -173,37 +175,63 @@ void put_point(Graph& g, const VertexPointMap& points, Vertex v, const Point& p)
 }
 
 /// Overwrites the graph with a refined mesh; point_of(i) is the point of vertex i. Returns its elements in that order.
+/// What fails does so before a Surface_mesh is changed, but for maps of the user's own.
 template <class Graph, class VertexPointMap, class Point, class Carried, class PointOf>
-auto write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, const Carried& carried,
+auto write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, Carried& carried,
            const PointOf& point_of)
 {
     const std::size_t first_new = fine.keeps_vertices ? num_vertices(g) : 0;
-    auto written = write_connectivity(g, fine.mesh.topology(), fine.keeps_vertices);
+    auto written = [&] {
+        if constexpr (surface_mesh_or_derived<Graph>) {
+            surface_mesh_writer<typename Graph::Point> writer(
+                g, fine.mesh.topology(), fine.keeps_vertices, not carried.empty());
+            if (not carried.empty()) {
+                carried.stage(g, writer.places());
+                carried.commit(writer.places());
+            }
+            return writer.commit();
+        } else {
+            auto result = write_connectivity(g, fine.mesh.topology(), fine.keeps_vertices);
+            carried.write(g);
+            return result;
+        }
+    }();
     clear_own_points(g, points, first_new);
-    carried.write(g);
     std::size_t i = 0;
     for (const auto v : written.vertices)
         put_point(g, points, v, point_of(i++));
     return written;
 }
 
-template <class Graph, scheme Scheme, class Np>
-void refine(Graph& g, Scheme& scheme, const Np& np)
+/// The graph that is refined: of a class derived from a Surface_mesh that one.
+template <class Graph>
+auto& graph_of(Graph& g)
+{
+    if constexpr (surface_mesh_or_derived<Graph>)
+        return static_cast<surface_mesh_of<Graph>&>(g);
+    else
+        return g;
+}
+
+template <class Graph, scheme Scheme, class Np, class... Argument>
+property_report refine(Graph& g, Scheme& scheme, const Np& np, const Argument&... arguments)
 {
     const int steps = steps_of(np);
     kith::detail::require_levels<Scheme>(steps);
-    if (steps == 0)
-        return;
+    if (steps == 0 or graph_calls::all_faces(g).begin() == graph_calls::all_faces(g).end())
+        return {};
     const auto points = points_of(g, np);
+    std::vector<std::uint32_t> joined;
     auto control = [&] {
         const face_graph view(std::as_const(g), points);
         auto lifted = lift_valid(view); // before all else, as it looks whether this is a mesh
         in_place::require_faces(view, lifted, scheme);
         if constexpr (scheme_with_creases<Scheme> and has_sharp_elements<Np>)
             read_creases(view, np, scheme.sharpness);
+        joined = view.joined();
         return lifted;
     }();
-    typename in_place::properties_of<Graph>::type carried(g);
+    typename in_place::properties_of<Graph, Argument...>::type carried(g, joined, arguments...);
     auto visitor = CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor);
     const auto go_on = [&](double done) {
         if constexpr (is_given<Np, CGAL::internal_np::visitor_t>)
@@ -213,12 +241,14 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
     };
     const auto fine = in_place::refine(std::move(control), scheme, steps, carried.values(), false, go_on);
     if (not fine)
-        return;
+        return {};
+    auto report = carried.report(numbering_of<Scheme, std::uint32_t>::has_edges); // before the mesh is changed
     [[maybe_unused]] const auto written = write(g, points, *fine, carried, [&](std::size_t v) {
         return face_graph<Graph, std::remove_const_t<decltype(points)>>::to_graph(fine->mesh.point(v));
     });
     if constexpr (scheme_with_creases<Scheme> and has_sharp_elements<Np>)
         write_creases(written, np, scheme.sharpness);
+    return report;
 }
 
 } // namespace detail
@@ -240,17 +270,24 @@ void refine(Graph& g, Scheme& scheme, const Np& np)
 ///                                   mesh stays
 ///
 /// Maps of creases that can be written then say how sharp the refined mesh is, so that it can be refined again.
-/// Errors: those of kith::refine; the mesh is as it was then. Cost: that of kith::refine.
-template <class Graph, scheme Scheme, class Np = CGAL::parameters::Default_named_parameters>
-void subdivision(Graph& pmesh, Scheme scheme, const Np& np = CGAL::parameters::default_values())
+/// More arguments say how property maps go: kith::by_rule<face, type>(name, rule), kith::value_types<type...>(). Maps of
+/// other types are copied from the parent on faces, edges and half-edges along old ones; old vertices keep their values.
+/// A mesh without faces stays as it is, and so do isolated vertices where old vertices stay.
+/// Returns which property maps were carried and which were left out, with the reason.
+/// Errors: those of kith::refine. After these, and when memory ends, a Surface_mesh is as it was, except where a copy of
+/// a value of a type that is not named, or a map of the user's own, fails at the very end. Cost: that of kith::refine.
+template <class Graph, scheme Scheme, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
+property_report subdivision(Graph& pmesh, Scheme scheme, const Np& np = CGAL::parameters::default_values(),
+                            const Argument&... arguments)
 {
     if constexpr (steps<Np>) {
-        detail::refine(pmesh, scheme, CGAL::parameters::number_of_iterations(np));
+        return detail::refine(
+            detail::graph_of(pmesh), scheme, CGAL::parameters::number_of_iterations(np), arguments...);
     } else {
         static_assert(scheme_with_creases<Scheme> or not detail::has_sharp_elements<Np>,
                       "kith::cgal: Catmull-Clark and Loop have creases, this scheme has none; leave out the maps of "
                       "constrained edges, constrained vertices and sharpness");
-        detail::refine(pmesh, scheme, np);
+        return detail::refine(detail::graph_of(pmesh), scheme, np, arguments...);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "face_graph.hpp"
 
+#include <kith/in_place/carried_properties.hpp>
 #include <kith/in_place/join_elements.hpp>
 
 #include <CGAL/Surface_mesh/Surface_mesh.h>
@@ -13,6 +14,9 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <new>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,42 +69,123 @@ void clear_vectors(Graph& g, std::size_t vertices_to_keep)
     clear(g.has_face_colors(), g.face_colors_pph(), 0);
 }
 
-/// As many descriptors as are asked for: of those that the graph has at most `kept`, while the others are removed, and
-/// new ones.
+/// As many elements as are asked for: of those that the graph has at most `kept`, and new ones. Until commit(), which
+/// removes the others, the graph has all of them; without it the new ones go again.
 template <class Descriptor, class Add, class Remove>
-void resize(std::vector<Descriptor>& all, std::size_t kept, std::size_t size, const Add& add, const Remove& remove)
-{
-    while (all.size() > std::min(kept, size)) {
-        remove(all.back());
-        all.pop_back();
+class resized_elements {
+public:
+    resized_elements(std::vector<Descriptor> all, std::size_t kept, std::size_t size, const Add& add,
+                     const Remove& remove)
+        : all_(std::move(all)), remove_(remove), kept_(std::min({all_.size(), kept, size}))
+    {
+        surplus_.assign(all_.begin() + std::ptrdiff_t(kept_), all_.end());
+        all_.resize(kept_);
+        all_.reserve(size);
+        try {
+            while (all_.size() < size)
+                all_.push_back(add());
+        } catch (...) {
+            remove_new();
+            throw;
+        }
     }
-    all.reserve(size);
-    while (all.size() < size)
-        all.push_back(add());
-}
+    resized_elements(const resized_elements&) = delete;
+    resized_elements& operator=(const resized_elements&) = delete;
+    ~resized_elements()
+    {
+        if (not is_committed_)
+            remove_new();
+    }
 
-/// Makes elements of those that were removed, so that no count or list of them is left. Clearing the mesh would do so,
-/// too, with all that property maps hold.
+    [[nodiscard]] const std::vector<Descriptor>& all() const { return all_; }
+    /// The elements, of which those that are not in all() go.
+    std::vector<Descriptor> commit()
+    {
+        is_committed_ = true;
+        for (; not surplus_.empty(); surplus_.pop_back())
+            remove_(surplus_.back());
+        return std::move(all_);
+    }
+
+private:
+    void remove_new()
+    {
+        for (; all_.size() > kept_; all_.pop_back())
+            remove_(all_.back());
+    }
+
+    std::vector<Descriptor> all_, surplus_;
+    Remove remove_;
+    std::size_t kept_;
+    bool is_committed_ = false;
+};
+
+/// Makes elements of those that were removed, so that no count or list of them is left; undo() removes them again.
 template <class Point>
-void take_back_removed(CGAL::Surface_mesh<Point>& m)
-{
-    const bool recycles = m.does_recycle_garbage();
-    m.set_recycle_garbage(true);
-    for (auto left = m.number_of_removed_vertices(); left > 0; --left)
-        m.add_vertex();
-    for (auto left = m.number_of_removed_edges(); left > 0; --left)
-        m.add_edge();
-    for (auto left = m.number_of_removed_faces(); left > 0; --left)
-        m.add_face();
-    m.set_recycle_garbage(recycles);
-}
+class taken_back_elements {
+    using mesh = CGAL::Surface_mesh<Point>;
+    using size = typename mesh::size_type;
+
+public:
+    explicit taken_back_elements(mesh& m)
+        : mesh_(&m)
+        , vertices_(removed<typename mesh::Vertex_index>(m, m.num_vertices(), m.number_of_removed_vertices()))
+        , edges_(removed<typename mesh::Edge_index>(m, m.num_edges(), m.number_of_removed_edges()))
+        , faces_(removed<typename mesh::Face_index>(m, m.num_faces(), m.number_of_removed_faces()))
+    {
+        const bool recycles = m.does_recycle_garbage();
+        m.set_recycle_garbage(true);
+        try {
+            while (m.number_of_removed_vertices() > 0)
+                m.add_vertex();
+            while (m.number_of_removed_edges() > 0)
+                m.add_edge();
+            while (m.number_of_removed_faces() > 0)
+                m.add_face();
+        } catch (...) {
+            m.set_recycle_garbage(recycles);
+            undo();
+            throw;
+        }
+        m.set_recycle_garbage(recycles);
+    }
+    void undo() noexcept
+    {
+        for (const auto v : vertices_)
+            if (not mesh_->is_removed(v))
+                mesh_->remove_vertex(v);
+        for (const auto e : edges_)
+            if (not mesh_->is_removed(e))
+                mesh_->remove_edge(e);
+        for (const auto f : faces_)
+            if (not mesh_->is_removed(f))
+                mesh_->remove_face(f);
+    }
+
+private:
+    template <class Handle>
+    static std::vector<Handle> removed(const mesh& m, size bound, size count)
+    {
+        std::vector<Handle> result;
+        for (size i = 0; count != 0 and i < bound; ++i)
+            if (m.is_removed(Handle(i)))
+                result.push_back(Handle(i));
+        return result;
+    }
+
+    mesh* mesh_;
+    std::vector<typename mesh::Vertex_index> vertices_;
+    std::vector<typename mesh::Edge_index> edges_;
+    std::vector<typename mesh::Face_index> faces_;
+};
 
 } // namespace detail
 
 /// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their
 /// order, those of vertices, edges and faces from 0 on, and new ones are added; where elements hold values, only
 /// those of vertices that are to keep them, and in a mesh of OpenMesh all other elements have T() or zero as new ones
-/// do, but that vectors in properties of the user's own may be open. Points are not written. Cost: O(elements).
+/// do, but that vectors in properties of the user's own may be open. Isolated vertices stay. Points are not written.
+/// If an element cannot be added the graph is as it was, but a mesh of OpenMesh. Cost: O(elements).
 template <class Graph>
 auto write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {
@@ -117,81 +202,169 @@ auto write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool kee
         g.resize(vertices_to_keep, 0, 0);
         g.resize(vertices_to_keep, t.edges(), t.faces);
     }
-    auto vertices = list(all_vertices(g));
-    auto edges = list(all_edges(g));
-    auto faces = list(all_faces(g));
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), kept = detail::has_items<Graph> ? 0 : all;
-    detail::resize(
-        vertices,
+    auto joined = list(all_vertices(g));
+    if constexpr (not detail::has_arrays<Graph>)
+        std::erase_if(joined, [&](auto v) { return is_alone(g, v); });
+    detail::resized_elements vertices(
+        std::move(joined),
         keeps_vertices ? all : kept,
         t.vertices,
         [&] { return add_vertex(g); },
         [&](auto v) { remove_vertex(v, g); });
-    detail::resize(edges, kept, t.edges(), [&] { return add_edge(g); }, [&](auto e) { remove_edge(e, g); });
-    detail::resize(faces, kept, t.faces, [&] { return add_face(g); }, [&](auto f) { remove_face(f, g); });
-
-    if constexpr (detail::has_arrays<Graph>)
-        detail::clear_vectors(g, vertices_to_keep);
+    detail::resized_elements edges(
+        list(all_edges(g)), kept, t.edges(), [&] { return add_edge(g); }, [&](auto e) { remove_edge(e, g); });
+    detail::resized_elements faces(
+        list(all_faces(g)), kept, t.faces, [&] { return add_face(g); }, [&](auto f) { remove_face(f, g); });
 
     std::vector<halfedge> halfedges;
-    halfedges.reserve(2 * edges.size());
-    for (const auto& e : edges) {
+    halfedges.reserve(2 * t.edges());
+    for (const auto& e : edges.all()) {
         const halfedge h = halfedge_at(g, e);
         halfedges.push_back(h);
         halfedges.push_back(opposite_of(g, h));
     }
     std::vector<std::uint32_t> leaving(t.vertices); // the half-edge without face that leaves a vertex
+    const auto new_vertices = vertices.commit();
+    const auto new_edges = edges.commit();
+    const auto new_faces = faces.commit();
+    if constexpr (detail::has_arrays<Graph>)
+        detail::clear_vectors(g, vertices_to_keep);
     for (std::size_t f = 0; f < t.faces; ++f) {
         const std::size_t first = t.first_corner(f), end = t.first_corner(f + 1);
         for (std::size_t c = first; c < end; ++c) {
             const std::size_t next = c + 1 == end ? first : c + 1;
             const std::uint32_t number = t.corner_halfedge[c], beyond = number ^ 1;
             const halfedge h = halfedges[number];
-            set_face(h, faces[f], g);
-            set_target(h, vertices[t.corner_vertex[next]], g);
+            set_face(h, new_faces[f], g);
+            set_target(h, new_vertices[t.corner_vertex[next]], g);
             set_next(h, halfedges[t.corner_halfedge[next]], g);
             if (t.halfedge_corner[beyond] == t.none) {
                 set_face(halfedges[beyond], traits::null_face(), g);
-                set_target(halfedges[beyond], vertices[t.corner_vertex[c]], g);
+                set_target(halfedges[beyond], new_vertices[t.corner_vertex[c]], g);
                 leaving[t.corner_vertex[next]] = beyond;
             }
         }
-        set_halfedge(faces[f], halfedges[t.corner_halfedge[first]], g);
+        set_halfedge(new_faces[f], halfedges[t.corner_halfedge[first]], g);
     }
     for (std::size_t c = 0; c < t.corners(); ++c)
         if (const std::uint32_t beyond = t.corner_halfedge[c] ^ 1; t.halfedge_corner[beyond] == t.none)
             set_next(halfedges[beyond], halfedges[leaving[t.corner_vertex[c]]], g);
     for (std::size_t v = 0; v < t.vertices; ++v) // CGAL's half-edge of a vertex comes in
-        set_halfedge(vertices[v], halfedges[t.corner_halfedge[t.vertex_corner[v]] ^ 1], g);
-    return written_elements{std::move(vertices), std::move(edges)};
+        set_halfedge(new_vertices[v], halfedges[t.corner_halfedge[t.vertex_corner[v]] ^ 1], g);
+    return written_elements{new_vertices, new_edges};
 }
 
-/// The same in bulk. Vertices keep their indices if they are to, and removed ones stay removed; edges and faces are
-/// numbered from 0 on. Property maps stay, with their defaults on all edges, half-edges, faces and new vertices.
+/// Overwrites a Surface_mesh in two parts: the constructor does all that can fail, commit() the rest. Without commit()
+/// the mesh is as it was. Vertices keep their indices if they are to; isolated ones stay then, and removed ones stay
+/// removed. Edges and faces are numbered from 0 on. Property maps stay, and get their values from
+/// `in_place::carried_properties`. Points are not written.
+template <class Point>
+class surface_mesh_writer {
+    using mesh = CGAL::Surface_mesh<Point>;
+    using vertex = typename mesh::Vertex_index;
+    using face = typename mesh::Face_index;
+    using size = typename mesh::size_type;
+    using traits = mesh_traits<mesh>;
+
+public:
+    /// With room for `staged_places`, or not. The arrays must outlive the writer. Cost: O(elements).
+    surface_mesh_writer(mesh& m, const connectivity<std::uint32_t>& t, bool keeps_vertices, bool stages_values)
+        : mesh_(&m)
+        , t_(&t)
+        , had_garbage_(m.has_garbage())
+        , old_{m.num_vertices(), m.num_edges(), m.num_faces(), nullptr, &t}
+        , joiner_(t)
+    {
+        if (keeps_vertices)
+            for (size v = 0; v < m.num_vertices(); ++v) {
+                if (m.is_removed(vertex(v)))
+                    removed_.push_back(vertex(v));
+                else if (not m.is_isolated(vertex(v)))
+                    numbers_.push_back(v);
+            }
+        const std::size_t joined = numbers_.size();
+        const std::size_t others = keeps_vertices ? old_.vertices - joined : 0; // those that stay without a face
+        for (std::size_t v = joined; v < t.vertices; ++v)
+            numbers_.push_back(std::uint32_t(v + others));
+        bound_ = t.vertices + others;
+        handles_.reserve(numbers_.size());
+        for (const std::uint32_t v : numbers_)
+            handles_.emplace_back(v);
+        old_.final_vertices = &numbers_;
+        const std::string mark = traits::odd_generation;
+        if (traits::generation(m) != 0)
+            odd_ = m.template add_property_map<face, bool>(mark).first;
+        // Without such values everything goes to its place at once.
+        const std::size_t stage = stages_values ? 1 : 0;
+        taken_back_.emplace(m);
+        try {
+            m.resize(size(std::max(stage * old_.vertices + t.vertices, std::max(bound_, old_.vertices))),
+                     size(std::max(stage * old_.edges + t.edges(), old_.edges)),
+                     size(std::max(stage * old_.faces + t.faces, old_.faces)));
+        } catch (...) {
+            undo();
+            throw;
+        }
+    }
+    surface_mesh_writer(const surface_mesh_writer&) = delete;
+    surface_mesh_writer& operator=(const surface_mesh_writer&) = delete;
+    ~surface_mesh_writer()
+    {
+        if (not is_committed_)
+            undo();
+    }
+
+    [[nodiscard]] const in_place::staged_places& places() const { return old_; }
+
+    /// Precondition: the values are in their final places. Returns the elements in the order of the arrays.
+    auto commit() noexcept
+    {
+        is_committed_ = true;
+        mesh& m = *mesh_;
+        m.resize(size(bound_), size(t_->edges()), size(t_->faces));
+        if (odd_)
+            m.remove_property_map(odd_);
+        for (const vertex v : removed_)
+            m.remove_vertex(v);
+        joiner_.template join<traits>(m, [&](std::size_t v) { return handles_[v]; });
+        if (had_garbage_ and removed_.empty())
+            forget_garbage();
+        return written_elements{std::move(handles_), m.edges()};
+    }
+
+private:
+    void undo() noexcept
+    {
+        mesh_->resize(size(old_.vertices), size(old_.edges), size(old_.faces));
+        taken_back_->undo();
+    }
+    /// There is none any more, which the mesh does not know. If this fails the mesh will look for it once more.
+    void forget_garbage() noexcept
+    {
+        try {
+            mesh_->collect_garbage();
+        } catch (const std::bad_alloc&) {
+        }
+    }
+
+    mesh* mesh_;
+    const connectivity<std::uint32_t>* t_;
+    bool had_garbage_, is_committed_ = false;
+    in_place::staged_places old_;
+    in_place::element_joiner joiner_;
+    std::vector<std::uint32_t> numbers_; ///< of the vertices
+    std::vector<vertex> handles_, removed_;
+    std::size_t bound_ = 0;
+    typename mesh::template Property_map<face, bool> odd_;
+    std::optional<detail::taken_back_elements<Point>> taken_back_;
+};
+
+/// The same without values. Cost: O(elements).
 template <class Point>
 auto write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {
-    using mesh = CGAL::Surface_mesh<Point>;
-    using vertex = typename mesh::Vertex_index;
-    using size = typename mesh::size_type;
-    std::vector<vertex> handles, removed;
-    if (keeps_vertices)
-        for (size v = 0; v < m.num_vertices(); ++v)
-            (m.is_removed(vertex(v)) ? removed : handles).push_back(vertex(v));
-    const std::size_t bound = handles.size() + removed.size();
-    for (std::size_t v = handles.size(); v < t.vertices; ++v)
-        handles.emplace_back(size(v + removed.size()));
-    const bool has_garbage = m.has_garbage();
-    detail::take_back_removed(m);
-    m.resize(size(bound), 0, 0);
-    m.resize(size(t.vertices + removed.size()), size(t.edges()), size(t.faces));
-    mesh_traits<mesh>::forget_generation(m);
-    for (const vertex v : removed)
-        m.remove_vertex(v);
-    in_place::join_elements(m, t, [&](std::size_t v) { return handles[v]; });
-    if (has_garbage and removed.empty())
-        m.collect_garbage(); // there is none any more, which it does not know yet
-    return written_elements{m.vertices(), m.edges()};
+    return surface_mesh_writer<Point>(m, t, keeps_vertices, false).commit();
 }
 
 } // namespace kith::cgal

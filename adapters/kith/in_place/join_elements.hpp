@@ -7,51 +7,78 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <vector>
 
 namespace kith::in_place {
 
-/// Joins the elements of a mesh that has as many edges and faces as these connectivity arrays and no others, none of
-/// them joined yet, by what its `mesh_traits` write: edge i and face i are those with that index, and handle_of(v) is
-/// the handle of vertex v. Cost: O(elements).
-template <fillable_mesh M, class HandleOf>
-void join_elements(M& mesh, const connectivity<std::uint32_t>& t, const HandleOf& handle_of)
+/// Calls body(begin, end) for all numbers below size, on threads if there is memory for what these need. The body
+/// writes; it may be called twice for a number, to the same effect.
+template <class Body>
+void for_parts_surely(std::size_t size, const Body& body) noexcept
 {
-    using traits = mesh_traits<M>;
-    using index = std::uint32_t;
-    const auto halfedge = [](std::size_t i) { return traits::template at<typename traits::halfedge>(i); };
-    const auto face = [](std::size_t i) { return traits::template at<typename traits::face>(i); };
-    detail::for_parts(t.vertices, true, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            traits::set_start(mesh, handle_of(v), halfedge(t.corner_halfedge[t.vertex_corner[v]]));
-    });
-    detail::for_parts(t.faces, true, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            const index first = t.first_corner(f), behind = t.first_corner(f + 1);
-            for (index c = first; c < behind; ++c) {
-                const index next = c + 1 == behind ? first : c + 1;
-                traits::set_side(mesh,
-                                 halfedge(t.corner_halfedge[c]),
-                                 face(f),
-                                 handle_of(t.corner_vertex[next]),
-                                 halfedge(t.corner_halfedge[next]));
-            }
-            traits::set_start(mesh, face(f), halfedge(t.corner_halfedge[first]), behind - first);
-        }
-    });
-
-    // Along the boundary the sides without a face run the other way.
-    std::vector<index> outer; // those sides
-    std::vector<index> leaving(t.vertices);
-    for (std::size_t e = 0; e < t.edges(); ++e)
-        if (const auto side = index(2 * e + 1); t.halfedge_corner[side] == t.none) {
-            outer.push_back(side);
-            leaving[t.ends(e)[1]] = side;
-        }
-    for (const index side : outer) {
-        const index to = t.ends(side / 2)[0]; // its edge is directed by the inner side
-        traits::set_boundary_side(mesh, halfedge(side), handle_of(to), halfedge(leaving[to]));
+    try {
+        kith::detail::for_parts(size, true, body);
+    } catch (const std::bad_alloc&) {
+        body(std::size_t(0), size);
     }
 }
+
+/// Joins the elements of a mesh by connectivity arrays, which must outlive it. The mesh has as many edges and faces as
+/// these and no others; edge i and face i are those with that index, and handle_of(v) is the handle of vertex v.
+class element_joiner {
+    using index = std::uint32_t;
+
+public:
+    /// Allocates what joining needs, so that join() cannot fail. Cost: O(elements).
+    explicit element_joiner(const connectivity<index>& t) : t_(&t)
+    {
+        // Along the boundary the sides without a face run the other way.
+        if (t.is_closed())
+            return;
+        leaving_.resize(t.vertices);
+        for (std::size_t e = 0; e < t.edges(); ++e)
+            if (const auto side = index(2 * e + 1); t.halfedge_corner[side] == t.none) {
+                outer_.push_back(side);
+                leaving_[t.ends(e)[1]] = side;
+            }
+    }
+
+    /// Precondition: no elements are joined. Cost: O(elements).
+    template <class Traits, class M, class HandleOf>
+    void join(M& mesh, const HandleOf& handle_of) const noexcept
+    {
+        const connectivity<index>& t = *t_;
+        const auto halfedge = [](std::size_t i) { return Traits::template at<typename Traits::halfedge>(i); };
+        const auto face = [](std::size_t i) { return Traits::template at<typename Traits::face>(i); };
+        for_parts_surely(t.vertices, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v)
+                Traits::set_start(mesh, handle_of(v), halfedge(t.corner_halfedge[t.vertex_corner[v]]));
+        });
+        for_parts_surely(t.faces, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+                const index first = t.first_corner(f), behind = t.first_corner(f + 1);
+                for (index c = first; c < behind; ++c) {
+                    const index next = c + 1 == behind ? first : c + 1;
+                    Traits::set_side(mesh,
+                                     halfedge(t.corner_halfedge[c]),
+                                     face(f),
+                                     handle_of(t.corner_vertex[next]),
+                                     halfedge(t.corner_halfedge[next]));
+                }
+                Traits::set_start(mesh, face(f), halfedge(t.corner_halfedge[first]), behind - first);
+            }
+        });
+        for (const index side : outer_) {
+            const index to = t.ends(side / 2)[0]; // its edge is directed by the inner side
+            Traits::set_boundary_side(mesh, halfedge(side), handle_of(to), halfedge(leaving_[to]));
+        }
+    }
+
+private:
+    const connectivity<index>* t_;
+    std::vector<index> outer_;   ///< the sides without a face
+    std::vector<index> leaving_; ///< the one that leaves a vertex
+};
 
 } // namespace kith::in_place

@@ -24,79 +24,81 @@ Scheme own_scheme()
 }
 
 /// A subdivider that starts with OpenMesh's options, or with those of kith for schemes that OpenMesh does not have.
-template <subdividable_mesh Mesh, scheme Scheme, Scheme (*Options)()>
-class subdivider_with : public subdivider<Mesh, Scheme> {
+template <subdividable_mesh Mesh, class RealType, scheme Scheme, Scheme (*Options)()>
+class subdivider_with : public subdivider<Mesh, Scheme, RealType> {
+    using base = subdivider<Mesh, Scheme, RealType>;
+
 public:
-    subdivider_with() : subdivider<Mesh, Scheme>(Options()) {}
-    explicit subdivider_with(Mesh& mesh) : subdivider<Mesh, Scheme>(mesh, Options()) {}
-    explicit subdivider_with(Scheme scheme) : subdivider<Mesh, Scheme>(std::move(scheme)) {}
+    subdivider_with() : base(Options()) {}
+    explicit subdivider_with(Mesh& mesh) : base(mesh, Options()) {}
+    explicit subdivider_with(Scheme scheme) : base(std::move(scheme)) {}
 };
 
-template <subdividable_mesh Mesh, scheme Scheme>
-using as_openmesh = subdivider_with<Mesh, Scheme, openmesh_scheme<Scheme>>;
-template <subdividable_mesh Mesh, scheme Scheme>
-using as_kith = subdivider_with<Mesh, Scheme, own_scheme<Scheme>>;
+template <subdividable_mesh Mesh, class RealType, scheme Scheme>
+using as_openmesh = subdivider_with<Mesh, RealType, Scheme, openmesh_scheme<Scheme>>;
+template <subdividable_mesh Mesh, class RealType, scheme Scheme>
+using as_kith = subdivider_with<Mesh, RealType, Scheme, own_scheme<Scheme>>;
 
 } // namespace detail
 
-// Named as OpenMesh's, so that it takes one line to go from one to the other. The type of real numbers, double there by
-// default, is that of the mesh here.
+// Named as OpenMesh's, so that it takes one line to go from one to the other. The second argument is that of
+// OpenMesh's base class; numbers are those of the mesh.
 // NOLINTBEGIN(readability-identifier-naming)
 
 /// OpenMesh::Subdivider::Uniform::LoopT, to the same surface, boundaries included.
 template <subdividable_mesh Mesh, class RealType = double>
-using LoopT = detail::as_openmesh<Mesh, loop>;
+using LoopT = detail::as_openmesh<Mesh, RealType, loop>;
 
 /// The same for CatmullClarkT. Where old points are not to be updated it is the linear split, as there.
 template <subdividable_mesh Mesh, class RealType = double>
-using CatmullClarkT = detail::as_openmesh<Mesh, catmull_clark>;
+using CatmullClarkT = detail::as_openmesh<Mesh, RealType, catmull_clark>;
 
 /// The same for Sqrt3T. Unlike there, old points that are not to be updated stay.
 template <subdividable_mesh Mesh, class RealType = double>
-using Sqrt3T = detail::as_openmesh<Mesh, sqrt3>;
+using Sqrt3T = detail::as_openmesh<Mesh, RealType, sqrt3>;
 
 /// The same for ModifiedButterflyT.
 template <subdividable_mesh Mesh, class RealType = double>
-using ModifiedButterflyT = detail::as_openmesh<Mesh, butterfly>;
+using ModifiedButterflyT = detail::as_openmesh<Mesh, RealType, butterfly>;
 
 /// The same for InterpolatingSqrt3LGT, on closed meshes; others are refused.
 template <subdividable_mesh Mesh, class RealType = double>
-using InterpolatingSqrt3LGT = detail::as_openmesh<Mesh, interpolatory_sqrt3>;
+using InterpolatingSqrt3LGT = detail::as_openmesh<Mesh, RealType, interpolatory_sqrt3>;
 
 /// The same for MidpointT, on closed meshes; from others, faces are not dropped at the boundary.
 template <subdividable_mesh Mesh, class RealType = double>
-using MidpointT = detail::as_openmesh<Mesh, mid_edge>;
+using MidpointT = detail::as_openmesh<Mesh, RealType, mid_edge>;
 
 // Schemes that OpenMesh does not have.
 
 /// Doo-Sabin, with the options of kith, as all below.
 template <subdividable_mesh Mesh, class RealType = double>
-using DooSabinT = detail::as_kith<Mesh, doo_sabin>;
+using DooSabinT = detail::as_kith<Mesh, RealType, doo_sabin>;
 
 /// Kobbelt's interpolating scheme; quads.
 template <subdividable_mesh Mesh, class RealType = double>
-using KobbeltT = detail::as_kith<Mesh, kobbelt>;
+using KobbeltT = detail::as_kith<Mesh, RealType, kobbelt>;
 
 /// Velho and Zorin's 4-8. Any mesh becomes a tri-quad mesh first, as by `tri_quad`, unless its triangles agree on their
 /// first edges, as they do after an earlier call; a TriMesh, too.
 template <subdividable_mesh Mesh, class RealType = double>
-using FourEightT = detail::as_kith<Mesh, four_eight>;
+using FourEightT = detail::as_kith<Mesh, RealType, four_eight>;
 
 /// Nasri and Hasbini's ternary scheme.
 template <subdividable_mesh Mesh, class RealType = double>
-using NasriHasbiniT = detail::as_kith<Mesh, nasri_hasbini>;
+using NasriHasbiniT = detail::as_kith<Mesh, RealType, nasri_hasbini>;
 
 /// Zorin and Schroeder's unified family; closed meshes. `scheme().degree` is its bidegree, 1 to 9.
 template <subdividable_mesh Mesh, class RealType = double>
-using UnifiedT = detail::as_kith<Mesh, unified>;
+using UnifiedT = detail::as_kith<Mesh, RealType, unified>;
 
 /// The linear split of polygons into quads.
 template <subdividable_mesh Mesh, class RealType = double>
-using LinearT = detail::as_kith<Mesh, linear>;
+using LinearT = detail::as_kith<Mesh, RealType, linear>;
 
 /// The linear split of triangles into triangles.
 template <subdividable_mesh Mesh, class RealType = double>
-using LinearTrianglesT = detail::as_kith<Mesh, linear_triangles>;
+using LinearTrianglesT = detail::as_kith<Mesh, RealType, linear_triangles>;
 
 // NOLINTEND(readability-identifier-naming)
 

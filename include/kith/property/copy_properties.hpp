@@ -21,10 +21,6 @@ namespace kith {
 
 /// What has become of the properties of a mesh that was converted, by the names they had there.
 struct conversion_report {
-    struct omission {
-        std::string name;
-        std::string why;
-    };
     std::vector<std::string> carried;
     /// Of those carried, and "points": whose values the new mesh cannot all hold exactly, such as doubles in floats.
     std::vector<std::string> narrowed;

@@ -4,7 +4,9 @@
 #include <kith/mesh/mesh_traits.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 namespace kith {
@@ -41,12 +43,51 @@ namespace kith {
 ///
 ///   names_of_whole(mesh)               their names
 ///   copy_of_whole(from, to, copied)    copies them, adds their names, and returns those of what it does not know
+///
+/// and where values of types that are not named can be copied inside a mesh whose handles are numbers:
+///
+///   other_properties<Handle>(mesh, known)
+///                                      std::vector<any_property>: all properties on elements with such handles, but
+///                                      the known ones and those of the library itself
 template <class M>
 struct property_access;
+
+/// A property that was left out, and the reason with the remedy.
+struct omission {
+    std::string name;
+    std::string why;
+};
+
+namespace detail {
+
+/// A property whose values were read by their type.
+struct known_property {
+    std::string name;
+    std::type_index type;
+    const void* array; ///< where its library has it, if that matters
+};
+
+/// A property of any type, by what its library does with it. Elements are given by the numbers of their handles.
+struct any_property {
+    std::string name;
+    void* array;
+    void (*copy)(void* array, std::size_t from, std::size_t to);
+    void (*swap)(void* array, std::size_t a, std::size_t b);
+};
+
+} // namespace detail
 
 /// A mesh whose properties have names.
 template <class M>
 concept mesh_with_properties = mesh<M> and requires { typename property_access<M>::value_types; };
+
+/// A mesh that can copy values of any type from one of its elements to another.
+template <class M>
+concept mesh_with_other_properties = mesh_with_properties<M> and
+                                     requires(M& mesh, const std::vector<detail::known_property>& known) {
+                                         property_access<M>::template other_properties<typename mesh_traits<M>::face>(
+                                             mesh, known);
+                                     };
 
 namespace detail {
 

@@ -3,6 +3,7 @@
 
 #include "averaged_value.hpp"
 #include "property_access.hpp"
+#include "stored_values.hpp"
 #include "unset_values.hpp"
 
 #include <kith/base/storage.hpp>
@@ -11,73 +12,17 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <typeindex>
+#include <utility>
 #include <vector>
 
 namespace kith::detail {
-
-/// What elements have from one element of the control mesh each, of any type.
-struct inherited_values {
-    virtual ~inherited_values() = default;
-};
-template <class T>
-struct inherited_values_of final : inherited_values {
-    explicit inherited_values_of(const T& unset) : nothing(unset) {}
-
-    T nothing; ///< which elements have that inherit nothing
-    std::vector<T> values;
-};
-
-template <class T, class From, class Handle>
-std::unique_ptr<const inherited_values> load_inherited(const From& from, const std::vector<Handle>& handles,
-                                                       const T& nothing)
-{
-    auto* const result = new inherited_values_of<T>(nothing);
-    std::unique_ptr<const inherited_values> owned(result);
-    result->values.reserve(handles.size());
-    for (const Handle x : handles)
-        result->values.push_back(from[x]);
-    return owned;
-}
-/// heirs: one more than the number of the element that each has its value from, 0 for those that inherit nothing.
-template <class T, class To, class Handle>
-void store_inherited(To to, const std::vector<Handle>& handles, const inherited_values_of<T>& all,
-                     std::span<const std::uint32_t> heirs)
-{
-    for (std::size_t i = 0; i < handles.size(); ++i)
-        to[handles[i]] = heirs[i] == 0 ? all.nothing : T(all.values[heirs[i] - 1]);
-}
-
-/// Half-edges that no face has inherit nothing.
-template <class Handle, mesh M, class T, class To>
-void store_beside_faces(const M& mesh, To& to, const T& nothing)
-{
-    using traits = mesh_traits<M>;
-    if constexpr (std::same_as<Handle, typename traits::halfedge>)
-        for (const auto e : traits::edges(mesh))
-            for (const Handle h : {traits::halfedge_of(mesh, e), traits::opposite(mesh, traits::halfedge_of(mesh, e))})
-                if (traits::is_boundary(mesh, h))
-                    to[h] = nothing;
-}
-
-template <class Number, class T, class From, class Handle>
-storage<four_numbers<Number>> load_averaged(const From& from, const std::vector<Handle>& handles)
-{
-    storage<four_numbers<Number>> result(handles.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = averaged_value<T>::template load<Number>(from[handles[i]]);
-    return result;
-}
-template <class Number, class T, class To, class Handle>
-void store_averaged(To to, const std::vector<Handle>& handles, std::span<const four_numbers<Number>> values)
-{
-    for (std::size_t i = 0; i < handles.size(); ++i)
-        to[handles[i]] = averaged_value<T>::template store<Number>(values[i]);
-}
 
 /// Whether there are means of values on elements with such handles: at vertices and at corners.
 template <class Handle, mesh M>
@@ -98,17 +43,20 @@ public:
 
     struct averaged {
         std::string name;
+        std::type_index type;
         bool is_unnamed;
         storage<coordinates> values;
         coordinates nothing; ///< which elements have that inherit nothing
-        void (*write)(M&, const averaged&, const std::vector<Handle>&, std::span<const coordinates>);
+        std::unique_ptr<value_exchange> (*write)(M&, const averaged&, const written_places<Handle>&,
+                                                 std::span<const coordinates>);
     };
     struct inherited {
         std::string name;
+        std::type_index type;
         bool is_unnamed;
-        std::unique_ptr<const inherited_values> values;
-        void (*write)(M&, const std::string& name, const std::vector<Handle>&, const inherited_values&,
-                      std::span<const std::uint32_t> heirs);
+        std::unique_ptr<inherited_values> values;
+        std::unique_ptr<value_exchange> (*write)(M&, const std::string& name, const written_places<Handle>&,
+                                                 const inherited_values&, std::span<const std::uint32_t> heirs);
     };
 
     /// Cost: O(elements) per property.
@@ -141,10 +89,57 @@ public:
     }
 
     [[nodiscard]] const std::vector<averaged>& means() const { return means_; }
-    [[nodiscard]] bool has_heirs() const { return not heirs_.empty(); }
+    [[nodiscard]] bool has_heirs() const { return not heirs_.empty() or has_others_; }
+    /// Says that own_heirs() is needed for properties that are not here.
+    void expect_others() { has_others_ = true; }
+    /// The elements of the control mesh, by number.
+    [[nodiscard]] const std::vector<Handle>& handles() const { return handles_; }
     /// The names of the properties that are here, and of those that are not: of other types, or made of the points.
     [[nodiscard]] const std::vector<std::string>& known() const { return known_; }
     [[nodiscard]] const std::vector<std::string>& unknown() const { return unknown_; }
+    /// The properties that are here, as their library knows them.
+    [[nodiscard]] const std::vector<known_property>& found() const { return found_; }
+
+    /// Takes the properties of others of the same mesh, too.
+    void add(property_values&& more)
+    {
+        const auto append = [](auto& to, auto& from) {
+            to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+        };
+        append(means_, more.means_);
+        append(heirs_, more.heirs_);
+        append(known_, more.known_);
+        append(found_, more.found_);
+    }
+    /// Forgets a property; `type` as in found(). Returns whether there was one.
+    bool leave_out(const std::string& name, std::type_index type)
+    {
+        const auto is_it = [&](const auto& each) { return each.name == name and each.type == type; };
+        std::erase_if(means_, is_it);
+        std::erase_if(heirs_, is_it);
+        if (std::ranges::none_of(found_, is_it))
+            return false;
+        known_.erase(std::ranges::find(known_, name));
+        return true;
+    }
+    /// Drops the values of all elements but these, whose numbers ascend.
+    void keep(std::span<const std::uint32_t> elements)
+    {
+        const auto keep_in = [&](auto& values) {
+            for (std::size_t i = 0; i < elements.size(); ++i)
+                values[i] = values[elements[i]];
+        };
+        keep_in(handles_);
+        handles_.resize(elements.size());
+        for (averaged& each : means_) {
+            storage<coordinates> kept(elements.size());
+            for (std::size_t i = 0; i < kept.size(); ++i)
+                kept[i] = each.values[elements[i]];
+            each.values = std::move(kept);
+        }
+        for (inherited& each : heirs_)
+            each.values->keep(elements);
+    }
 
     /// Those without a name of their own become unknown ones: in another mesh that name may stand for anything.
     void leave_out_unnamed()
@@ -168,17 +163,24 @@ public:
             result[i] = std::uint32_t(i + 1);
         return result;
     }
+    /// Writes to places of a mesh what they inherit; `swaps` gets how values there are exchanged with others.
+    void write_heirs(M& fine, const written_places<Handle>& places, std::span<const std::uint32_t> heirs,
+                     std::vector<std::unique_ptr<value_exchange>>* swaps = nullptr) const
+    {
+        for (const auto& each : heirs_) {
+            auto swap = each.write(fine, each.name, places, *each.values, heirs);
+            if (swaps != nullptr)
+                swaps->push_back(std::move(swap));
+        }
+    }
     void write_heirs(M& fine, std::span<const std::uint32_t> heirs) const
     {
-        if (not has_heirs())
-            return;
-        const auto handles = handles_of<Handle>(fine);
-        for (const auto& each : heirs_)
-            each.write(fine, each.name, handles, *each.values, heirs);
+        if (not heirs_.empty())
+            write_heirs(fine, places_in<Handle>(fine), heirs);
     }
     static void write_mean(M& fine, const averaged& mean, std::span<const coordinates> values)
     {
-        mean.write(fine, mean, handles_of<Handle>(fine), values);
+        mean.write(fine, mean, places_in<Handle>(fine), values);
     }
 
 private:
@@ -198,42 +200,61 @@ private:
         if (not from)
             return;
         read_so_far.push_back(type);
+        found_.push_back({name, type, nullptr});
+        if constexpr (requires { from.array(); })
+            found_.back().array = from.array();
         const T nothing = unset.template of<Handle, T>(name);
         if constexpr (has_means<Handle, M> and can_be_averaged<T>)
             means_.push_back({name,
+                              type,
                               detail::is_unnamed<M, T>(name),
                               load_averaged<number, T>(from, handles_),
                               averaged_value<T>::template load<number>(nothing),
                               &write_averaged<T>});
         else
             heirs_.push_back({name,
+                              type,
                               detail::is_unnamed<M, T>(name),
                               load_inherited<T>(from, handles_, nothing),
                               &write_inherited<T>});
     }
     template <class T>
-    static void write_averaged(M& fine, const averaged& mean, const std::vector<Handle>& handles,
-                               std::span<const coordinates> values)
+    static std::unique_ptr<value_exchange> write_averaged(M& fine, const averaged& mean,
+                                                          const written_places<Handle>& places,
+                                                          std::span<const coordinates> values)
     {
         const T nothing = averaged_value<T>::template store<number>(mean.nothing);
         auto to = add_unset<Handle>(fine, mean.name, nothing);
-        store_averaged<number, T>(to, handles, values);
-        store_beside_faces<Handle>(fine, to, nothing);
+        store_averaged<number, T>(to, places.elements, values);
+        store_nothing(to, places.beside_faces, nothing);
+        return exchange_of<T>(to);
     }
     template <class T>
-    static void write_inherited(M& fine, const std::string& name, const std::vector<Handle>& handles,
-                                const inherited_values& values, std::span<const std::uint32_t> heirs)
+    static std::unique_ptr<value_exchange>
+    write_inherited(M& fine, const std::string& name, const written_places<Handle>& places,
+                    const inherited_values& values, std::span<const std::uint32_t> heirs)
     {
         const auto& all = static_cast<const inherited_values_of<T>&>(values);
         auto to = add_unset<Handle>(fine, name, all.nothing);
-        store_inherited<T>(to, handles, all, heirs);
-        store_beside_faces<Handle>(fine, to, all.nothing);
+        store_inherited<T>(to, places.elements, all, heirs);
+        store_nothing(to, places.beside_faces, all.nothing);
+        return exchange_of<T>(to);
+    }
+    template <class T, class To>
+    static std::unique_ptr<value_exchange> exchange_of(To to)
+    {
+        if constexpr (mesh_with_other_properties<M>)
+            return std::make_unique<value_exchange_in<M, Handle, T, To>>(to);
+        else
+            return nullptr;
     }
 
     std::vector<Handle> handles_;
     std::vector<averaged> means_;
     std::vector<inherited> heirs_;
     std::vector<std::string> known_, unknown_;
+    std::vector<known_property> found_;
+    bool has_others_ = false;
 };
 
 } // namespace kith::detail
