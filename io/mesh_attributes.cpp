@@ -45,7 +45,10 @@ std::vector<const attribute*> find_all(const std::vector<attribute>& attributes,
     return result;
 }
 
-std::string topic_of(std::string_view name, std::string_view elements)
+namespace {
+
+/// Returns the topic of a name that all formats share, or nothing.
+std::string shared_topic_of(std::string_view name)
 {
     const auto shared = shared_name(name);
     const auto is_one_of = [&](const auto& names) { return std::ranges::find(names, shared) != std::end(names); };
@@ -53,11 +56,33 @@ std::string topic_of(std::string_view name, std::string_view elements)
         return "normals";
     if (is_one_of(color_names))
         return "colours";
-    if (is_one_of(texture_names) or shared == "texcoord" or shared == "texnumber")
+    if (is_one_of(texture_names) or shared == "texcoord")
         return "texture coordinates";
+    if (shared == "texnumber")
+        return "texture numbers";
     if (is_one_of(label_names))
         return std::string(shared) + "s";
-    return "the property '" + shown(name) + "' of " + std::string(elements);
+    return {};
+}
+
+} // namespace
+
+std::string topic_of(std::string_view name)
+{
+    const std::string topic = shared_topic_of(name);
+    return topic.empty() ? "the property '" + shown(name) + "'" : topic;
+}
+
+std::string topic_of(std::string_view name, std::string_view elements)
+{
+    const std::string topic = shared_topic_of(name);
+    return topic.empty() ? topic_of(name) + " of " + std::string(elements) : topic;
+}
+
+bool is_zero_without_value(const attribute& a)
+{
+    const std::string topic = shared_topic_of(a.name);
+    return topic == "normals" or topic == "colours" or topic == "texture coordinates";
 }
 
 bool take_odd_generation(mesh_attributes& attributes)

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,6 +75,7 @@ class referred_lines {
 public:
     explicit referred_lines(const char* name) : name_(name) {}
 
+    [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] std::size_t size() const { return lines_.size(); }
     void read_line(cursor& text)
     {
@@ -95,22 +97,29 @@ public:
     {
         if (index == 0 or index < -std::ptrdiff_t(size()))
             text.refuse(complaint(face, index) + " so far; correct the index");
-        if (index > largest_) {
-            largest_ = index;
-            if (std::size_t(index) > size()) { // may come later
-                face_of_largest_ = face;
-                text_at_largest_ = text;
-            }
-        }
         of_corner_.resize(corner, none);
         of_corner_.push_back(std::size_t(index > 0 ? index - 1 : std::ptrdiff_t(size()) + index));
     }
-    void require_there() const
+    /// Forgets all references where the file has no line at all, so that nothing is lost. Whether there were any.
+    bool forget_if_empty()
     {
-        if (std::size_t(largest_) > size())
-            text_at_largest_.refuse(complaint(face_of_largest_, largest_) + "; correct the index");
+        const bool is_forgotten = lines_.empty() and not of_corner_.empty();
+        if (is_forgotten)
+            of_corner_.clear();
+        return is_forgotten;
     }
-    /// Makes attributes of the numbers. Precondition: require_there.
+    /// The first corner whose line does not exist.
+    [[nodiscard]] std::optional<std::size_t> first_without_line() const
+    {
+        const auto found = std::ranges::find_if(of_corner_,
+                                                [&](std::size_t line) { return line != none and line >= size(); });
+        return found == of_corner_.end() ? std::nullopt : std::optional(std::size_t(found - of_corner_.begin()));
+    }
+    [[nodiscard]] std::string complaint_of(std::size_t corner, std::size_t face) const
+    {
+        return complaint(face, std::ptrdiff_t(of_corner_[corner]) + 1);
+    }
+    /// Makes attributes of the numbers. Precondition: no first_without_line.
     [[nodiscard]] std::vector<attribute> at_corners(std::size_t corners, std::span<const std::string_view> names,
                                                     std::size_t least_numbers) const
     {
@@ -146,9 +155,6 @@ private:
     std::vector<std::array<double, 3>> lines_;
     std::vector<std::size_t> of_corner_; ///< up to the last corner that has one
     std::size_t most_numbers_ = 0;
-    std::ptrdiff_t largest_ = 0;
-    std::size_t face_of_largest_ = 0;
-    cursor text_at_largest_{{}};
 };
 
 /// Words that hold for all faces up to the next ones.
@@ -186,7 +192,7 @@ private:
 
 class obj_reader {
 public:
-    explicit obj_reader(std::string_view bytes) : text_(bytes) { soup_.first_number = 1; }
+    explicit obj_reader(std::string_view bytes) : bytes_(bytes), text_(bytes) { soup_.first_number = 1; }
 
     polygon_soup read()
     {
@@ -207,16 +213,12 @@ public:
             else if (not read_label(statement))
                 leave_aside(statement);
         }
-        if (std::size_t(largest_index_) > soup_.points.size())
-            throw file_error("line " + std::to_string(text_at_largest_.line()) + ": face " +
-                             std::to_string(face_of_largest_) + ": vertex " + std::to_string(largest_index_) +
-                             " does not exist, there are " + std::to_string(soup_.points.size()) +
-                             "; correct the index");
+        require_vertices();
         if (soup_.points.empty() or soup_.faces.size() == 0)
             throw file_error("the file has " + counted(soup_.points.size(), "vertex") + " and " +
                              counted(soup_.faces.size(), "face") + "; nothing can be refined");
-        textures_.require_there();
-        normals_.require_there();
+        for (referred_lines* lines : {&textures_, &normals_})
+            require_lines(*lines);
         take_attributes();
         return std::move(soup_);
     }
@@ -264,16 +266,47 @@ private:
                              std::to_string(vertices) + " so far; correct the index");
             if (slash != word.npos)
                 read_references(word.substr(slash + 1));
-            if (index > largest_index_) {
-                largest_index_ = index;
-                if (std::size_t(index) > vertices) { // may come later
-                    face_of_largest_ = soup_.faces.size() + 1;
-                    text_at_largest_ = text_;
-                }
-            }
             soup_.faces.vertices.push_back(std::size_t(index > 0 ? index - 1 : std::ptrdiff_t(vertices) + index));
         }
         soup_.faces.first.push_back(soup_.faces.vertices.size());
+    }
+    /// Refuses the first face that has a corner without a vertex: those may come behind the faces.
+    void require_vertices() const
+    {
+        const auto& vertices = soup_.faces.vertices;
+        const auto found = std::ranges::find_if(vertices, [&](std::size_t v) { return v >= soup_.points.size(); });
+        if (found == vertices.end())
+            return;
+        const std::size_t face = face_of(std::size_t(found - vertices.begin()));
+        refuse_face(face,
+                    "face " + std::to_string(face) + ": vertex " + std::to_string(*found + 1) +
+                        " does not exist, there are " + std::to_string(soup_.points.size()));
+    }
+    /// Refuses the first face that has a corner without its line. Where there are no such lines at all, the references
+    /// are left out, which is noted: some programs leave out the normals and not the references.
+    void require_lines(referred_lines& lines)
+    {
+        if (lines.forget_if_empty())
+            soup_.notes.push_back("faces refer to " + lines.name() +
+                                  "s, and the file has none; the references are left out");
+        else if (const auto corner = lines.first_without_line()) {
+            const std::size_t face = face_of(*corner);
+            refuse_face(face, lines.complaint_of(*corner, face));
+        }
+    }
+    /// The face of a corner, from 1.
+    [[nodiscard]] std::size_t face_of(std::size_t corner) const
+    {
+        return std::size_t(std::ranges::upper_bound(soup_.faces.first, corner) - soup_.faces.first.begin());
+    }
+    /// Complains in the line of a face, which is looked for in the whole text.
+    [[noreturn]] void refuse_face(std::size_t face, const std::string& complaint) const
+    {
+        cursor text(bytes_);
+        for (std::size_t faces = 0; text.to_content(); text.skip_line())
+            if (text.word() == "f" and ++faces == face)
+                break;
+        text.refuse(complaint + "; correct the index");
     }
     /// What stands behind the first slash: `t`, `/n` or `t/n`.
     void read_references(std::string_view rest)
@@ -371,14 +404,12 @@ private:
             soup_.not_kept.emplace_back(what);
     }
 
+    std::string_view bytes_;
     cursor text_;
-    cursor text_at_largest_ = text_;
     polygon_soup soup_;
     referred_lines textures_{"texture coordinate"}, normals_{"normal"};
     std::array<face_labels, label_statements.size()> labels_; ///< as label_statements
     std::vector<std::array<double, 4>> colors_;               ///< up to the last vertex that has one
-    std::ptrdiff_t largest_index_ = 0;
-    std::size_t face_of_largest_ = 0;
 };
 
 } // namespace

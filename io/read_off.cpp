@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,9 +21,11 @@ namespace {
 
 using cursor = text_cursor<text_kind::with_comments>;
 
-/// What the letters before OFF say: [ST][C][N][4][n]OFF.
+/// The prefix of the keyword: [ST][C][N][4][n]OFF in any order, as programs do not agree on one.
 struct off_keyword {
     bool texture = false, color = false, normal = false, homogeneous = false;
+    bool has_dimension = false;  ///< the number of coordinates stands behind the keyword
+    bool color_is_first = false; ///< the letter N stands before C: MeshLab, which writes colours before normals
 
     [[nodiscard]] int coordinates() const { return homogeneous ? 4 : 3; }
     [[nodiscard]] int numbers() const { return coordinates() + (normal ? 3 : 0) + (color ? 4 : 0) + (texture ? 2 : 0); }
@@ -30,72 +33,145 @@ struct off_keyword {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Colors of some elements, three or four numbers each.
+/// A number of a file, and whether it is written with a point or an exponent.
+struct off_number {
+    double value = 0;
+    bool has_point = false;
+};
+using off_numbers = std::span<const off_number>;
+
+bool is_byte(double x)
+{
+    return x == std::floor(x) and x >= 0 and x <= 255;
+}
+bool is_share(double x)
+{
+    return x >= 0 and x <= 1;
+}
+bool is_larger_than_one(const off_number& x)
+{
+    return x.value > 1;
+}
+
+/// Colours of some elements, three or four numbers each. Each colour is of its own kind: whole numbers from 0 to 255, or
+/// numbers from 0 to 1, which have a point.
 class colors {
 public:
-    void add(std::size_t element, std::span<const double> color)
+    void add(std::size_t element, off_numbers color)
     {
+        kinds_.resize(element, kind::none);
         values_.resize(4 * element, no_number);
-        values_.insert(values_.end(), color.begin(), color.end());
-        values_.resize(4 * element + 4, no_number);
+        const auto rgb = color.first(3);
+        const bool are_bytes = std::ranges::all_of(rgb, is_byte, &off_number::value);
+        kind of_color = are_bytes and std::ranges::any_of(rgb, is_larger_than_one)        ? kind::bytes
+                        : are_bytes and std::ranges::none_of(rgb, &off_number::has_point) ? kind::zeros_and_ones
+                                                                                          : kind::shares;
+        double alpha = color.size() == 4 ? color[3].value : no_number;
+        if (of_color == kind::zeros_and_ones and alpha > 1 and is_byte(alpha))
+            of_color = kind::bytes;
+        const bool is_share_beside_bytes = of_color == kind::bytes and color.size() == 4 and color[3].has_point and
+                                           is_share(alpha);
+        const double unit = is_share_beside_bytes ? 255 : 1;
+        if (is_share_beside_bytes)
+            of_color = kind::shares;
+        else if (of_color == kind::shares and alpha > 1 and is_byte(alpha))
+            alpha /= 255;
+        for (const off_number& x : rgb)
+            values_.push_back(x.value / unit);
+        values_.push_back(alpha);
+        kinds_.push_back(of_color);
         has_alpha_ |= color.size() == 4;
     }
-    /// The attributes. Whole numbers up to 255, of which some are larger than 1, are bytes; all others go from 0 to 1.
+    /// Appends the attributes: bytes if all colours are, else shares of 1. A colour of zeros and ones is of the kind of
+    /// the others.
     void give(std::vector<attribute>& attributes, std::size_t elements)
     {
-        if (values_.empty())
+        if (kinds_.empty())
             return;
+        kinds_.resize(elements, kind::none);
         values_.resize(4 * elements, no_number);
-        const auto is_byte = [](double x) { return std::isnan(x) or (x == std::floor(x) and x >= 0 and x <= 255); };
-        const bool in_bytes = std::ranges::all_of(values_, is_byte) and
-                              std::ranges::any_of(values_, [](double x) { return x > 1; });
+        const bool some_are_bytes = std::ranges::find(kinds_, kind::bytes) != kinds_.end();
+        const bool all_are_bytes = some_are_bytes and std::ranges::find(kinds_, kind::shares) == kinds_.end();
         const std::size_t first = attributes.size();
         for (std::size_t i = 0; i < (has_alpha_ ? 4 : 3); ++i) {
             attributes.emplace_back().name = color_names[i];
-            if (in_bytes)
+            if (all_are_bytes)
                 attributes.back().type = {1, false, false};
             for (std::size_t element = 0; element < elements; ++element) {
-                const double x = values_[4 * element + i];
-                const bool is_opaque = i == 3 and std::isnan(x) and not std::isnan(values_[4 * element]);
-                attributes[first + i].values.push_back(not is_opaque ? x : in_bytes ? 255 : 1);
+                const kind of_color = kinds_[element];
+                const bool is_in_bytes = of_color == kind::bytes or
+                                         (of_color == kind::zeros_and_ones and some_are_bytes);
+                const double full = is_in_bytes ? 255 : 1, x = values_[4 * element + i];
+                const bool is_opaque = i == 3 and std::isnan(x) and of_color != kind::none;
+                attributes[first + i].values.push_back((is_opaque ? full : x) / (all_are_bytes ? 1 : full));
             }
         }
     }
 
 private:
-    std::vector<double> values_; ///< four per element, up to the last that has a color
+    enum class kind : unsigned char { none, bytes, shares, zeros_and_ones };
+
+    std::vector<kind> kinds_;    ///< up to the last element that has a colour
+    std::vector<double> values_; ///< four per element
     bool has_alpha_ = false;
 };
 
 /// A vertex has four coordinates, a normal, a color of four and a texture coordinate of three numbers at most.
 constexpr int most_numbers = 15;
 
+/// The numbers of a vertex behind its coordinates.
+struct vertex_numbers {
+    std::array<off_number, most_numbers> numbers{};
+    std::size_t count = 0;
+
+    [[nodiscard]] off_numbers all() const { return std::span(numbers).first(count); }
+};
+
+bool is_plausible_color(off_numbers color)
+{
+    return std::ranges::all_of(color, is_share, &off_number::value) or
+           std::ranges::all_of(color, is_byte, &off_number::value);
+}
+/// Whether the vector has length 1, or 0 where a vertex has no normal.
+bool is_plausible_normal(off_numbers n)
+{
+    constexpr double tolerance = 0.02; // programs write few digits
+    const double square = n[0].value * n[0].value + n[1].value * n[1].value + n[2].value * n[2].value;
+    return square == 0 or std::abs(square - 1) < tolerance;
+}
+
 off_keyword read_keyword(cursor& text)
 {
     const std::string_view keyword = text.word();
+    const auto refuse = [&] {
+        text.refuse("an OFF file begins with the word OFF, this one with '" + shown(keyword) + "'");
+    };
     std::string capitals(keyword.substr(0, 16)); // some programs write the word in small letters
     std::ranges::transform(capitals, capitals.begin(), [](char c) { return c >= 'a' and c <= 'z' ? char(c - 32) : c; });
-    std::string_view word = capitals;
-    const auto take = [&](std::string_view prefix) {
-        const bool there = word.starts_with(prefix);
-        word.remove_prefix(there ? prefix.size() : 0);
-        return there;
-    };
+    if (keyword.size() > 16 or not capitals.ends_with("OFF"))
+        refuse();
+    const bool is_small = keyword.ends_with("off"); // so n may be N in small letters
     off_keyword result;
-    result.texture = take("ST");
-    result.color = take("C");
-    result.normal = keyword != "nOFF" and take("N");
-    result.homogeneous = take("4");
-    if (word == "NOFF")
-        text.refuse("'" + std::string(keyword) + "' has another number of coordinates than three; write it as OFF");
-    if (word != "OFF" or keyword.size() > 16)
-        text.refuse("an OFF file begins with the word OFF, this one with '" + shown(keyword) + "'");
+    for (std::size_t at = 0; at != keyword.size() - 3;) {
+        const std::string_view rest = std::string_view(capitals).substr(at);
+        bool* const is_there = rest.starts_with("ST")                ? &result.texture
+                               : rest[0] == 'C'                      ? &result.color
+                               : rest[0] == '4'                      ? &result.homogeneous
+                               : keyword[at] == 'n' and not is_small ? &result.has_dimension
+                               : rest[0] == 'N'                      ? &result.normal
+                                                                     : nullptr;
+        if (is_there == nullptr or *is_there)
+            refuse();
+        *is_there = true;
+        result.color_is_first |= result.normal and not result.color;
+        at += is_there == &result.texture ? 2 : 1;
+    }
     return result;
 }
 
 class off_reader {
 public:
-    explicit off_reader(std::string_view bytes) : text_(bytes) {}
+    explicit off_reader(std::string_view bytes) : bytes_(bytes), text_(bytes) {}
 
     polygon_soup read()
     {
@@ -106,6 +182,8 @@ public:
         soup_.faces.first.reserve(faces_ + 1);
         soup_.faces.vertices.reserve(std::min(3 * faces_, text_.left() / 2));
         in_lines_ = lines_hold_elements();
+        if (keyword_.color and keyword_.normal)
+            find_order();
         for (std::size_t v = 0; v < vertices_; ++v)
             read_vertex(v);
         for (std::size_t f = 0; f < faces_; ++f)
@@ -133,6 +211,8 @@ private:
         if (cursor ahead = text_; ahead.word() == "BINARY")
             text_.refuse_here(
                 "binary OFF is not read, as programs do not agree on its byte order; save it as text or as PLY");
+        if (keyword_.has_dimension)
+            read_dimension();
         vertices_ = text_.whole<std::size_t>([] { return std::string("the number of vertices"); });
         faces_ = text_.whole<std::size_t>([] { return std::string("the number of faces"); });
         if (not text_.at_line_end())
@@ -142,6 +222,41 @@ private:
         if (vertices_ > room / 6 or faces_ > (room - 6 * vertices_) / 2)
             text_.refuse("the file is too short for " + counted(vertices_, "vertex") + " and " +
                          counted(faces_, "face"));
+    }
+    /// Reads the number of coordinates, without a homogeneous one, that nOFF gives.
+    void read_dimension()
+    {
+        const auto dimension = text_.whole<std::size_t>([] { return std::string("the number of coordinates"); });
+        if (dimension != 3)
+            text_.refuse("vertices have " + counted(dimension, "coordinate") +
+                         ", which is another number than three; write three");
+        to_content([] { return std::string("the numbers of vertices and faces"); });
+    }
+    /// Decides by the first vertices whether colours or normals come first: programs do not agree, and both are three
+    /// numbers. Normals have length 1, and colours are bytes or shares of 1. Where both orders are possible, the keyword
+    /// decides, which is noted.
+    void find_order()
+    {
+        constexpr std::size_t most_vertices = 4096;
+        const cursor begin = text_;
+        std::array<std::size_t, 2> doubts{}; // normals first, colours first
+        for (std::size_t v = 0; v < std::min(vertices_, most_vertices); ++v) {
+            (void)read_place(v);
+            const vertex_numbers found = read_numbers(v);
+            for (const bool color_is_first : {false, true})
+                if (const auto parts = parts_of(found.all(), color_is_first); parts and not parts->color.empty())
+                    doubts[color_is_first] += not is_plausible_color(parts->color) or
+                                              not is_plausible_normal(parts->normal);
+        }
+        text_ = begin;
+        if (doubts[0] != doubts[1])
+            keyword_.color_is_first = doubts[1] < doubts[0];
+        else if (keyword_.color_is_first)
+            soup_.notes.emplace_back("colours and normals of vertices may stand in either order; colours are read "
+                                     "first, as MeshLab writes them behind NC");
+        else
+            soup_.notes.emplace_back("normals and colours of vertices may stand in either order; normals are read "
+                                     "first, as Geomview writes them behind CN");
     }
     /// Vertices and faces have lines of their own, where colors may follow them. But the format does not ask for that,
     /// and some files have all their numbers in a line: then nothing but what the keyword says stands between them.
@@ -166,9 +281,24 @@ private:
         const std::size_t numbers = numbers_in_line(first);
         return numbers <= std::size_t(most_numbers) and (vertices_ < 2 or numbers < all);
     }
+    static std::string name_of_vertex(std::size_t vertex) { return "vertex " + std::to_string(vertex); }
+    /// Reads a number of this line.
+    template <std::invocable What>
+    off_number read_number(const What& what)
+    {
+        const std::size_t begin = text_.position();
+        const double value = text_.number(what);
+        const std::string_view digits = bytes_.substr(begin, text_.position() - begin);
+        return {value, digits.find_first_of(".eE") != digits.npos};
+    }
     void read_vertex(std::size_t vertex)
     {
-        const auto what = [&] { return "vertex " + std::to_string(vertex); };
+        soup_.points.push_back(read_place(vertex));
+        take_numbers(vertex, read_numbers(vertex).all());
+    }
+    std::array<double, 3> read_place(std::size_t vertex)
+    {
+        const auto what = [&] { return name_of_vertex(vertex); };
         to_content([&] { return what() + " of " + std::to_string(vertices_); });
         const int coordinates = keyword_.coordinates();
         std::array<double, 4> p{};
@@ -186,51 +316,69 @@ private:
             if (not(std::isfinite(p[0]) and std::isfinite(p[1]) and std::isfinite(p[2])))
                 text_.refuse(what() + " has no finite place, its fourth coordinate is too small; give it a place");
         }
-        soup_.points.push_back({p[0], p[1], p[2]});
-        std::array<double, most_numbers> numbers{};
-        std::size_t more = 0;
-        const auto read_number = [&] {
-            const double x = text_.number(what);
-            if (more++ < numbers.size())
-                numbers[more - 1] = x;
+        return {p[0], p[1], p[2]};
+    }
+    /// Reads the numbers behind the coordinates: those of the line, or as many as the keyword says.
+    vertex_numbers read_numbers(std::size_t vertex)
+    {
+        const auto what = [&] { return name_of_vertex(vertex); };
+        vertex_numbers result;
+        const auto read = [&] {
+            const off_number x = read_number(what);
+            if (result.count++ < result.numbers.size())
+                result.numbers[result.count - 1] = x;
         };
         if (in_lines_)
             while (not text_.at_line_end())
-                read_number();
+                read();
         else
-            while (int(more) < keyword_.numbers() - coordinates) {
+            while (int(result.count) < keyword_.numbers() - keyword_.coordinates()) {
                 to_content(what);
-                read_number();
+                read();
             }
-        if (more > std::size_t(most_numbers - 4))
+        if (result.count > std::size_t(most_numbers - 4))
             text_.refuse(what() + " has too many numbers; each vertex has a line of its own");
-        take_numbers(vertex, std::span(numbers).first(more));
+        return result;
     }
-    /// What stands behind the coordinates of a vertex: normal, color, texture, as far as the keyword says; some have
-    /// nothing.
-    void take_numbers(std::size_t vertex, std::span<const double> numbers)
+    struct number_parts {
+        off_numbers normal, color, texture;
+    };
+    /// Divides the numbers behind the coordinates; a vertex may lack its colour. Nothing if their count does not fit the
+    /// keyword.
+    [[nodiscard]] std::optional<number_parts> parts_of(off_numbers all, bool color_is_first) const
+    {
+        const std::size_t normal = keyword_.normal ? 3 : 0, texture = keyword_.texture ? 2 : 0;
+        if (all.size() < normal + texture)
+            return std::nullopt;
+        const std::size_t color = all.size() - normal - texture;
+        if (color != 0 and not(keyword_.color and (color == 3 or color == 4)))
+            return std::nullopt;
+        return number_parts{all.subspan(color_is_first ? color : 0, normal),
+                            all.subspan(color_is_first ? 0 : normal, color),
+                            all.last(texture)};
+    }
+    void take_numbers(std::size_t vertex, off_numbers numbers)
     {
         if (numbers.empty())
             return;
-        const std::size_t normal = keyword_.normal ? 3 : 0, texture = keyword_.texture ? 2 : 0;
-        const std::size_t color = numbers.size() - std::min(numbers.size(), normal + texture);
-        if (numbers.size() < normal + texture or (color != 0 and not(keyword_.color and (color == 3 or color == 4)))) {
+        const auto parts = parts_of(numbers, keyword_.color_is_first);
+        if (not parts) {
             has_other_numbers_ = true;
             return;
         }
-        const auto add = [&](std::vector<std::vector<double>>& columns, std::span<const double> values) {
+        const auto add = [&](std::vector<std::vector<double>>& columns, off_numbers values) {
             columns.resize(values.size());
             for (std::size_t i = 0; i < values.size(); ++i) {
                 columns[i].resize(vertex, no_number);
-                columns[i].push_back(values[i]);
+                columns[i].push_back(values[i].value);
             }
         };
         if (keyword_.normal)
-            add(normals_, numbers.first(3));
-        if (keyword_.color)
-            vertex_colors_.add(vertex, numbers.subspan(normal, color));
+            add(normals_, parts->normal);
+        if (not parts->color.empty())
+            vertex_colors_.add(vertex, parts->color);
         if (keyword_.texture)
-            add(textures_, numbers.last(2));
+            add(textures_, parts->texture);
     }
     void read_face(std::size_t face)
     {
@@ -250,10 +398,11 @@ private:
         soup_.faces.first.push_back(soup_.faces.vertices.size());
         if (not in_lines_)
             return;
-        std::array<double, 4> color{}; // three or four numbers, or one, that of a color in a list which programs have
+        std::array<off_number, 4>
+            color{}; // three or four numbers, or one, that of a color in a list which programs have
         std::size_t more = 0;
         for (; not text_.at_line_end(); ++more) {
-            const double x = text_.number([&] { return what() + ": its color"; });
+            const off_number x = read_number([&] { return what() + ": its color"; });
             if (more < color.size())
                 color[more] = x;
         }
@@ -283,6 +432,7 @@ private:
             soup_.not_kept.emplace_back("colours of faces by their numbers in a list");
     }
 
+    std::string_view bytes_;
     cursor text_;
     off_keyword keyword_;
     polygon_soup soup_;

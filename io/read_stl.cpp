@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "stl_shades.hpp"
+
 #include <kith/text/counted.hpp>
 #include <kith/merge_points.hpp>
 #include <kith/read_mesh.hpp>
@@ -10,9 +12,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace kith::io {
 
@@ -50,6 +56,51 @@ std::size_t announced_triangles(std::string_view bytes)
     return bytes.size() < binary_size(0) ? 0 : load<std::uint32_t>(bytes, header_bytes);
 }
 
+/// The colour of the whole part, which Materialise writes into the header: "COLOR=" and four bytes.
+std::optional<std::array<double, 4>> part_color(std::string_view header)
+{
+    constexpr std::string_view mark = "COLOR=";
+    const std::size_t at = header.find(mark);
+    std::array<double, 4> result{};
+    if (at == header.npos or header.size() - at - mark.size() < result.size())
+        return std::nullopt;
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = static_cast<unsigned char>(header[at + mark.size() + i]);
+    return result;
+}
+
+/// Adds colours from the two bytes behind each triangle. VisCAM and SolidView have 1 and then red, green and blue in five
+/// bits each. Materialise has 0 and then blue, green and red, or 1 for the colour of the part.
+void add_colors(polygon_soup& soup, std::string_view header, const std::vector<std::uint16_t>& bits)
+{
+    const auto of_part = part_color(header);
+    const auto differ = [&] { return std::ranges::adjacent_find(bits, std::not_equal_to<>()) != bits.end(); };
+    // Without a colour of the part a first bit of 0 says "none", and other programs fill the bytes with a constant.
+    const bool are_unused = of_part and not differ() and bits[0] == 0;
+    const auto has_own = [&](std::uint16_t of_face) {
+        return not are_unused and (of_face >> 15 != 0) != of_part.has_value();
+    };
+    const bool some_have_own = std::ranges::any_of(bits, has_own);
+    if (not some_have_own and not of_part) {
+        if (differ())
+            soup.not_kept.emplace_back("the two bytes behind each triangle");
+        return;
+    }
+    const bool has_alpha = of_part and (*of_part)[3] != 255 and not std::ranges::all_of(bits, has_own);
+    for (std::size_t i = 0; i < (has_alpha ? 4 : 3); ++i) {
+        attribute channel{std::string(color_names[i]), {1, false, false}, {}};
+        for (const std::uint16_t of_face : bits) {
+            const auto shade = std::uint16_t(of_face >> (of_part ? 5 * i : 10 - 5 * i) & 31);
+            channel.values.push_back(has_own(of_face) ? (i == 3 ? 255 : byte_of_stl_shade(shade))
+                                     : of_part        ? (*of_part)[i]
+                                                      : std::numeric_limits<double>::quiet_NaN());
+        }
+        soup.attributes.faces.push_back(std::move(channel));
+    }
+    if (of_part and header.find("MATERIAL=") != header.npos)
+        soup.not_kept.emplace_back("the material of the part");
+}
+
 polygon_soup read_binary(std::string_view bytes)
 {
     const std::size_t triangles = announced_triangles(bytes);
@@ -58,7 +109,8 @@ polygon_soup read_binary(std::string_view bytes)
                          " would need " + std::to_string(binary_size(triangles)) + " bytes, the file has " +
                          std::to_string(bytes.size()));
     merged_points points(3 * triangles);
-    bool has_colors = false; // some programs fill the two bytes with a constant
+    std::vector<std::uint16_t> bits;
+    bits.reserve(triangles);
     for (std::size_t f = 0; f < triangles; ++f) {
         for (std::size_t corner = 0; corner < 3; ++corner) { // the normal before them is not read
             std::array<double, 3> p{};
@@ -69,12 +121,10 @@ polygon_soup read_binary(std::string_view bytes)
                                  ": a coordinate is not a finite number; give it a place");
             points.add(p);
         }
-        has_colors |= load<std::uint16_t>(bytes, binary_size(f + 1) - 2) !=
-                      load<std::uint16_t>(bytes, binary_size(1) - 2);
+        bits.push_back(load<std::uint16_t>(bytes, binary_size(f + 1) - 2));
     }
     polygon_soup soup = points.triangles();
-    if (has_colors)
-        soup.not_kept.emplace_back("the two bytes of colour behind each triangle");
+    add_colors(soup, bytes.substr(0, header_bytes), bits);
     if (const std::size_t more = bytes.size() - binary_size(triangles); more != 0)
         soup.notes.push_back(counted(more, "byte") + " after the last of " + counted(triangles, "triangle") +
                              (more == 1 ? " is" : " are") + " left aside");

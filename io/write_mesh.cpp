@@ -73,6 +73,8 @@ void require_writable(mesh_format format, const written_mesh& what)
         if (mesh.face(f).size() > 3)
             throw file_error("face " + std::to_string(f) + " has " + std::to_string(mesh.face(f).size()) +
                              " corners, this format holds 3 at most; choose .off, .obj or .ply");
+    if (in_floats)
+        require_readable_floats(what);
     constexpr std::size_t most_in_ply = std::numeric_limits<std::int32_t>::max();
     if (format == mesh_format::ply and vertices_of(what) > most_in_ply)
         throw file_error("the mesh has " + std::to_string(vertices_of(what)) +

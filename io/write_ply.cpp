@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kith::io {
 
@@ -43,10 +45,24 @@ void write_number(text_block& text, bool binary, const ply_number& type, double 
             text << ' ' << number;
     });
 }
-void write_value(text_block& text, bool binary, const attribute& a, std::size_t element)
-{
-    write_number(text, binary, a.type, a.values[element]);
-}
+/// Attributes under their names, and which of them have 0 where an element lacks them.
+struct ply_columns {
+    explicit ply_columns(const attribute_list& held) : attributes(held)
+    {
+        for (const attribute* a : held)
+            is_zero_without_value.push_back(kith::io::is_zero_without_value(*a));
+    }
+    void write(text_block& text, bool binary, std::size_t element) const
+    {
+        for (std::size_t i = 0; i < attributes.size(); ++i) {
+            const double value = attributes[i]->values[element];
+            write_number(text, binary, attributes[i]->type, std::isnan(value) and is_zero_without_value[i] ? 0 : value);
+        }
+    }
+
+    attribute_list attributes;
+    std::vector<bool> is_zero_without_value;
+};
 
 /// A list has one type: that of its numbers, or double where they have several.
 ply_number type_of_list(const attribute_list& list)
@@ -121,6 +137,7 @@ void write_ply(std::ostream& out, const written_mesh& what)
     static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
     const bool has_normals = not what.normals.empty();
     const held_attributes held = held_by(mesh_format::ply, what);
+    const ply_columns of_vertices(held.vertices), of_faces(held.faces);
     const list_lengths lengths(what.mesh);
     out << ply_head(what.binary, contents_of(what, held, lengths));
     write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
@@ -133,8 +150,7 @@ void write_ply(std::ostream& out, const written_mesh& what)
             if (has_normals)
                 text << ' ' << normal_of(what, v);
         }
-        for (const attribute* a : held.vertices)
-            write_value(text, what.binary, *a, v);
+        of_vertices.write(text, what.binary, v);
         if (not what.binary)
             text << '\n';
     });
@@ -153,8 +169,7 @@ void write_ply(std::ostream& out, const written_mesh& what)
                           held.corner_textures,
                           what.mesh.topology().first_corner(f),
                           face.size());
-        for (const attribute* a : held.faces)
-            write_value(text, what.binary, *a, f);
+        of_faces.write(text, what.binary, f);
         if (not what.binary)
             text << '\n';
     });

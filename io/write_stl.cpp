@@ -1,15 +1,103 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "stl_shades.hpp"
 #include "written_parts.hpp"
 
 #include <kith/format/facet_normal.hpp>
+#include <kith/merge_points.hpp>
+#include <kith/text/file_error.hpp>
 #include <kith/text/text_writer.hpp>
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace kith::io {
+
+namespace {
+
+using float_point = std::array<float, 3>;
+
+/// Rounds a place as binary STL has it; 0 has one sign, as equal points have equal bits.
+float_point rounded(const std::array<double, 3>& p)
+{
+    return {float(p[0]) + 0, float(p[1]) + 0, float(p[2]) + 0};
+}
+
+/// Whether corners of a triangle are equal once they are rounded.
+bool is_fallen(const basic_mesh<>& mesh, std::size_t face)
+{
+    const auto corners = mesh.face(face);
+    const float_point p = rounded(mesh.point(corners[0])), q = rounded(mesh.point(corners[1])),
+                      r = rounded(mesh.point(corners[2]));
+    return p == q or q == r or r == p;
+}
+
+/// Whether some vertices are equal once they are rounded. Cost: O(V log V), 8 bytes per vertex.
+bool some_vertices_fall_together(const basic_mesh<>& mesh)
+{
+    std::vector<std::uint64_t> hashes(mesh.vertex_count());
+    for (std::size_t v = 0; v < hashes.size(); ++v)
+        for (const float x : rounded(mesh.point(v))) {
+            hashes[v] = (hashes[v] ^ std::bit_cast<std::uint32_t>(x)) * 0x9e3779b97f4a7c15;
+            hashes[v] ^= hashes[v] >> 32;
+        }
+    std::ranges::sort(hashes);
+    return std::ranges::adjacent_find(hashes) != hashes.end();
+}
+
+std::size_t different_points(const basic_mesh<>& mesh)
+{
+    merged_points points(mesh.vertex_count());
+    for (const auto& p : mesh.points())
+        points.add(p);
+    return points.triangles().points.size();
+}
+
+/// Returns the bits of a colour as VisCAM and SolidView read them: 1 and five each of red, green and blue; 0 for none.
+std::uint16_t color_bits(const attribute_list& color, std::size_t face)
+{
+    if (not has_all(color, face))
+        return 0;
+    std::uint16_t result = 1;
+    for (const attribute* channel : color)
+        result = std::uint16_t(result << 5 | stl_shade(unit_color(*channel, face)));
+    return result;
+}
+
+} // namespace
+
+std::size_t fallen_faces(const written_mesh& what)
+{
+    std::size_t result = 0;
+    for (std::size_t f = 0; f < what.mesh.face_count(); ++f)
+        result += is_fallen(what.mesh, f);
+    return result;
+}
+
+void require_readable_floats(const written_mesh& what)
+{
+    const basic_mesh<>& mesh = what.mesh;
+    if (not some_vertices_fall_together(mesh))
+        return;
+    merged_points points(3 * mesh.face_count());
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (const auto v : mesh.face(f))
+            if (const float_point p = rounded(mesh.point(v)); not is_fallen(mesh, f))
+                points.add({p[0], p[1], p[2]});
+    const polygon_soup soup = points.triangles();
+    const std::size_t fallen = mesh.face_count() - soup.faces.size();
+    if (fallen == 0 and soup.points.size() == different_points(mesh))
+        return; // what is equal is so in doubles, too
+    if (const mesh_report report = validate(soup.points, soup.faces); not report.ok())
+        throw file_error(std::to_string(fallen) + " of " + std::to_string(mesh.face_count()) +
+                         " triangles fall together in the floats of binary STL, and the others form no surface that "
+                         "can be read; write text, .off, .obj or .ply, or move the mesh to the origin");
+}
 
 void write_stl(std::ostream& out, const written_mesh& what)
 {
@@ -19,18 +107,21 @@ void write_stl(std::ostream& out, const written_mesh& what)
         return facet_normal(mesh.point(face[0]), mesh.point(face[1]), mesh.point(face[2]));
     };
     if (what.binary) {
+        const attribute_list colors = held_by(mesh_format::stl, what).face_colors;
         std::string header = "binary STL written by kith"; // not "solid", which begins a text
         header.resize(80, ' ');
         out << header;
-        out << text_block().raw(std::uint32_t(mesh.face_count())).text();
+        out << text_block().raw(std::uint32_t(mesh.face_count() - fallen_faces(what))).text();
         write_blocks(out, mesh.face_count(), [&](text_block& text, std::size_t f) {
+            if (is_fallen(mesh, f))
+                return;
             const auto add = [&](const std::array<double, 3>& p) {
-                text.raw(std::array<float, 3>{float(p[0]), float(p[1]), float(p[2])});
+                text.raw(float_point{float(p[0]), float(p[1]), float(p[2])});
             };
             add(normal(f));
             for (const auto v : mesh.face(f))
                 add(mesh.point(v));
-            text.raw(std::uint16_t(0));
+            text.raw(color_bits(colors, f));
         });
         return;
     }

@@ -20,6 +20,10 @@ void write_obj(std::ostream& out, const written_mesh& what);
 void write_ply(std::ostream& out, const written_mesh& what);
 void write_stl(std::ostream& out, const written_mesh& what);
 
+/// Refuses a mesh for binary STL if vertices are equal as floats and what is left of it is no surface. Errors:
+/// file_error. Cost: O(V log V), else that of reading the file.
+void require_readable_floats(const written_mesh& what);
+
 inline std::size_t vertices_of(const written_mesh& what)
 {
     return what.mesh.vertex_count() + what.isolated.size();
@@ -40,7 +44,8 @@ inline std::array<double, 3> normal_of(const written_mesh& what, std::size_t ver
 /// The attributes for which the format has room; normals that are given come in the place of those among them.
 inline held_attributes held_by(mesh_format format, const written_mesh& what)
 {
-    held_attributes result = what.attributes == nullptr ? held_attributes() : held_by(format, *what.attributes);
+    held_attributes result = what.attributes == nullptr ? held_attributes()
+                                                        : held_by(format, *what.attributes, what.binary);
     if (not what.normals.empty()) {
         result.normals.clear();
         result.corner_normals.clear();
@@ -56,11 +61,10 @@ inline bool has_all(const attribute_list& list, std::size_t element)
            std::ranges::none_of(list, [&](const auto* a) { return std::isnan(a->values[element]); });
 }
 
-/// A channel of a colour as a number from 0 to 1, where it is not of floating type.
+/// Returns a channel of a colour as a number from 0 to 1, where it is not of floating type.
 inline double unit_color(const attribute& a, std::size_t element)
 {
-    const double x = a.values[element];
-    return a.type.floating ? x : x / (std::ldexp(1., int(8 * a.type.bytes) - int(a.type.is_signed)) - 1);
+    return a.values[element] / color_unit(a.type);
 }
 
 } // namespace kith::io

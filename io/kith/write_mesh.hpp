@@ -7,6 +7,7 @@
 #include <kith/mesh/basic_mesh.hpp>
 
 #include <array>
+#include <cstddef>
 #include <iosfwd>
 #include <span>
 #include <string>
@@ -24,9 +25,14 @@ struct written_mesh {
 };
 
 /// Refuses, before anything is written, faces that a format has no room for, places and normals that are not finite,
-/// and in binary STL places that are too large for its floats. Errors: file_error. Cost: one sweep over the mesh.
+/// and in binary STL places that are too large for its floats or that fall together so that no surface is left. Errors:
+/// file_error. Cost: one sweep over the mesh; for binary STL O(V log V).
 /// Preconditions: attributes have a value per element, of their type.
 void require_writable(mesh_format format, const written_mesh& what);
+
+/// Returns the number of triangles of which two corners are equal as floats: binary STL is written without these.
+/// Precondition: triangles. Cost: one sweep over the mesh.
+std::size_t fallen_faces(const written_mesh& what);
 
 /// Writes a mesh; text in the shortest digits that read back as the same doubles. The same bytes on any number of
 /// threads.

@@ -180,6 +180,14 @@ TEST(obj_attributes, indices_and_numbers_are_checked)
     EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 0\nf 1/1 2/2 3/1\n"),
               "line 5: face 1: texture coordinate 2 does not exist, there are 1; correct the index");
     EXPECT_EQ(refusal(mesh_format::obj, points + "f 1/1 2/2 3/1\nvt 0 0\nvt 1 1\n"), "read");
+    // The first face is named, whatever comes later.
+    EXPECT_EQ(
+        refusal(mesh_format::obj, points + "vn 0 0 1\nf 1//1 2//1 3//1\n\nf 1//2 \\\n2//1 3//1\nf 1//9 2//1 3//1\n"),
+        "line 7: face 2: normal 2 does not exist, there are 1; correct the index");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "f 1/1 2 3\nf 1/3 2 3\nf 1/7 2 3\nvt 0 0\nvt 1 1\n"),
+              "line 5: face 2: texture coordinate 3 does not exist, there are 2; correct the index");
+    EXPECT_EQ(refusal(mesh_format::obj, points + "f 1 2 3\nf 1 5 3\nf 1 9 3\nv 1 1 1\n"),
+              "line 5: face 2: vertex 5 does not exist, there are 4; correct the index");
     EXPECT_EQ(refusal(mesh_format::obj, points + "vn 0 0 1\nf 1//-1 2//-2 3//1\n"),
               "line 5: face 1: normal -2 does not exist, there are 1 so far; correct the index");
     EXPECT_EQ(refusal(mesh_format::obj, points + "vt 0 0\nf 1/0 2/1 3/1\n"),
@@ -192,6 +200,21 @@ TEST(obj_attributes, indices_and_numbers_are_checked)
     // A name at the end of the file does not join the next line to it.
     auto soup = io::read_mesh(mesh_format::obj, points + "f 1 2 3\nmtllib a\\");
     EXPECT_EQ(soup.attributes.file_lines, names{"mtllib a"});
+}
+
+TEST(obj_attributes, that_are_not_in_the_file_are_noted)
+{
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+    const auto soup = io::read_mesh(mesh_format::obj,
+                                    points + "vt 0 0\nvt 1 0\nf 1/1/1 2/2/2 3/1/3\nf 2/2/4 4/1/5 3/1/6\n");
+    EXPECT_EQ(soup.notes, names{"faces refer to normals, and the file has none; the references are left out"});
+    ASSERT_EQ(soup.attributes.corners.size(), 2);
+    expect_same(soup.attributes.corners[0].values, {0, 1, 0, 1, 0, 0}, "u");
+    EXPECT_TRUE(soup.not_kept.empty());
+    const auto bare = io::read_mesh(mesh_format::obj, points + "f 1/1 2/2 3/3\n");
+    EXPECT_EQ(bare.notes,
+              names{"faces refer to texture coordinates, and the file has none; the references are left out"});
+    EXPECT_TRUE(bare.attributes.empty());
 }
 
 TEST(ply_attributes, all_types_keep_their_bits)
@@ -390,7 +413,10 @@ TEST(attributes, go_from_one_format_to_another)
     const auto ply = io::read_mesh(mesh_format::ply, written(mesh_format::ply, obj));
     ASSERT_EQ(ply.attributes.corners.size(), 2);
     expect_same(ply.attributes.corners[0].values, {0, 0.1, 1, 0.25, 0.5, 7, 0.25, none, none, none}, "u");
-    expect_same(ply.attributes.vertices, obj.attributes.vertices);
+    EXPECT_EQ(written_as_zero(mesh_format::ply, obj.attributes), names{"the colours of 4 of 6 vertices"});
+    ASSERT_EQ(ply.attributes.vertices.size(), 3);
+    expect_same(ply.attributes.vertices[0].values, {1, 0, 0, 0, 0, 0}, "red");
+    expect_same(ply.attributes.vertices[1].values, {0.5, 0, 0, 0, 0, 0}, "green");
     expect_same(ply.attributes.faces, obj.attributes.faces);
     EXPECT_EQ(ply.attributes.file_lines, obj.attributes.file_lines);
 

@@ -76,10 +76,14 @@ TEST(read_off, keywords)
 {
     for (const std::string keyword : {"off", "Off", "OFF"})
         expect_tetrahedron(mesh_format::off, replaced(files::off, "OFF", keyword));
-    EXPECT_NE(refusal(mesh_format::off, replaced(files::off, "OFF", "nOFF")).find("another number of coordinates"),
-              std::string::npos);
-    EXPECT_NE(refusal(mesh_format::off, replaced(files::off, "OFF", "4nOFF")).find("another number of coordinates"),
-              std::string::npos);
+    for (const std::string keyword : {"nOFF\n3", "nOFF 3"})
+        expect_tetrahedron(mesh_format::off, replaced(files::off, "OFF", keyword));
+    for (const std::string keyword : {"nOFF\n2", "4nOFF\n4"})
+        EXPECT_NE(refusal(mesh_format::off, replaced(files::off, "OFF", keyword)).find("another number than three"),
+                  std::string::npos);
+    for (const std::string keyword : {"NNOFF", "STSOFF", "CCOFF", "SOFF", "XOFF", "44OFF"})
+        EXPECT_EQ(refusal(mesh_format::off, replaced(files::off, "OFF", keyword)),
+                  "line 1: an OFF file begins with the word OFF, this one with '" + keyword + "'");
     EXPECT_EQ(refusal(mesh_format::off, replaced(files::off, "OFF", "OFFICE")),
               "line 1: an OFF file begins with the word OFF, this one with 'OFFICE'");
     EXPECT_EQ(refusal(mesh_format::off, replaced(files::off, "OFF", "OFF BINARY")).substr(0, 29),

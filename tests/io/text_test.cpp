@@ -40,6 +40,23 @@ void expect_unusual_numbers()
 
 } // namespace
 
+TEST(printable, leaves_letters_and_takes_commands)
+{
+    EXPECT_EQ(io::printable("a\x1b[31mred\a \t\n\x7f"), "a?[31mred? \t\n?");
+    EXPECT_EQ(io::printable("h\xc3\xb6he \xe2\x82\xac \xf0\x9f\x90\x84"), "h\xc3\xb6he \xe2\x82\xac \xf0\x9f\x90\x84");
+    EXPECT_EQ(io::printable("\xc2\x9b"
+                            "31m \x9b"
+                            "31m"),
+              "?31m ?31m"); // a command of one character, and of one byte
+    EXPECT_EQ(io::printable("\xe2\x80\xae"
+                            "abc"),
+              "?abc"); // from right to left
+    EXPECT_EQ(io::printable("\xc3"), "?");
+    EXPECT_EQ(io::printable("\xc0\x9b \xed\xa0\x80 \xf4\x90\x80\x80"), "?? ??? ????"); // no UTF-8
+    EXPECT_EQ(io::printable(std::string("a\0b", 3)), "a?b");
+    EXPECT_STREQ(io::file_error("\x1b]0;title\a.ply: no").what(), "?]0;title?.ply: no");
+}
+
 TEST(text, has_numbers_that_are_too_small_or_too_large)
 {
     expect_unusual_numbers();

@@ -222,6 +222,50 @@ TEST(write_mesh, what_is_not_finite_is_refused)
                   "vertex 3 would have no finite place; the coordinates of the input are too large");
 }
 
+TEST(write_stl, leaves_out_triangles_that_fall_together)
+{
+    // A long strip of quads, cut into triangles, far away: in floats the ends of the short edges are equal.
+    const double far = 1 << 24;
+    const points strip{{far, 0, 0},
+                       {far + 2, 0, 0},
+                       {far + 4, 0, 0},
+                       {far, 1, 0},
+                       {far + 2, 1, 0},
+                       {far + 2.5, 1, 0},
+                       {far + 4, 1, 0}};
+    const std::vector<std::vector<int>> faces{{0, 1, 4}, {0, 4, 3}, {1, 5, 4}, {1, 2, 6}, {1, 6, 5}};
+    const basic_mesh<> mesh = make_mesh(strip, faces);
+    EXPECT_EQ(io::fallen_faces({.mesh = mesh}), 1);
+    const auto soup = io::read_mesh(mesh_format::stl, written(mesh_format::stl, {.mesh = mesh, .binary = true}));
+    EXPECT_EQ(soup.faces.size(), 4);
+    EXPECT_EQ(soup.points.size(), 6);
+    EXPECT_TRUE(validate(soup.points, soup.faces).ok());
+    EXPECT_EQ(io::read_mesh(mesh_format::stl, written(mesh_format::stl, {.mesh = mesh})).faces.size(), 5);
+
+    // Where no surface is left, there is no file that kith could not read.
+    const points corners{{far, 0, 0}, {far + .1, 0, 0}, {far, 1, 0}, {far, 0, 1}};
+    const basic_mesh<> small = make_mesh(corners,
+                                         std::vector<std::vector<int>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+    EXPECT_EQ(io::fallen_faces({.mesh = small}), 2);
+    EXPECT_EQ(refusal(mesh_format::stl, {.mesh = small}), "written");
+    EXPECT_EQ(written(mesh_format::stl, {.mesh = small, .binary = true}).size(), 84 + 2 * 50);
+    const points line{{far, 0, 0}, {far + .1, 0, 0}, {far + .2, 0, 0}, {far + .3, 0, 0}};
+    const basic_mesh<> gone = make_mesh(line,
+                                        std::vector<std::vector<int>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+    EXPECT_EQ(refusal(mesh_format::stl, {.mesh = gone, .binary = true}),
+              "4 of 4 triangles fall together in the floats of binary STL, and the others form no surface that can be "
+              "read; write text, .off, .obj or .ply, or move the mesh to the origin");
+    // Two sheets that are closer than floats.
+    const points sheets{{far, 0, 0}, {far, 9, 0}, {far, 0, 9}, {far + .1, 0, 0}, {far + .1, 9, 0}, {far + .1, 0, 9}};
+    const basic_mesh<> two = make_mesh(sheets, std::vector<std::vector<int>>{{0, 1, 2}, {3, 4, 5}});
+    EXPECT_EQ(refusal(mesh_format::stl, {.mesh = two, .binary = true}).substr(0, 40),
+              "0 of 2 triangles fall together in the fl");
+    // Points that are equal in doubles, too, are as they were.
+    const points touching{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
+    const basic_mesh<> pinched = make_mesh(touching, std::vector<std::vector<int>>{{0, 1, 2}, {3, 4, 5}});
+    EXPECT_EQ(refusal(mesh_format::stl, {.mesh = pinched, .binary = true}), "written");
+}
+
 TEST(facet_normal, is_finite_for_all_sizes)
 {
     for (const double s : {1., 1e-300, 1e-160, 1e-100, 1e100, 1e160, 1e300, 1.7e308}) {

@@ -57,12 +57,25 @@ inline constexpr std::string_view color_names[]{"red", "green", "blue", "alpha"}
 /// Of faces, which are words.
 inline constexpr std::string_view label_names[]{"object", "group", "material", "smoothing group"};
 
-/// What an attribute is about: "normals", "colours", "texture coordinates", "materials", or "the property 'quality' of
+/// Returns what an attribute is about: "normals", "colours", "texture coordinates", "texture numbers", "materials", or
+/// "the property 'quality'".
+std::string topic_of(std::string_view name);
+/// Same as topic_of(name), but names the elements of a property that only its file knows: "the property 'quality' of
 /// vertices".
 std::string topic_of(std::string_view name, std::string_view elements);
 
 /// The topics of all attributes, each once; colours of faces are told from those of vertices.
 std::vector<std::string> topics_of(const mesh_attributes& attributes);
+
+/// Whether PLY has 0 where an element lacks the attribute: a colour, a normal or a texture coordinate, which programs
+/// read as numbers. In other properties of floating type NaN is a value.
+bool is_zero_without_value(const attribute& a);
+
+/// Returns the value of a colour channel that is full in a file of this type: 1, or the largest whole number.
+inline double color_unit(const ply_number& type)
+{
+    return type.floating ? 1 : std::ldexp(1., int(8 * type.bytes) - int(type.is_signed)) - 1;
+}
 
 /// The value that a file with this type holds: rounded, and within its range. NaN, which says that there is none,
 /// stays.
