@@ -91,6 +91,7 @@ sigset_t ending_signals()
 }
 
 std::chrono::milliseconds patience_without_work{};
+void (*before_removing)() = nullptr;
 
 void* wait_for_signal(void*)
 {
@@ -100,6 +101,8 @@ void* wait_for_signal(void*)
         return nullptr;
     auto& all = unfinished();
     all.mutex.lock(); // for ever: nothing is begun or gets its name any more
+    if (before_removing != nullptr)
+        before_removing();
     for (const unfinished_file* file = all.first; file != nullptr; file = file->next())
         file->remove_for_good();
     if (all.first == nullptr)
@@ -165,9 +168,10 @@ void remove_stale(const std::string& target)
 
 } // namespace
 
-void remove_unfinished_when_interrupted(std::chrono::milliseconds patience)
+void remove_unfinished_when_interrupted(std::chrono::milliseconds patience, void (*before)())
 {
     patience_without_work = patience;
+    before_removing = before;
     const sigset_t signals = ending_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     pthread_attr_t settings;

@@ -16,6 +16,7 @@ polygon_soup read_mesh(mesh_format format, std::string_view bytes)
     bytes = without_byte_order_mark(bytes);
     if (bytes.find_first_not_of(" \t\r\n") == bytes.npos)
         throw file_error("the file is empty");
+    file_work.begin(bytes.size());
     switch (format) {
     case mesh_format::off: return read_off(bytes);
     case mesh_format::obj: return read_obj(bytes);

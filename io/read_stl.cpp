@@ -122,6 +122,7 @@ polygon_soup read_binary(std::string_view bytes)
             points.add(p);
         }
         bits.push_back(load<std::uint16_t>(bytes, binary_size(f + 1) - 2));
+        file_work.set(binary_size(f + 1));
     }
     polygon_soup soup = points.triangles();
     add_colors(soup, bytes.substr(0, header_bytes), bits);

@@ -84,6 +84,7 @@ void require_writable(mesh_format format, const written_mesh& what)
 
 void write_mesh(std::ostream& out, mesh_format format, const written_mesh& what)
 {
+    file_work.begin(vertices_of(what) + what.mesh.face_count());
     switch (format) {
     case mesh_format::off: write_off(out, what); break;
     case mesh_format::obj: write_obj(out, what); break;

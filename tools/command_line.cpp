@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 
 #include "errors.hpp"
+#include "terminal.hpp"
 
 #include <boost/program_options/parsers.hpp>
 #include <boost/program_options/positional_options.hpp>
@@ -74,6 +75,7 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
     for (const auto& operand : operands)
         if (not is_optional(operand))
             (void)required(values, operand);
+    allow_progress(values.count("json") == 0);
     return values;
 }
 

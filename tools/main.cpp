@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
 #include "errors.hpp"
+#include "terminal.hpp"
 #include "word_list.hpp"
 
 #include <kith/output_file.hpp>
@@ -12,6 +13,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kith::tool {
@@ -116,9 +118,12 @@ int run_and_report(const std::vector<std::string>& arguments)
 
 int main(int count, char** arguments)
 {
-    kith::io::remove_unfinished_when_interrupted();
+    kith::io::remove_unfinished_when_interrupted({}, kith::tool::erase_progress);
     // A write that fails is then reported like any other, and what was begun is removed.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    // A refined mesh may go to standard output, and as fast as it can.
+    const bool may_write_mesh = count > 1 and std::string_view(arguments[1]) == "refine";
+    const kith::tool::printable_output printable(not may_write_mesh);
     return kith::tool::run_and_report({arguments + 1, arguments + count});
 }

@@ -2,6 +2,7 @@
 #include "mesh_input.hpp"
 
 #include "errors.hpp"
+#include "terminal.hpp"
 #include "word_list.hpp"
 
 #include <kith/attributes_of.hpp>
@@ -75,7 +76,7 @@ std::vector<std::array<double, 3>> take_isolated(polygon_soup& soup)
 
 io::polygon_soup read_soup(const std::string& path)
 {
-    polygon_soup soup = read_mesh_file(path);
+    polygon_soup soup = shown("reading", share_of_file, [&] { return read_mesh_file(path); });
     for (const auto& note : soup.notes)
         std::cerr << "kith: note: " << path << ": " << note << '\n';
     return soup;
@@ -132,7 +133,7 @@ control_mesh read_mesh(const std::string& path, const input_repair& repair)
 {
     const polygon_soup soup = read_soup(path, repair);
     try {
-        return control_mesh_of(soup);
+        return shown("joining faces", {}, [&] { return control_mesh_of(soup); });
     } catch (const mesh_error& error) {
         std::string text = path + (repair.empty() ? ":\n" : ", in the numbers after the repair:\n") + error.what();
         for (const auto& remedy : remedies(soup, report_of(soup)))
@@ -160,6 +161,16 @@ void note_losses(const std::string& input, const std::vector<std::string>& lost)
     if (not list.empty())
         std::cerr << "kith: note: " << (input == standard_stream ? "standard input" : input) << ": not kept: " << list
                   << '\n';
+}
+
+void note_zeros(const std::string& output, const std::vector<std::string>& zeros)
+{
+    std::string list;
+    for (const auto& what : zeros)
+        append_to_list(list, what);
+    if (not list.empty())
+        std::cerr << "kith: note: " << (output == standard_stream ? "standard output" : output)
+                  << ": this format has no word for none and has 0 for: " << list << '\n';
 }
 
 void add_lost_sharpness(std::vector<std::string>& lost, std::size_t edges, std::size_t vertices)

@@ -46,6 +46,9 @@ mesh_report report_of(const io::polygon_soup& soup);
 /// Notes in one line what of a file is lost on the way; nothing if that is nothing.
 void note_losses(const std::string& input, const std::vector<std::string>& lost);
 
+/// Notes in one line what an output has 0 for, as its format has no word for "none"; nothing if that is nothing.
+void note_zeros(const std::string& output, const std::vector<std::string>& zeros);
+
 /// Adds the sharp edges and vertices that are left to what is lost, where there are any.
 void add_lost_sharpness(std::vector<std::string>& lost, std::size_t edges, std::size_t vertices);
 

@@ -2,6 +2,7 @@
 #include "errors.hpp"
 #include "rank_request.hpp"
 #include "refine_ranks.hpp"
+#include "terminal.hpp"
 
 #include <kith/output_file.hpp>
 
@@ -49,8 +50,10 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
             std::cerr << "kith-mpi: " << text << '\n';
     };
     try {
-        if (not comm.is_root())
+        if (not comm.is_root()) {
             std::cout.setstate(std::ios::failbit); // --help is answered once
+            erase_progress();
+        }
         if (arguments.empty())
             throw usage_error("the verb is missing; there is refine, see `kith-mpi --help`");
         if (arguments[0] == "--help" or arguments[0] == "-h") {
@@ -92,7 +95,8 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
 
 int main(int count, char** arguments)
 {
-    kith::io::remove_unfinished_when_interrupted(std::chrono::milliseconds(300));
+    kith::io::remove_unfinished_when_interrupted(std::chrono::milliseconds(300), kith::tool::erase_progress);
+    const kith::tool::printable_output printable(true);
     std::signal(SIGXFSZ, SIG_IGN); // a write beyond what is allowed is then reported like any other that fails
     kith::mpi::session session(count, arguments);
     try {

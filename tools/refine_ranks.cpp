@@ -12,6 +12,7 @@
 #include "rank_stats.hpp"
 #include "run_stats.hpp"
 #include "slice_attributes.hpp"
+#include "terminal.hpp"
 #include "tile_attributes.hpp"
 #include "tile_output.hpp"
 
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
@@ -224,10 +226,11 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
     }
     std::mutex adding;
     mesh_checksum sum;
+    std::atomic<std::size_t> tiles_here = 0;
     const auto write = [&](std::uint64_t number, auto part, const Scheme& scheme_there) {
         if (what.limit)
             move_to_limit(part, plain(scheme_there));
-        const auto values = tile_attributes(what.kinds).values_beside(scheme_there);
+        const auto values = tile_attributes(what).values_beside(scheme_there);
         finished_tile tile;
         std::optional<std::string> damage;
         const bool is_finished = std::ranges::binary_search(job.finished, number);
@@ -240,10 +243,16 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
             tile = {owned_count(part.face_marks), checksum(part)};
         else
             tile = output.write(part, values, {std::uint32_t(number), std::uint32_t(comm.rank())});
+        ++tiles_here;
         const std::lock_guard lock(adding);
         sum += tile.checksum;
     };
+    std::optional<shown_phase> refining; // on rank 0, as far as it has come: others do as much
+    if (comm.is_root())
+        refining.emplace("refining tiles",
+                         [&, all = double(job.numbers.size()) / comm.size()] { return double(tiles_here) / all; });
     const mpi::work_done done = refinement.refine(request.sharing, job.numbers, write, request.threads);
+    refining.reset();
     const auto sums = comm.sum(std::array{done.owned_faces, sum.bits});
     const mesh_checksum all{sums[1] + job.checksum.bits};
     seconds += done.seconds;

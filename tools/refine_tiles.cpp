@@ -4,6 +4,7 @@
 #include "available_memory.hpp"
 #include "errors.hpp"
 #include "limit_surface.hpp"
+#include "terminal.hpp"
 #include "tile_attributes.hpp"
 #include "tile_output.hpp"
 
@@ -17,6 +18,7 @@
 #include <iostream>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -36,6 +38,11 @@ struct sums {
     mesh_checksum checksum{};
     phase_seconds seconds;
 
+    std::uint64_t count()
+    {
+        const std::lock_guard lock(mutex);
+        return tiles;
+    }
     void add(const finished_tile& tile, const phase_seconds& spent, std::size_t threads)
     {
         const std::lock_guard lock(mutex);
@@ -54,13 +61,18 @@ finished_tile finish(Refinement& refinement, const tile_request& request, tile_o
     if (not is_finished)
         if (const auto meanwhile = file.finished(number)) // by another job
             return *meanwhile;
-    auto job = refinement.refine_job(number, last_rings(request) ? connect::everything : connect::faces, spent);
+    const whole_counts counts = refinement.whole().counts(request.levels);
+    const auto bytes_of_level = double(24 * counts.vertices + 8 * counts.edges); // shown where it is the only tile
+    auto job = shown("refining", share_of_memory(bytes_of_level), [&] {
+        auto result = refinement.refine_job(number, last_rings(request) ? connect::everything : connect::faces, spent);
+        if (request.limit)
+            timed(spent[phase::refine], [&] { move_to_limit(result.part, plain(result.scheme)); });
+        return result;
+    });
     auto& part = job.part;
-    if (request.limit)
-        timed(spent[phase::refine], [&] { move_to_limit(part, plain(job.scheme)); });
-    const auto values = timed(spent[phase::refine],
-                              [&] { return tile_attributes(request.kinds).values_beside(job.scheme); });
+    const auto values = timed(spent[phase::refine], [&] { return tile_attributes(request).values_beside(job.scheme); });
     const phase_timer timer(spent[phase::write]);
+    const shown_phase writing("writing", share_of_output(double(file.size())));
     if (is_finished) {
         const auto damage = file.damage(part, values, number);
         if (not damage)
@@ -78,6 +90,7 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     sums done;
     auto made = [&] {
         const phase_timer timer(done.seconds[phase::cut]);
+        const shown_phase cutting("cutting tiles");
         return std::make_unique<tiled_refinement<std::array<double, 3>, std::uint32_t, Scheme>>(
             request.control, scheme, request.levels, kept.value.parts, last_rings(request).value_or(0));
     }();
@@ -110,12 +123,18 @@ tiled_result refine_by(const Scheme& scheme, const tile_request& request, const 
     const stopwatch since;
     const double before = done.seconds.sum();
     const std::size_t at_once = tiles_at_once(numbers.size());
+    std::optional<shown_phase> refining;
+    if (numbers.size() > 1)
+        refining.emplace("refining tiles", [&, before = std::size_t(done.tiles)] {
+            return double(done.count() - before) / double(numbers.size());
+        });
     for_each_at_once(numbers.size(), at_once, [&](std::size_t i) {
         phase_seconds spent;
         const bool is_finished = not finished.empty() and finished[numbers[i]];
         const auto tile = finish(refinement, request, file, numbers[i], is_finished, spent);
         done.add(tile, spent, at_once);
     });
+    refining.reset();
     done.seconds[phase::wait] += std::max(0., since.seconds() - (done.seconds.sum() - before));
     result.finished_tiles = done.tiles;
     if (with_checksum or not how.journal.empty())
@@ -165,6 +184,7 @@ tiled_result refine_tiles(const tile_request& request, const tiling& how)
     give_back_what_is_freed();
     double partitioning = 0;
     const found_recipe kept = timed(partitioning, [&] {
+        const shown_phase cutting("partitioning");
         return how.journal.empty() ? found_recipe{recipe{.parts = how.make_parts()}}
                : how.kept          ? found_recipe{*how.kept, true}
                                    : recipe_for(how.journal, request, how.make_parts);

@@ -5,6 +5,7 @@
 #include "json.hpp"
 #include "mesh_compare.hpp"
 #include "mesh_input.hpp"
+#include "terminal.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -69,7 +70,8 @@ int run_compare(const verb& verb, const std::vector<std::string>& arguments)
     const polygon_soup b = read_soup(required(*values, "B"));
     if (bitwise)
         return compare_bitwise(a, b, values->count("json") != 0);
-    const comparison result = compare_meshes(a.points, a.faces, b.points, b.faces, tolerance);
+    const comparison result = shown(
+        "comparing", {}, [&] { return compare_meshes(a.points, a.faces, b.points, b.faces, tolerance); });
     if (values->count("json") != 0)
         std::cout << json_object()
                          .add("equal", result.equal())

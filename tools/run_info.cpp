@@ -6,6 +6,7 @@
 #include "mesh_facts.hpp"
 #include "mesh_input.hpp"
 #include "schemes.hpp"
+#include "terminal.hpp"
 #include "word_list.hpp"
 
 #include <kith/base/error.hpp>
@@ -252,8 +253,8 @@ int run_info(const verb& verb, const std::vector<std::string>& arguments)
     const std::string path = required(*values, "FILE");
     const polygon_soup soup = read_soup(path, input_repair_from(*values));
     const mesh_report report = report_of(soup);
-    const mesh_facts facts = facts_of(soup, report);
-    const verdict found = verdict_on(soup, report);
+    const mesh_facts facts = shown("counting", {}, [&] { return facts_of(soup, report); });
+    const verdict found = shown("trying schemes", {}, [&] { return verdict_on(soup, report); });
     if (values->count("json") != 0)
         print_json(path, facts, found);
     else

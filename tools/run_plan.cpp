@@ -8,6 +8,7 @@
 #include "partition_options.hpp"
 #include "plan_ranks.hpp"
 #include "scheme_options.hpp"
+#include "terminal.hpp"
 
 #include <kith/level/lift.hpp>
 #include <kith/plan.hpp>
@@ -143,8 +144,9 @@ void print_ranks(const po::variables_map& values, const tile_request& request)
 {
     const std::uint64_t ranks = count_from(values, "ranks", most_ranks);
     const std::uint64_t tiles = ranks * count_from(values, "tiles-per-rank", most_tiles_per_rank);
-    const partition parts = make_partition(partitioner_from(values), request.control, tiles);
-    const planned_ranks plan = plan_ranks(request, parts, ranks);
+    const partition parts = shown(
+        "partitioning", {}, [&] { return make_partition(partitioner_from(values), request.control, tiles); });
+    const planned_ranks plan = shown("planning ranks", {}, [&] { return plan_ranks(request, parts, ranks); });
     if (values.count("json") != 0)
         print_json(plan);
     else

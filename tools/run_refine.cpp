@@ -9,17 +9,24 @@
 #include "run_stats.hpp"
 #include "scheme_options.hpp"
 #include "settle_attributes.hpp"
+#include "terminal.hpp"
 #include "tile_options.hpp"
 
+#include <kith/format/held_attributes.hpp>
 #include <kith/format/mesh_format.hpp>
+#include <kith/level/lift.hpp>
+#include <kith/plan.hpp>
 #include <kith/text/counted.hpp>
 #include <kith/write_mesh.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <utility>
+#include <variant>
 
 #if defined(_OPENMP)
 #include <omp.h>
@@ -96,6 +103,44 @@ void append_isolated(io::mesh_attributes& attributes, const control_mesh& contro
     }
 }
 
+/// Notes what the floats of binary STL change, where that is more than the last digits of the mesh.
+void note_rounding(const std::string& output, const written_mesh& what)
+{
+    double largest_move = 0, size = 0;
+    std::array<double, 3> least = what.mesh.point(0), most = least;
+    for (const auto& p : what.mesh.points())
+        for (std::size_t i = 0; i < 3; ++i) {
+            largest_move = std::max(largest_move, std::abs(p[i] - double(float(p[i]))));
+            least[i] = std::min(least[i], p[i]);
+            most[i] = std::max(most[i], p[i]);
+            size = std::max(size, most[i] - least[i]);
+        }
+    const std::size_t fallen = fallen_faces(what);
+    constexpr double last_digits = 1e-6;
+    if (fallen == 0 and largest_move <= last_digits * size)
+        return;
+    std::cerr << "kith: note: " << output << ": the floats of binary STL move coordinates by up to "
+              << to_json(largest_move);
+    if (fallen != 0)
+        std::cerr << "; " << fallen << " of " << counted(what.mesh.face_count(), "triangle")
+                  << (fallen == 1 ? " falls together and is" : " fall together and are") << " left out";
+    std::cerr << "; text, .off, .obj and .ply keep doubles\n";
+}
+
+/// The bytes by which memory grows while the last level is made: by that level, or by all of them where they are meshes
+/// of their own.
+double bytes_of_levels(const refine_request& request, const basic_mesh<>& control, mesh_kind mesh)
+{
+    const auto planned = std::visit(
+        [&](const auto& scheme) {
+            return plan_what_fits(count(control.topology()), scheme, request.levels, control.generation()).levels;
+        },
+        request.scheme);
+    return mesh == mesh_kind::native and not request.limit and not request.with_tags
+               ? double(planned.back().least_bytes)
+               : double(job_bytes(planned, {mesh, request.limit, false, request.with_tags, request.counted}));
+}
+
 void set_threads([[maybe_unused]] const po::variables_map& values)
 {
 #if defined(_OPENMP)
@@ -144,11 +189,12 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
         if (not request.limit) // from where nobody goes on
             tell_next_step(control, request.scheme, request.levels);
         request.holes = holes_of(control.tags, control.mesh);
-        settle_attributes(control, format, {request.scheme, request.levels, request.limit});
+        settle_attributes(control, format, {request.scheme, request.levels, request.limit, binary});
         request.attributes = attribute_fields(control.attributes, control.mesh, linear);
         request.counted = count_of(control.attributes, linear);
         auto start = prepared(request.scheme, std::move(control.mesh), request.attributes);
-        refined_mesh refined = refine_on(mesh, std::move(start), request);
+        const share_of_work share = share_of_memory(bytes_of_levels(request, start, mesh));
+        refined_mesh refined = shown("refining", share, [&] { return refine_on(mesh, std::move(start), request); });
         request.attributes = {};
         attributes = refined.attributes.at_level(control.attributes);
         refined.attributes = {};
@@ -166,10 +212,15 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     }
     settle_isolated(control, format, given("drop-isolated"));
     append_isolated(attributes, control);
+    const written_mesh what{result.mesh, result.normals, control.isolated, &result.tags, binary, &attributes};
     timed(seconds[phase::write], [&] {
-        write_mesh_file(output, {result.mesh, result.normals, control.isolated, &result.tags, binary, &attributes});
+        const shown_phase writing("writing", share_of_file);
+        write_mesh_file(output, what);
     });
     note_losses(input, control.not_kept);
+    note_zeros(output, written_as_zero(format, attributes));
+    if (format == mesh_format::stl and binary)
+        note_rounding(output, what);
 
     const auto vertices = result.mesh.vertex_count() + control.isolated.size();
     const auto faces = result.mesh.face_count();

@@ -5,6 +5,7 @@
 #include "errors.hpp"
 
 #include <kith/output_file.hpp>
+#include <kith/text/printable.hpp>
 
 #include <cerrno>
 #include <cmath>
@@ -47,7 +48,7 @@ void write_stats(const std::string& path, const phase_seconds& seconds)
 void print_result(std::ostream& out, const std::string& line, const std::string& output)
 {
     errno = 0;
-    if (not(out << line << '\n').flush())
+    if (not(out << io::printable(line) << '\n').flush())
         throw file_error("standard output: cannot be written" +
                          (errno != 0 ? std::string(": ").append(std::strerror(errno)) : std::string()) + "; " + output +
                          " is complete");

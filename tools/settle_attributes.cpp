@@ -88,8 +88,8 @@ bool some_faces_lack_some(const control_mesh& control)
 void settle_attributes(control_mesh& control, io::mesh_format format, const attribute_use& use)
 {
     settle_normals(control, use);
-    add_not_kept(control, not_held(format, control.attributes));
-    keep_held(format, control.attributes);
+    add_not_kept(control, not_held(format, control.attributes, use.binary));
+    keep_held(format, control.attributes, use.binary);
     add_spreading_lack(control, use.levels);
     if (format == io::mesh_format::ply and some_faces_lack_some(control))
         control.not_kept.emplace_back("texture coordinates of faces that have not all of theirs");

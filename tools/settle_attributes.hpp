@@ -15,6 +15,7 @@ struct attribute_use {
     const any_scheme& scheme;
     int levels = 0;
     bool limit = false;
+    bool binary = false; ///< which says what STL holds
 };
 
 /// Leaves to the fields what the output holds (held_by), and adds the rest to what is not kept. Normals are kept where

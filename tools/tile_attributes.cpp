@@ -2,7 +2,9 @@
 #include "tile_attributes.hpp"
 
 #include <kith/format/held_attributes.hpp>
+#include <kith/format/mesh_format.hpp>
 
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -27,21 +29,26 @@ file_array array_of(const io::attribute& a, field_on where, std::size_t numbers)
 }
 
 /// For each element the numbers of these attributes, one after the other.
-std::vector<std::byte> bytes_of(const attribute_list& attributes)
+std::vector<std::byte> bytes_of(const attribute_list& attributes, bool is_ply)
 {
     std::vector<std::byte> result;
     std::size_t size = 0;
-    for (const io::attribute* a : attributes)
+    bool is_zero_without_value = is_ply;
+    for (const io::attribute* a : attributes) {
         size += a->type.bytes;
+        is_zero_without_value &= io::is_zero_without_value(*a);
+    }
     const std::size_t elements = attributes.front()->values.size();
     result.resize(size * elements);
     std::byte* to = result.data();
     for (std::size_t element = 0; element < elements; ++element)
-        for (const io::attribute* a : attributes)
-            io::with_type(a->type, a->values[element], [&](auto number) {
+        for (const io::attribute* a : attributes) {
+            const double value = a->values[element];
+            io::with_type(a->type, is_zero_without_value and std::isnan(value) ? 0 : value, [&](auto number) {
                 std::memcpy(to, &number, sizeof number);
                 to += sizeof number;
             });
+        }
     return result;
 }
 
@@ -59,8 +66,10 @@ std::vector<attribute_list> lists_of(const io::mesh_attributes& attributes)
 
 } // namespace
 
-tile_attributes::tile_attributes(const io::mesh_attributes& kinds) : kinds_(kinds)
+tile_attributes::tile_attributes(const tile_request& request)
+    : kinds_(request.kinds), is_ply_(io::extension_of(request.output) == ".ply")
 {
+    const io::mesh_attributes& kinds = kinds_;
     for (const io::attribute& a : kinds.vertices)
         arrays_.push_back(array_of(a, field_on::vertices, 1));
     for (const io::attribute& a : kinds.faces)
@@ -77,7 +86,7 @@ tile_attributes::values tile_attributes::values_of(const attribute_fields& field
     const io::mesh_attributes here = fields.at_level(kinds_);
     values result;
     for (const attribute_list& list : lists_of(here))
-        result.push_back(bytes_of(list));
+        result.push_back(bytes_of(list, is_ply_));
     return result;
 }
 

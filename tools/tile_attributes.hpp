@@ -48,8 +48,8 @@ public:
     /// The values that a tile has for these arrays.
     using values = std::vector<std::vector<std::byte>>;
 
-    /// Precondition: the file has room for what is of these kinds (settle_tile_attributes).
-    explicit tile_attributes(const io::mesh_attributes& kinds);
+    /// Precondition: the output has room for what is of these kinds (settle_tile_attributes).
+    explicit tile_attributes(const tile_request& request);
 
     [[nodiscard]] const std::vector<file_array>& arrays() const { return arrays_; }
     /// In the types of the file.
@@ -67,6 +67,7 @@ public:
 private:
     io::mesh_attributes kinds_;
     std::vector<file_array> arrays_;
+    bool is_ply_; ///< in which values that are missing are 0, as without tiles
 };
 
 } // namespace kith::tool

@@ -86,7 +86,7 @@ std::string file_number(const std::string& path)
 output_request output_of(const tile_request& request)
 {
     return {.path = request.output,
-            .arrays = tile_attributes(request.kinds).arrays(),
+            .arrays = tile_attributes(request).arrays(),
             .file_lines = request.kinds.file_lines,
             .levels = request.levels,
             .with_origin = request.with_origin,

@@ -63,6 +63,8 @@ public:
     /// output is there. Errors: file_error, write_error.
     [[nodiscard]] bool begin(const found_recipe& recipe);
     void open();
+    /// The bytes of the file, or of the index where each tile has a file of its own.
+    [[nodiscard]] std::uint64_t size() const { return layout_->size(); }
     /// What is in the journal, of all tiles; nothing without a journal. Errors: write_error.
     [[nodiscard]] std::vector<std::optional<finished_tile>> finished();
     /// The same for one tile, now.

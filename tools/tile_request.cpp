@@ -5,11 +5,51 @@
 #include "mesh_input.hpp"
 #include "settle_attributes.hpp"
 
+#include <kith/format/held_attributes.hpp>
+#include <kith/format/mesh_format.hpp>
+#include <kith/step/children.hpp>
 #include <kith/text/counted.hpp>
 
+#include <limits>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace kith::tool {
+
+namespace {
+
+/// Whether a scheme has faces that are born by edges or vertices, and so have no value of a face.
+bool has_faces_without_parent(const any_scheme& scheme)
+{
+    return std::visit(
+        [](const auto& s) {
+            return std::apply(
+                []<tuple_kind... K, class... W, class... D>(const column<K, W, D>&...) {
+                    return ((parent_kind(K) != element_kind::face) or ...);
+                },
+                columns_of(s, 0).faces.list);
+        },
+        scheme);
+}
+
+/// What the output has 0 for, as far as the control mesh tells.
+std::vector<std::string> zeros_of(const tile_request& request, const io::mesh_attributes& attributes)
+{
+    const auto format = io::extension_of(request.output) == ".ply" ? io::mesh_format::ply : io::mesh_format::vtu;
+    std::vector<std::string> result = written_as_zero(format, attributes);
+    io::mesh_attributes of_a_face;
+    for (const io::attribute& a : attributes.faces)
+        of_a_face.faces.push_back({a.name, a.type, {std::numeric_limits<double>::quiet_NaN()}, a.labels});
+    if (request.levels > 0 and not written_as_zero(format, of_a_face).empty() and
+        has_faces_without_parent(request.scheme))
+        result.emplace_back("the values of faces that come from edges or vertices");
+    return result;
+}
+
+} // namespace
 
 void read_control(tile_request& request, const std::string& path)
 {
@@ -25,6 +65,7 @@ void read_control(tile_request& request, const std::string& path)
         control.not_kept.push_back(io::counted(control.isolated.size(), "vertex") + " without a face");
     take_control(request, control);
     note_losses(path, control.not_kept);
+    note_zeros(request.output, zeros_of(request, control.attributes));
 }
 
 void take_control(tile_request& request, control_mesh& control)

@@ -16,7 +16,8 @@ namespace kith::io {
 /// unfinished: a thread of its own waits for the signals, removes, and ends the program by the signal. Called once, at
 /// the beginning of main, since all threads that are started later must leave these signals to that one. A process that
 /// has nothing to remove ends so much later, for those that have: mpirun kills all ranks as soon as one has ended.
-void remove_unfinished_when_interrupted(std::chrono::milliseconds patience = {});
+/// `before` is called first, on the waiting thread.
+void remove_unfinished_when_interrupted(std::chrono::milliseconds patience = {}, void (*before)() = nullptr);
 
 /// While it is held, a signal waits: what is several steps is done as one.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> hold_interruptions();

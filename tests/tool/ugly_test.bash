@@ -66,7 +66,7 @@ off() { # off SED-SCRIPT MESSAGE
 }
 off '1s/.*/offset/' "line 1: an OFF file begins with the word OFF, this one with 'offset'"
 off '1d' "line 1: an OFF file begins with the word OFF, this one with '8'"
-off '1s/.*/nOFF/' 'another number of coordinates'
+off '1s/.*/nOFF/' 'line 2: vertices have 8 coordinates, which is another number than three'
 off '1s/.*/OFF BINARY/' 'binary OFF is not read'
 off '2s/.*/8/' "line 2: the number of faces should be a whole number, it is ''"
 off '2s/.*/8 six 12/' "line 2: the number of faces should be a whole number, it is 'six'"

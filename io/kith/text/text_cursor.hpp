@@ -2,6 +2,7 @@
 #pragma once
 
 #include "file_error.hpp"
+#include "work_counter.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -69,6 +70,7 @@ public:
         skip_line();
         if (at_ == end_)
             return false;
+        file_work.set(position());
         at_ += *at_ == '\r' and at_ + 1 != end_ and at_[1] == '\n' ? 2 : 1;
         return at_ != end_;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "work_counter.hpp"
+
 #include <kith/base/for_parts.hpp>
 
 #include <algorithm>
@@ -82,6 +84,7 @@ void write_blocks(std::ostream& out, std::size_t count, const Write& write)
         kith::detail::for_parts(used, parallel, fill, 2);
         for (std::size_t b = 0; b < used; ++b)
             out.write(blocks[b].text().data(), std::streamsize(blocks[b].text().size()));
+        file_work.add(std::min(blocks.size() * per_block, count - begin));
     }
 }
 
