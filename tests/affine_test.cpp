@@ -82,3 +82,28 @@ TEST(affine, types_without_a_specialisation_are_not)
     EXPECT_FALSE(kith::affine_value<int>); // averages of integers are not integers
     EXPECT_FALSE(kith::affine_value<std::string>);
 }
+
+namespace {
+
+/// Shaped as a vector of glm is.
+template <class T>
+struct three {
+    using value_type = T;
+    using length_type = int;
+    static constexpr int length() { return 3; }
+    T& operator[](int i) { return x[std::size_t(i)]; }
+    const T& operator[](int i) const { return x[std::size_t(i)]; }
+    std::array<T, 3> x;
+};
+
+} // namespace
+
+TEST(affine, vectors_of_other_libraries_are_known_by_their_shape)
+{
+    auto total = affine<three<float>>::load({{8, 16, 24}});
+    affine<three<float>>::scale(total, .25F);
+    EXPECT_EQ(affine<three<float>>::store(total).x, (std::array<float, 3>{2, 4, 6}));
+    EXPECT_TRUE((std::same_as<kith::scalar_of<three<float>>, float>));
+    EXPECT_EQ(affine<three<unsigned char>>::store({-3, 255.5, 7.75}).x, (std::array<unsigned char, 3>{0, 255, 8}));
+    EXPECT_FALSE(kith::affine_value<three<std::string>>);
+}

@@ -284,3 +284,19 @@ TEST(convert, properties_of_one_name_and_several_types_all_go)
     ASSERT_EQ(native.left_out.size(), 1U);
     EXPECT_EQ(native.left_out[0].why, "another property has become 'v:x'");
 }
+
+namespace {
+
+struct own_cgal_mesh : cgal_mesh {};
+struct own_openmesh_mesh : poly_mesh {};
+
+} // namespace
+
+TEST(convert, derived_classes_are_meshes)
+{
+    const cgal_mesh control = with_maps(cgal(shapes::open_house()));
+    const own_cgal_mesh own = kith::convert<own_cgal_mesh>(control).mesh;
+    expect_same_maps(own, control);
+    const own_openmesh_mesh there = kith::convert<own_openmesh_mesh>(own).mesh;
+    expect_same_maps(kith::convert<cgal_mesh>(there).mesh, control);
+}

@@ -97,3 +97,15 @@ TEST(eigen, igl_users_find_their_functions)
     EXPECT_EQ(f.rows(), 4 * faces.rows());
     EXPECT_EQ(v.topRows(4), points_of(shape)); // nothing is smoothed
 }
+
+TEST(eigen, fixed_vectors_are_values_of_masks)
+{
+    EXPECT_TRUE(kith::affine_value<Eigen::Vector2f> and kith::affine_value<Eigen::RowVector3d>);
+    EXPECT_FALSE(kith::affine_value<Eigen::VectorXd> or kith::affine_value<Eigen::Matrix3d>);
+    kith::hierarchy levels(native(shapes::cube()), kith::catmull_clark());
+    levels.refine(1);
+    std::vector<Eigen::Vector2d> values(8, Eigen::Vector2d(0, 24));
+    values[0] = {12, 0};
+    const auto fine = levels.carry(0, 1, std::span<const Eigen::Vector2d>(values));
+    EXPECT_LT((fine[0] - Eigen::Vector2d(5, 14)).norm(), 1e-13); // 5/12 of the first
+}

@@ -13,8 +13,28 @@
 
 namespace kith {
 
+/// While one lives in a thread, new points and numbers of exact kernels that it computes stay lazy, as CGAL leaves them.
+/// That is faster by far until their exact values are asked for, and keeps the expressions of all levels in memory.
+/// Values are equal either way; as doubles they may differ in the last digits.
+class lazy_numbers {
+public:
+    lazy_numbers() { ++count(); }
+    lazy_numbers(const lazy_numbers&) = delete;
+    lazy_numbers& operator=(const lazy_numbers&) = delete;
+    ~lazy_numbers() { --count(); }
+
+    [[nodiscard]] static bool are_kept() { return count() != 0; }
+
+private:
+    static int& count()
+    {
+        thread_local int result = 0;
+        return result;
+    }
+};
+
 /// Points of every CGAL kernel. Over exact kernels each new point is evaluated at once, since a lazy expression tree
-/// would grow with every level.
+/// grows with every level, unless `lazy_numbers` are kept.
 template <class Kernel>
 struct affine<CGAL::Point_3<Kernel>> : coordinates_affine<typename Kernel::FT, 3> {
     using point = CGAL::Point_3<Kernel>;
@@ -26,7 +46,8 @@ struct affine<CGAL::Point_3<Kernel>> : coordinates_affine<typename Kernel::FT, 3
     {
         point result(total[0], total[1], total[2]);
         if constexpr (requires { exact(result); })
-            exact(result);
+            if (not lazy_numbers::are_kept())
+                exact(result);
         return result;
     }
 };
@@ -164,6 +185,13 @@ template <>
 inline constexpr bool is_compiled_mesh<CGAL::Surface_mesh<CGAL::Point_3<CGAL::Simple_cartesian<double>>>> = true;
 template <>
 inline constexpr bool is_compiled_mesh<CGAL::Surface_mesh<CGAL::Point_3<CGAL::Epick>>> = true;
+/// Classes derived from a Surface_mesh are read as this.
+template <surface_mesh_or_derived M>
+    requires(not std::same_as<M, surface_mesh_of<M>>)
+struct compiled_view<M> {
+    using type = surface_mesh_of<M>;
+    static const type& of(const M& mesh) { return mesh; }
+};
 
 } // namespace kith
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "cgal.hpp"
+
 #include <kith/base/affine.hpp>
 #include <kith/property/averaged_value.hpp>
 
@@ -49,7 +51,8 @@ struct affine_cartesian : coordinates_affine<typename CGAL::Kernel_traits<T>::Ke
                 return T(total[0], total[1], total[2]);
         }();
         if constexpr (requires { exact(result); })
-            exact(result);
+            if (not lazy_numbers::are_kept())
+                exact(result);
         return result;
     }
 };
@@ -104,7 +107,8 @@ struct affine<Number> {
     static const Number& store(const Number& total)
     {
         if constexpr (requires { exact(total); })
-            exact(total);
+            if (not lazy_numbers::are_kept())
+                exact(total);
         return total;
     }
     static void add(Number& total, const Number& more) { total += more; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "openmesh_kernel.hpp"
+#include "openmesh.hpp"
 
 #include <kith/carry_properties.hpp>
 #include <kith/property/standard_property.hpp>

@@ -4,11 +4,12 @@
 #include "face_graph.hpp"
 #include "named_parameters.hpp"
 #include "write_face_graph.hpp"
+#include "write_surface_mesh.hpp"
 
 #include <kith/base/affine.hpp>
 #include <kith/cgal_properties.hpp>
 #include <kith/crease/make_creases.hpp>
-#include <kith/in_place/carried_properties.hpp>
+#include <kith/in_place/properties_of.hpp>
 #include <kith/in_place/refine_in_place.hpp>
 #include <kith/linear.hpp>
 #include <kith/property/map_value.hpp>
@@ -192,7 +193,7 @@ auto write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine
             return writer.commit();
         } else {
             auto result = write_connectivity(g, fine.mesh.topology(), fine.keeps_vertices);
-            carried.write(g);
+            carried.write(g, result.vertices);
             return result;
         }
     }();

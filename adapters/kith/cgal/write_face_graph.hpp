@@ -3,20 +3,12 @@
 
 #include "face_graph.hpp"
 
-#include <kith/in_place/carried_properties.hpp>
-#include <kith/in_place/join_elements.hpp>
-
-#include <CGAL/Surface_mesh/Surface_mesh.h>
-
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <new>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -120,65 +112,6 @@ private:
     bool is_committed_ = false;
 };
 
-/// Makes elements of those that were removed, so that no count or list of them is left; undo() removes them again.
-template <class Point>
-class taken_back_elements {
-    using mesh = CGAL::Surface_mesh<Point>;
-    using size = typename mesh::size_type;
-
-public:
-    explicit taken_back_elements(mesh& m)
-        : mesh_(&m)
-        , vertices_(removed<typename mesh::Vertex_index>(m, m.num_vertices(), m.number_of_removed_vertices()))
-        , edges_(removed<typename mesh::Edge_index>(m, m.num_edges(), m.number_of_removed_edges()))
-        , faces_(removed<typename mesh::Face_index>(m, m.num_faces(), m.number_of_removed_faces()))
-    {
-        const bool recycles = m.does_recycle_garbage();
-        m.set_recycle_garbage(true);
-        try {
-            while (m.number_of_removed_vertices() > 0)
-                m.add_vertex();
-            while (m.number_of_removed_edges() > 0)
-                m.add_edge();
-            while (m.number_of_removed_faces() > 0)
-                m.add_face();
-        } catch (...) {
-            m.set_recycle_garbage(recycles);
-            undo();
-            throw;
-        }
-        m.set_recycle_garbage(recycles);
-    }
-    void undo() noexcept
-    {
-        for (const auto v : vertices_)
-            if (not mesh_->is_removed(v))
-                mesh_->remove_vertex(v);
-        for (const auto e : edges_)
-            if (not mesh_->is_removed(e))
-                mesh_->remove_edge(e);
-        for (const auto f : faces_)
-            if (not mesh_->is_removed(f))
-                mesh_->remove_face(f);
-    }
-
-private:
-    template <class Handle>
-    static std::vector<Handle> removed(const mesh& m, size bound, size count)
-    {
-        std::vector<Handle> result;
-        for (size i = 0; count != 0 and i < bound; ++i)
-            if (m.is_removed(Handle(i)))
-                result.push_back(Handle(i));
-        return result;
-    }
-
-    mesh* mesh_;
-    std::vector<typename mesh::Vertex_index> vertices_;
-    std::vector<typename mesh::Edge_index> edges_;
-    std::vector<typename mesh::Face_index> faces_;
-};
-
 } // namespace detail
 
 /// Overwrites any model of MutableFaceGraph with these elements. Descriptors that are there are used again, in their
@@ -196,16 +129,18 @@ auto write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool kee
         return std::vector<typename std::iterator_traits<decltype(range.begin())>::value_type>(range.begin(),
                                                                                                range.end());
     };
+    constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), kept = detail::has_items<Graph> ? 0 : all;
+    auto joined = list(all_vertices(g));
+    std::erase_if(joined, [&](auto v) { return is_alone(g, v); });
     [[maybe_unused]] std::size_t vertices_to_keep = 0;
     if constexpr (detail::has_arrays<Graph>) {
-        vertices_to_keep = keeps_vertices ? std::size_t(g.n_vertices()) : 0;
+        if (keeps_vertices)
+            vertices_to_keep = std::size_t(g.n_vertices());
+        else
+            joined.clear();
         g.resize(vertices_to_keep, 0, 0);
         g.resize(vertices_to_keep, t.edges(), t.faces);
     }
-    constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), kept = detail::has_items<Graph> ? 0 : all;
-    auto joined = list(all_vertices(g));
-    if constexpr (not detail::has_arrays<Graph>)
-        std::erase_if(joined, [&](auto v) { return is_alone(g, v); });
     detail::resized_elements vertices(
         std::move(joined),
         keeps_vertices ? all : kept,
@@ -253,118 +188,6 @@ auto write_connectivity(Graph& g, const connectivity<std::uint32_t>& t, bool kee
     for (std::size_t v = 0; v < t.vertices; ++v) // CGAL's half-edge of a vertex comes in
         set_halfedge(new_vertices[v], halfedges[t.corner_halfedge[t.vertex_corner[v]] ^ 1], g);
     return written_elements{new_vertices, new_edges};
-}
-
-/// Overwrites a Surface_mesh in two parts: the constructor does all that can fail, commit() the rest. Without commit()
-/// the mesh is as it was. Vertices keep their indices if they are to; isolated ones stay then, and removed ones stay
-/// removed. Edges and faces are numbered from 0 on. Property maps stay, and get their values from
-/// `in_place::carried_properties`. Points are not written.
-template <class Point>
-class surface_mesh_writer {
-    using mesh = CGAL::Surface_mesh<Point>;
-    using vertex = typename mesh::Vertex_index;
-    using face = typename mesh::Face_index;
-    using size = typename mesh::size_type;
-    using traits = mesh_traits<mesh>;
-
-public:
-    /// With room for `staged_places`, or not. The arrays must outlive the writer. Cost: O(elements).
-    surface_mesh_writer(mesh& m, const connectivity<std::uint32_t>& t, bool keeps_vertices, bool stages_values)
-        : mesh_(&m)
-        , t_(&t)
-        , had_garbage_(m.has_garbage())
-        , old_{m.num_vertices(), m.num_edges(), m.num_faces(), nullptr, &t}
-        , joiner_(t)
-    {
-        if (keeps_vertices)
-            for (size v = 0; v < m.num_vertices(); ++v) {
-                if (m.is_removed(vertex(v)))
-                    removed_.push_back(vertex(v));
-                else if (not m.is_isolated(vertex(v)))
-                    numbers_.push_back(v);
-            }
-        const std::size_t joined = numbers_.size();
-        const std::size_t others = keeps_vertices ? old_.vertices - joined : 0; // those that stay without a face
-        for (std::size_t v = joined; v < t.vertices; ++v)
-            numbers_.push_back(std::uint32_t(v + others));
-        bound_ = t.vertices + others;
-        handles_.reserve(numbers_.size());
-        for (const std::uint32_t v : numbers_)
-            handles_.emplace_back(v);
-        old_.final_vertices = &numbers_;
-        const std::string mark = traits::odd_generation;
-        if (traits::generation(m) != 0)
-            odd_ = m.template add_property_map<face, bool>(mark).first;
-        // Without such values everything goes to its place at once.
-        const std::size_t stage = stages_values ? 1 : 0;
-        taken_back_.emplace(m);
-        try {
-            m.resize(size(std::max(stage * old_.vertices + t.vertices, std::max(bound_, old_.vertices))),
-                     size(std::max(stage * old_.edges + t.edges(), old_.edges)),
-                     size(std::max(stage * old_.faces + t.faces, old_.faces)));
-        } catch (...) {
-            undo();
-            throw;
-        }
-    }
-    surface_mesh_writer(const surface_mesh_writer&) = delete;
-    surface_mesh_writer& operator=(const surface_mesh_writer&) = delete;
-    ~surface_mesh_writer()
-    {
-        if (not is_committed_)
-            undo();
-    }
-
-    [[nodiscard]] const in_place::staged_places& places() const { return old_; }
-
-    /// Precondition: the values are in their final places. Returns the elements in the order of the arrays.
-    auto commit() noexcept
-    {
-        is_committed_ = true;
-        mesh& m = *mesh_;
-        m.resize(size(bound_), size(t_->edges()), size(t_->faces));
-        if (odd_)
-            m.remove_property_map(odd_);
-        for (const vertex v : removed_)
-            m.remove_vertex(v);
-        joiner_.template join<traits>(m, [&](std::size_t v) { return handles_[v]; });
-        if (had_garbage_ and removed_.empty())
-            forget_garbage();
-        return written_elements{std::move(handles_), m.edges()};
-    }
-
-private:
-    void undo() noexcept
-    {
-        mesh_->resize(size(old_.vertices), size(old_.edges), size(old_.faces));
-        taken_back_->undo();
-    }
-    /// There is none any more, which the mesh does not know. If this fails the mesh will look for it once more.
-    void forget_garbage() noexcept
-    {
-        try {
-            mesh_->collect_garbage();
-        } catch (const std::bad_alloc&) {
-        }
-    }
-
-    mesh* mesh_;
-    const connectivity<std::uint32_t>* t_;
-    bool had_garbage_, is_committed_ = false;
-    in_place::staged_places old_;
-    in_place::element_joiner joiner_;
-    std::vector<std::uint32_t> numbers_; ///< of the vertices
-    std::vector<vertex> handles_, removed_;
-    std::size_t bound_ = 0;
-    typename mesh::template Property_map<face, bool> odd_;
-    std::optional<detail::taken_back_elements<Point>> taken_back_;
-};
-
-/// The same without values. Cost: O(elements).
-template <class Point>
-auto write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
-{
-    return surface_mesh_writer<Point>(m, t, keeps_vertices, false).commit();
 }
 
 } // namespace kith::cgal

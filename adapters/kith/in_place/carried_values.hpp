@@ -5,10 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <string>
-#include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -70,84 +66,23 @@ private:
     }
 };
 
-/// The properties of one type that go by a rule of the user, or by the usual one for types with a mean of their own.
-template <mesh_with_properties M, class Handle, class T, class Rule>
-class ruled_properties {
-    static constexpr field_on where = kith::detail::kind_of_handle<M, Handle>;
+/// No element, as the one from which another inherits.
+inline constexpr std::uint32_t no_element = 0xffffffff;
 
-public:
-    using handle = Handle;
-    using value_type = T;
-
-    /// Reads a property. Returns what its library knows it by; nothing if it is not there in this type.
-    std::vector<kith::detail::known_property> read(const M& mesh, const std::vector<Handle>& handles,
-                                                   kith::detail::unset_values<M>& unset, const std::string& name,
-                                                   const Rule& rule)
-    {
-        const auto from = property_access<M>::template find<Handle, T>(mesh, name);
-        if (not from)
-            return {};
-        storage<T> values(handles.size());
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = from[handles[i]];
-        all_.push_back({name, field<where, T, Rule>(values, rule), unset.template of<Handle, T>(name)});
-        const void* array = nullptr;
-        if constexpr (requires { from.array(); })
-            array = from.array();
-        return {{name, typeid(T), array}};
-    }
-    /// Takes the values to the next level; old vertices that do not move keep theirs.
-    template <finished_step Step>
-    void advance(const Step& step, bool points_stay)
-    {
-        for (one& each : all_) {
-            field<where, T, Rule> next(each.values.rule());
-            if constexpr (where != field_on::edges or Step::numbering_type::has_edges)
-                next = each.values.after(step);
-            if constexpr (where == field_on::vertices)
-                for (std::size_t v = 0; points_stay and v < each.values.size(); ++v)
-                    next[v] = each.values[v];
-            each.values = std::move(next);
-        }
-    }
-    [[nodiscard]] bool empty() const { return all_.empty(); }
-    /// Writes the values; `swaps` gets how they are exchanged with others.
-    void write(M& mesh, const kith::detail::written_places<Handle>& places,
-               std::vector<std::unique_ptr<kith::detail::value_exchange>>* swaps) const
-    {
-        for (const one& each : all_) {
-            auto to = kith::detail::add_unset<Handle>(mesh, each.name, each.nothing);
-            for (std::size_t i = 0; i < places.elements.size(); ++i)
-                to[places.elements[i]] = i < each.values.size() ? each.values[i] : each.nothing;
-            kith::detail::store_nothing(to, places.beside_faces, each.nothing);
-            if constexpr (mesh_with_other_properties<M>)
-                if (swaps != nullptr)
-                    swaps->push_back(std::make_unique<kith::detail::value_exchange_in<M, Handle, T, decltype(to)>>(to));
-        }
-    }
-
-private:
-    struct one {
-        std::string name;
-        field<where, T, Rule> values;
-        T nothing;
-    };
-    std::vector<one> all_;
-};
-
-/// Carried values with those that go by rules.
-template <class Number, class... Ruled>
-struct values_with_rules : carried_values<Number> {
-    using carried_values<Number>::carried_values;
-
-    template <finished_step Step>
-    void advance(const Step& step, bool points_stay)
-    {
-        carried_values<Number>::advance(step, points_stay);
-        std::apply([&](Ruled&... each) { (each.advance(step, points_stay), ...); }, ruled);
-    }
-
-    std::tuple<Ruled...> ruled;
-};
+/// Lets elements inherit that were made without a scheme: element i of `size` has what parent_of(i) had before, if that
+/// is an element.
+template <class Heirs, class ParentOf>
+void inherit_from(Heirs& heirs, std::size_t size, const ParentOf& parent_of)
+{
+    if (heirs.empty()) // nothing is inherited
+        return;
+    storage<std::uint32_t> values(size);
+    for (std::size_t i = 0; i < size; ++i)
+        if (const std::uint32_t parent = parent_of(i); parent == no_element)
+            values[i] = 0;
+        else
+            values[i] = heirs[parent];
+    heirs = Heirs(values);
+}
 
 } // namespace kith::in_place

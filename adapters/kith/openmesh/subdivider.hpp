@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "write_in_place.hpp"
+#include "overwritten_mesh.hpp"
 
 #include <kith/catmull_clark.hpp>
 #include <kith/in_place/carried_properties.hpp>
@@ -25,38 +25,6 @@
 #include <vector>
 
 namespace kith::openmesh {
-
-/// A mesh of OpenMesh that can be read, overwritten in bulk, and asked for its properties.
-template <class M>
-concept subdividable_mesh = std::derived_from<M, OpenMesh::PolyConnectivity> and fillable_mesh<M> and
-                            mesh_with_properties<M>;
-
-namespace detail {
-
-/// The normals of faces, requested for as long as it lives, where other normals need them.
-template <class Mesh>
-class needed_face_normals {
-public:
-    explicit needed_face_normals(Mesh& mesh)
-        : mesh_((mesh.has_vertex_normals() or mesh.has_halfedge_normals()) and not mesh.has_face_normals() ? &mesh
-                                                                                                           : nullptr)
-    {
-        if (mesh_ != nullptr)
-            mesh_->request_face_normals();
-    }
-    needed_face_normals(const needed_face_normals&) = delete;
-    needed_face_normals& operator=(const needed_face_normals&) = delete;
-    ~needed_face_normals()
-    {
-        if (mesh_ != nullptr)
-            mesh_->release_face_normals();
-    }
-
-private:
-    Mesh* mesh_;
-};
-
-} // namespace detail
 
 /// A subdivider as OpenMesh's are, and derived from their base class, by any scheme of kith's or of one's own:
 /// attach(mesh), operator()(n), detach(), or operator()(mesh, n), in place. Old vertices keep their handles and come
@@ -158,8 +126,7 @@ protected:
     }
 
 private:
-    using scalar = typename Mesh::Scalar;
-    using view = kernel_view<scalar>;
+    using view = typename overwritten_mesh<Mesh>::view_type;
     using point = typename view::point;
 
     template <class... Argument>
@@ -184,8 +151,8 @@ private:
             return true;
         if (n > std::size_t(std::numeric_limits<int>::max()))
             throw mesh_error("OpenMesh's meshes cannot hold so many levels; refine fewer times");
-        std::vector<point> copies; // where the mesh has points of another kind
-        view all(mesh, points_of(mesh, copies), empty_items(mesh));
+        overwritten_mesh<Mesh> whole(mesh);
+        auto& all = whole.view();
         auto control = lift_valid(all); // before its properties, as it looks whether this is a mesh
         control = {storage<point>(control.points()), control.topology(), generation};
         in_place::require_faces(all, control, used);
@@ -197,55 +164,12 @@ private:
         if (not fine)
             return false;
         property_report report = carried.report(numbering_of<Used, std::uint32_t>::has_edges);
-        const detail::needed_face_normals normals(mesh);
-        {
-            mesh_writer writer(
-                mesh, Mesh::is_trimesh(), fine->mesh.topology(), fine->keeps_vertices, not carried.empty());
-            if (not carried.empty()) {
-                carried.stage(all, writer.places());
-                carried.commit(writer.places());
-            }
-            writer.commit();
-            for (std::size_t v = 0; v < fine->mesh.vertex_count(); ++v) {
-                const point& p = fine->mesh.point(v);
-                mesh.set_point(writer.vertex_at(v), typename Mesh::Point(p[0], p[1], p[2]));
-            }
-        }
+        whole.overwrite(*fine, carried);
         used = std::move(next);
         report_ = std::move(report);
-        mesh.update_normals(); // those that were requested
+        whole.make_normals();
         return true;
     }
-    static const point* points_of(const Mesh& mesh, std::vector<point>& copies)
-    {
-        if constexpr (std::same_as<typename native_point<typename Mesh::Point>::type, point>) {
-            return reinterpret_cast<const point*>(mesh.points());
-        } else {
-            for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
-                const auto& p = mesh.point(OpenMesh::VertexHandle(int(v)));
-                copies.push_back({p[0], p[1], p[2]});
-            }
-            return copies.data();
-        }
-    }
-    /// What the traits of most meshes say of elements: nothing.
-    static std::vector<const OpenMesh::BaseProperty*> empty_items(const Mesh& mesh)
-    {
-        std::vector<const OpenMesh::BaseProperty*> result;
-        const auto look = [&]<class Handle, class Data>(Handle, std::type_identity<Data>) {
-            if constexpr (std::is_empty_v<Data>)
-                kith::detail::for_each_property<Handle>(mesh, [&](const OpenMesh::BaseProperty* p) {
-                    if (dynamic_cast<const OpenMesh::PropertyT<Data>*>(p) != nullptr)
-                        result.push_back(p);
-                });
-        };
-        look(OpenMesh::VertexHandle(), std::type_identity<typename Mesh::VertexData>());
-        look(OpenMesh::HalfedgeHandle(), std::type_identity<typename Mesh::HalfedgeData>());
-        look(OpenMesh::EdgeHandle(), std::type_identity<typename Mesh::EdgeData>());
-        look(OpenMesh::FaceHandle(), std::type_identity<typename Mesh::FaceData>());
-        return result;
-    }
-
     Scheme scheme_;
     std::optional<Scheme> before_; ///< the scheme when the mesh was attached
     Mesh* attached_ = nullptr;

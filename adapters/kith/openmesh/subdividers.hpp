@@ -2,10 +2,13 @@
 #pragma once
 
 #include "subdivider.hpp"
+#include "triangulated_midpoints.hpp"
 
 #include <kith/in_place/compiled.hpp>
 #include <kith/presets.hpp>
 
+#include <concepts>
+#include <type_traits>
 #include <utility>
 
 namespace kith::openmesh {
@@ -65,9 +68,12 @@ using ModifiedButterflyT = detail::as_openmesh<Mesh, RealType, butterfly>;
 template <subdividable_mesh Mesh, class RealType = double>
 using InterpolatingSqrt3LGT = detail::as_openmesh<Mesh, RealType, interpolatory_sqrt3>;
 
-/// The same for MidpointT, on closed meshes; from others, faces are not dropped at the boundary.
+/// The same for MidpointT, on closed meshes; from others, faces are not dropped at the boundary. On a TriMesh each step
+/// cuts its faces into triangles, as there, always in fans around the first corner.
 template <subdividable_mesh Mesh, class RealType = double>
-using MidpointT = detail::as_openmesh<Mesh, RealType, mid_edge>;
+using MidpointT =
+    std::conditional_t<std::derived_from<Mesh, OpenMesh::TriConnectivity>, triangulated_midpoints<Mesh, RealType>,
+                       detail::as_openmesh<Mesh, RealType, mid_edge>>;
 
 // Schemes that OpenMesh does not have.
 

@@ -81,6 +81,58 @@ struct rounded_affine : coordinates_affine<double, N> {
 template <std::integral Scalar, std::size_t N>
 struct affine<std::array<Scalar, N>> : rounded_affine<std::array<Scalar, N>, Scalar, N> {};
 
+/// Vectors of other libraries with a fixed number of coordinates, by their shape: Eigen's say it in constants, glm's by
+/// length().
+template <class T>
+struct fixed_vector;
+template <class T>
+    requires requires(T& v) {
+        requires T::RowsAtCompileTime > 0 and T::ColsAtCompileTime > 0;
+        requires T::RowsAtCompileTime == 1 or T::ColsAtCompileTime == 1;
+        requires std::is_arithmetic_v<typename T::Scalar>;
+        { v[0] } -> std::same_as<typename T::Scalar&>;
+    }
+struct fixed_vector<T> {
+    using scalar = typename T::Scalar;
+    static constexpr std::size_t size = std::size_t(T::RowsAtCompileTime) * std::size_t(T::ColsAtCompileTime);
+};
+template <class T>
+    requires requires(T& v) {
+        typename T::length_type;
+        requires T::length() > 0;
+        requires std::is_arithmetic_v<typename T::value_type>;
+        { v[0] } -> std::same_as<typename T::value_type&>;
+    }
+struct fixed_vector<T> {
+    using scalar = typename T::value_type;
+    static constexpr std::size_t size = std::size_t(T::length());
+};
+template <class T>
+concept is_fixed_vector = requires { fixed_vector<T>::size; };
+
+template <is_fixed_vector T>
+struct affine<T> : coordinates_affine<typename fixed_vector<T>::scalar, fixed_vector<T>::size> {
+    using typename coordinates_affine<typename fixed_vector<T>::scalar, fixed_vector<T>::size>::sum;
+
+    static sum load(const T& value)
+    {
+        sum result;
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = value[int(i)];
+        return result;
+    }
+    static T store(const sum& total)
+    {
+        T result;
+        for (std::size_t i = 0; i < total.size(); ++i)
+            result[int(i)] = total[i];
+        return result;
+    }
+};
+template <is_fixed_vector T>
+    requires std::integral<typename fixed_vector<T>::scalar>
+struct affine<T> : rounded_affine<T, typename fixed_vector<T>::scalar, fixed_vector<T>::size> {};
+
 template <std::floating_point Scalar>
 struct affine<Scalar> {
     using scalar = Scalar;

@@ -110,8 +110,11 @@ basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh);
 template <mesh M, class Point = typename lifted_point<M>::type>
 basic_mesh<Point, std::uint32_t> lift_valid(const M& mesh)
 {
-    if constexpr (is_compiled_mesh<M> and std::same_as<Point, typename lifted_point<M>::type>)
+    constexpr bool is_usual = std::same_as<Point, typename lifted_point<M>::type>;
+    if constexpr (is_compiled_mesh<M> and is_usual)
         return detail::lift_in_library<M, Point>(mesh);
+    else if constexpr (mesh_with_compiled_view<M> and is_usual)
+        return lift_valid(static_cast<const typename compiled_view<M>::type&>(compiled_view<M>::of(mesh)));
     else
         return detail::lift_here<M, Point>(mesh);
 }

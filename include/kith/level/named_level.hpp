@@ -44,6 +44,8 @@ numbers_in_mesh handle_numbers_of(const M& mesh)
 {
     if constexpr (is_compiled_mesh<M>)
         return read_numbers_in_library(mesh);
+    else if constexpr (mesh_with_compiled_view<M>)
+        return handle_numbers_of(static_cast<const typename compiled_view<M>::type&>(compiled_view<M>::of(mesh)));
     else
         return read_numbers(mesh);
 }

@@ -226,4 +226,14 @@ bool is_side_of(const M& mesh, typename mesh_traits<M>::halfedge h, typename mes
 template <class M>
 inline constexpr bool is_compiled_mesh = false;
 
+/// As which compiled type of mesh those of another type are read, such as a class by its base: with `type` and
+/// of(mesh), which returns such a view or reference. Adapters say so.
+template <class M>
+struct compiled_view {};
+template <class M>
+concept mesh_with_compiled_view = requires(const M& mesh) {
+    { compiled_view<M>::of(mesh) } -> std::convertible_to<const typename compiled_view<M>::type&>;
+    requires is_compiled_mesh<typename compiled_view<M>::type>;
+};
+
 } // namespace kith

@@ -74,6 +74,13 @@ template <class T, std::size_t N>
     requires(N <= 4 and (std::floating_point<T> or std::same_as<T, unsigned char>))
 struct averaged_value<std::array<T, N>> : averaged_coordinates<std::array<T, N>, T, N> {};
 
+/// Eigen's and glm's.
+template <is_fixed_vector T>
+    requires(fixed_vector<T>::size <= 4)
+struct averaged_value<T> : averaged_coordinates<T, typename fixed_vector<T>::scalar, fixed_vector<T>::size> {
+    static T nothing() { return averaged_value::template store<double>({}); } // T() leaves Eigen's open
+};
+
 namespace detail {
 
 template <class T>

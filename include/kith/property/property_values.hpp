@@ -100,9 +100,16 @@ public:
     /// The properties that are here, as their library knows them.
     [[nodiscard]] const std::vector<known_property>& found() const { return found_; }
 
-    /// Takes the properties of others of the same mesh, too.
+    /// Whether a property is here; `type` as in found().
+    [[nodiscard]] bool has(const std::string& name, std::type_index type) const
+    {
+        return std::ranges::any_of(found_, [&](const auto& each) { return each.name == name and each.type == type; });
+    }
+    /// Takes the properties of others of the same mesh, too, but those that are here already.
     void add(property_values&& more)
     {
+        for (const known_property& each : found_)
+            more.leave_out(each.name, each.type);
         const auto append = [](auto& to, auto& from) {
             to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
         };
@@ -111,16 +118,16 @@ public:
         append(known_, more.known_);
         append(found_, more.found_);
     }
-    /// Forgets a property; `type` as in found(). Returns whether there was one.
-    bool leave_out(const std::string& name, std::type_index type)
+    /// Forgets a property if it is here; `type` as in found().
+    void leave_out(const std::string& name, std::type_index type)
     {
+        if (not has(name, type))
+            return;
         const auto is_it = [&](const auto& each) { return each.name == name and each.type == type; };
         std::erase_if(means_, is_it);
         std::erase_if(heirs_, is_it);
-        if (std::ranges::none_of(found_, is_it))
-            return false;
+        std::erase_if(found_, is_it);
         known_.erase(std::ranges::find(known_, name));
-        return true;
     }
     /// Drops the values of all elements but these, whose numbers ascend.
     void keep(std::span<const std::uint32_t> elements)
