@@ -255,9 +255,8 @@ io::polygon_soup repaired_soup(const io::polygon_soup& soup, const input_repair&
     if (repair.welds_rounded and not options.weld)
         options.weld = rounding_distance(soup.points);
     auto mended = kith::repair(soup.points, soup.faces, options, soup.first_number);
-    io::polygon_soup result;
+    io::polygon_soup result = soup;
     result.tags = mended_tags(soup, mended, notes);
-    result.attributes = soup.attributes;
     note_other_values(soup, mended, result.attributes, notes);
     for (io::attribute& a : result.attributes.vertices)
         a.values = values_at(a.values, mended.from_vertex);
@@ -265,9 +264,6 @@ io::polygon_soup repaired_soup(const io::polygon_soup& soup, const input_repair&
         a.values = values_at(a.values, mended.from_face);
     for (io::attribute& a : result.attributes.corners)
         a.values = values_at(a.values, mended.from_corner);
-    result.not_kept = soup.not_kept;
-    result.notes = soup.notes;
-    result.first_number = soup.first_number;
     result.points = std::move(mended.points);
     result.faces = std::move(mended.faces);
     report = std::move(mended.report);
