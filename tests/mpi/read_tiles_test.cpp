@@ -6,6 +6,7 @@
 
 #include <kith/doo_sabin.hpp>
 #include <kith/refine_by_exchange.hpp>
+#include <kith/kobbelt.hpp>
 #include <kith/slices/tiles_of_slices.hpp>
 
 #include <cstdio>
@@ -275,4 +276,37 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     EXPECT_EQ(with_tail("element edge 2\nproperty list char short a\n", std::string("\1ab\0", 4)), "no error");
     expect(with_tail("element edge 2\nproperty list char short a\n", "\1ab\1a"), "ends within its elements 'edge'");
     expect(with_tail("element edge 1\nproperty list char short a\n", "\377"), "has a list of less than no entries");
+}
+
+TEST(read_tiles, says_why_a_file_cannot_be_read_and_on_which_rank)
+{
+    const auto text = [](const std::string& path, int rings) {
+        return error_text<kith::mpi::phase_error>([&] { kith::mpi::read_tiles(world(), path, rings); });
+    };
+    EXPECT_EQ(text("missing.ply", 1), "missing.ply: cannot be opened: No such file or directory");
+    EXPECT_EQ(text(".", 1), ".: is a directory, not a file");
+    const shared_file file([](std::ostream& out) { write_ply<double>(out, shapes::torus(5, 7)); });
+    EXPECT_EQ(text(shared_file::path(), 0),
+              shared_file::path() + ": tiles with 0 rings of shadows were asked for; ask for 1 or more");
+    const int last = world().size() - 1;
+    const std::string some = text(world().rank() == last ? "missing.ply" : shared_file::path(), 1);
+    EXPECT_TRUE(some.starts_with("missing.ply: cannot be opened: No such file or directory")) << some;
+    if (last != 0) {
+        EXPECT_NE(some.find(" on rank " + std::to_string(last) + " of " + std::to_string(last + 1) + ", "),
+                  std::string::npos)
+            << some;
+        EXPECT_TRUE(some.ends_with("; put the file where all ranks see it")) << some;
+    }
+}
+
+TEST(read_tiles, with_one_ring_is_enough_for_any_number_of_levels)
+{
+    const auto shape = shapes::shaken(shapes::torus(6, 7));
+    const shared_file file([&](std::ostream& out) { write_ply<double>(out, shape); });
+    auto read = kith::mpi::read_tiles(world(), shared_file::path(), 1);
+    kith::mpi::rank_refinement refinement(world(), std::move(read.tiles), read.counts, kith::kobbelt{}, 3, 1);
+    tiles3d refined;
+    refinement.refine(kith::mpi::sharing::spmd,
+                      [&](std::uint64_t number, tile3d&& part) { refined.push_back({number, std::move(part)}); });
+    ::expect_same(refined, kith::refine(native(shape), kith::kobbelt{}, 3));
 }

@@ -14,6 +14,7 @@
 #include <kith/step/submesh.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
