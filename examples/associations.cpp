@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The diagrams of the documentation, drawn from the associations of real steps: what each kind of tuple makes, the
+// associations of Catmull-Clark around an extraordinary vertex, a patch, and the ghosts of a tile.
+// Sample run: associations docs
+
+#include <kith/catmull_clark.hpp>
+#include <kith/doo_sabin.hpp>
+#include <kith/hierarchy.hpp>
+#include <kith/loop.hpp>
+#include <kith/mesh/make_mesh.hpp>
+#include <kith/nasri_hasbini.hpp>
+#include <kith/refine_in_tiles.hpp>
+#include <kith/sqrt3.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using point = std::array<double, 3>;
+using mesh = kith::basic_mesh<point>;
+using kind = kith::tuple_kind;
+
+constexpr const char* old_color = "#c2410c"; // of the tuple
+constexpr const char* new_color = "#0f766e"; // of what it makes
+
+/// Makes a vertex of two opposite vertices of each quad, which do not touch, and four triangles around it.
+struct diagonals {
+    static constexpr auto traits() { return kith::scheme_traits{.name = "diagonals"}; }
+    static constexpr auto columns()
+    {
+        return kith::columns(kith::new_vertices(kith::per_vertex), kith::new_faces(triangles(kith::per_side)));
+    }
+    template <class R>
+    void operator()(const R& r) const
+    {
+        using namespace kith::targets;
+        const auto& [coarse, assoc, generation] = r;
+        for (const auto v : coarse.vertices())
+            assoc(v, V) = v;
+        for (const auto f : coarse.faces()) { // not for_each: what elements that do not touch make has an order
+            const auto a = f.first_corner().v(), b = f.first_corner().next().next().v();
+            assoc(a, b, V) = average(a, b);
+            for (const auto c : f.corners())
+                assoc(c.next_edge(), f, F) = polygon(assoc(c.v(), V), assoc(c.next().v(), V), assoc(a, b, V));
+        }
+    }
+};
+
+/// A plane grid of n by n quads, or of twice as many triangles, not quite regular.
+mesh grid(int n, bool triangles = false)
+{
+    std::vector<point> points;
+    std::vector<std::vector<int>> faces;
+    for (int y = 0; y <= n; ++y)
+        for (int x = 0; x <= n; ++x)
+            points.push_back({x + .12 * std::sin(2. * x + 3 * y), y + .12 * std::cos(3. * x + y), 0});
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const int a = y * (n + 1) + x, b = a + 1, c = b + n + 1, d = a + n + 1;
+            if (triangles) {
+                faces.push_back({a, b, c});
+                faces.push_back({a, c, d});
+            } else {
+                faces.push_back({a, b, c, d});
+            }
+        }
+    return kith::make_mesh(points, faces);
+}
+
+/// Five quads around a vertex.
+mesh flower()
+{
+    std::vector<point> points{{1.5, 1.5, 0}};
+    std::vector<std::vector<int>> faces;
+    for (int i = 0; i < 10; ++i) {
+        const double radius = i % 2 == 0 ? 1.25 : 1.6, turn = .628319 * i + .3;
+        points.push_back({1.5 + radius * std::cos(turn), 1.5 + radius * std::sin(turn), 0});
+    }
+    for (int i = 0; i < 5; ++i)
+        faces.push_back({0, 2 * i + 1, 2 * i + 2, 2 * i == 8 ? 1 : 2 * i + 3});
+    return kith::make_mesh(points, faces);
+}
+
+/// A picture in scalable vectors, of panels of one size.
+class picture {
+public:
+    picture(const std::string& file, int columns, int rows) : out_(file)
+    {
+        const int width = columns * side, height = rows * (side + 30);
+        out_ << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << width << ' ' << height
+             << "' font-family='sans-serif' font-size='14' stroke-linejoin='round' stroke-linecap='round'>\n<rect "
+                "width='"
+             << width << "' height='" << height << "' fill='white'/>\n";
+    }
+    ~picture() { out_ << "</svg>\n"; }
+
+    /// Goes to the next panel; `extent` is the width of what is drawn there.
+    void panel(int column, int row, double extent, const std::string& title, const std::string& subtitle = {})
+    {
+        left_ = column * side + 15;
+        top_ = row * (side + 30) + 40;
+        scale_ = (side - 30) / extent;
+        out_ << "<text x='" << left_ << "' y='" << top_ - 20 << "'><tspan font-weight='bold'>" << title << "</tspan> "
+             << subtitle << "</text>\n";
+    }
+    void line(const point& a, const point& b, const std::string& color, double width)
+    {
+        out_ << "<path stroke='" << color << "' stroke-width='" << width << "' d='M" << at(a) << 'L' << at(b)
+             << "'/>\n";
+    }
+    void dot(const point& p, const std::string& color, double radius)
+    {
+        out_ << "<circle fill='" << color << "' r='" << radius << "' cx='" << x(p) << "' cy='" << y(p) << "'/>\n";
+    }
+    template <class Face>
+    void fill(const Face& f, const std::string& color, double opacity)
+    {
+        out_ << "<path fill='" << color << "' fill-opacity='" << opacity << "' d='M";
+        for (const auto& v : f.vertices())
+            out_ << at(v.point()) << ' ';
+        out_ << "z'/>\n";
+    }
+    template <class Level>
+    void edges(const Level& level, const std::string& color, double width)
+    {
+        for (const auto& e : level.edges())
+            line(e.org().point(), e.dst().point(), color, width);
+    }
+    template <class Edge>
+    void edge(const Edge& e, const std::string& color)
+    {
+        line(e.org().point(), e.dst().point(), color, 5);
+    }
+
+private:
+    static constexpr int side = 230;
+
+    [[nodiscard]] double x(const point& p) const { return std::round(10 * (left_ + scale_ * p[0])) / 10; }
+    [[nodiscard]] double y(const point& p) const { return std::round(10 * (top_ + side - 45 - scale_ * p[1])) / 10; }
+    [[nodiscard]] std::string at(const point& p) const
+    {
+        std::array<char, 40> text{};
+        std::snprintf(text.data(), text.size(), "%.1f %.1f", x(p), y(p));
+        return text.data();
+    }
+
+    std::ofstream out_;
+    double left_ = 0, top_ = 0, scale_ = 1;
+};
+
+template <class Element>
+point middle(const Element& x)
+{
+    point sum{};
+    double n = 0;
+    const auto add = [&](const point& p) { sum[0] += p[0], sum[1] += p[1], ++n; };
+    if constexpr (requires { x.vertices(); }) {
+        for (const auto& v : x.vertices())
+            add(v.point());
+    } else if constexpr (requires { x.org(); }) {
+        add(x.org().point()), add(x.dst().point());
+    } else {
+        add(x.point());
+    }
+    return {sum[0] / n, sum[1] / n, 0};
+}
+
+/// Draws the old elements of a tuple, as a hierarchy answers for what they have made.
+template <class Level, class Birth>
+void draw_tuple(picture& out, const Level& coarse, const Birth& birth)
+{
+    if (birth.e)
+        out.edge(coarse.edges()[birth.e->value], old_color);
+    for (const auto& v : {birth.v, birth.other_v})
+        if (v)
+            out.dot(coarse.vertices()[v->value].point(), old_color, 6);
+}
+
+/// One step, and of all new elements that a tuple of this kind has made the one nearest to the middle.
+template <class Elements, class Scheme>
+void draw_step(picture& out, const mesh& control, const Scheme& scheme, std::optional<kind> tuple, Elements elements_of)
+{
+    kith::hierarchy levels(control, scheme);
+    levels.refine();
+    const auto &coarse = levels.elements(0), &fine = levels.elements(1);
+    const auto elements = elements_of(fine);
+    std::optional<std::size_t> best;
+    double nearest = 1e9;
+    for (const auto& x : elements)
+        if (const auto birth = levels.origin(1, x.handle()); birth.kind == tuple)
+            if (const point p = middle(x); std::hypot(p[0] - 1.6, p[1] - 1.4) < nearest) {
+                nearest = std::hypot(p[0] - 1.6, p[1] - 1.4);
+                best = x.index();
+            }
+    if (not best)
+        return;
+    const auto x = elements[*best];
+    const auto birth = levels.origin(1, x.handle());
+    if (birth.f)
+        out.fill(coarse.faces()[birth.f->value], old_color, .2);
+    if constexpr (requires { x.vertices(); })
+        out.fill(x, new_color, .45);
+    out.edges(coarse, "#888", 2.5);
+    out.edges(fine, new_color, .8);
+    draw_tuple(out, coarse, birth);
+    if constexpr (requires { x.org(); })
+        out.edge(x, new_color);
+    else if constexpr (requires { x.point(); })
+        out.dot(x.point(), new_color, 5);
+}
+
+void draw_tuples(const std::string& file)
+{
+    picture out(file, 4, 3);
+    const auto V = [](const auto& level) { return level.vertices(); };
+    const auto E = [](const auto& level) { return level.edges(); };
+    const auto F = [](const auto& level) { return level.faces(); };
+    const mesh quads = grid(3), triangles = grid(3, true);
+    auto draw = [&, place = 0](const char* title,
+                               const char* name,
+                               const mesh& control,
+                               const auto& scheme,
+                               std::optional<kind>
+                                   tuple,
+                               auto elements) mutable {
+        out.panel(place % 4, place / 4, 3.15, title, name);
+        draw_step(out, control, scheme, tuple, elements);
+        ++place;
+    };
+    draw("(v) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::v, V);
+    draw("(e) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::e, V);
+    draw("(f) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::f, V);
+    draw("(v,f) → V", "Doo-Sabin", quads, kith::doo_sabin{}, kind::vf, V);
+    draw("(v,f) → E", "Loop", triangles, kith::loop{}, kind::vf, E);
+    draw("(v,e) → E", "Catmull-Clark", quads, kith::catmull_clark{}, kind::ve, E);
+    draw("(e) → F", "Doo-Sabin", quads, kith::doo_sabin{}, kind::e, F);
+    draw("(v,f) → F", "Catmull-Clark", quads, kith::catmull_clark{}, kind::vf, F);
+    draw("(v) → F", "Doo-Sabin", quads, kith::doo_sabin{}, kind::v, F);
+    draw("(e,f) → F", "√3", triangles, kith::sqrt3{}, kind::ef, F);
+    draw("(v,f,e) → E", "Nasri-Hasbini", quads, kith::nasri_hasbini{}, kind::vfe, E);
+    draw("(v,v) → V", "a diagonal", quads, diagonals{}, std::nullopt, V);
+}
+
+/// The new vertices that faces, edges and vertices make, with an arrow from each element to its vertex.
+void draw_catmull_clark(const std::string& file)
+{
+    picture out(file, 3, 1);
+    kith::hierarchy levels(flower(), kith::catmull_clark{});
+    levels.refine();
+    const auto &coarse = levels.elements(0), &fine = levels.elements(1);
+    const auto draw = [&](int column, const char* title, kind tuple) {
+        out.panel(column, 0, 3.3, title);
+        for (const auto& v : fine.vertices())
+            if (const auto birth = levels.origin(1, v.handle()); birth.kind == tuple and birth.f)
+                out.fill(coarse.faces()[birth.f->value], old_color, .12);
+        out.edges(coarse, "#888", 2.5);
+        out.edges(fine, new_color, .8);
+        for (const auto& v : fine.vertices())
+            if (const auto birth = levels.origin(1, v.handle()); birth.kind == tuple) {
+                if (birth.e)
+                    out.edge(coarse.edges()[birth.e->value], old_color);
+                if (birth.v)
+                    out.line(coarse.vertices()[birth.v->value].point(), v.point(), old_color, 2);
+                draw_tuple(out, coarse, birth);
+                out.dot(v.point(), new_color, 5);
+            }
+    };
+    draw(0, "(f) → V", kind::f);
+    draw(1, "(e) → V", kind::e);
+    draw(2, "(v) → V", kind::v);
+}
+
+/// What one face makes over three steps.
+void draw_patch(const std::string& file)
+{
+    picture out(file, 4, 1);
+    kith::hierarchy levels(grid(3), kith::catmull_clark{});
+    levels.refine(3);
+    const auto root = levels.elements(0).faces()[4].handle();
+    for (int level = 0; level <= 3; ++level) {
+        const bool is_made = level == 0 or level == 3;
+        out.panel(level, 0, 3.15, "level " + std::to_string(level), is_made ? "" : "(never made)");
+        const auto& elements = levels.elements(level);
+        if (level == 0) {
+            out.fill(elements.faces()[root.value], old_color, .3);
+        } else if (is_made) {
+            for (const auto f : levels.descendants(0, root, level).faces())
+                out.fill(elements.faces()[f.value], new_color, .4);
+        }
+        out.edges(elements, is_made ? "#555" : "#ccc", is_made ? 1.2 : .8);
+    }
+}
+
+/// The levels of a tile: what it owns, and its ghosts.
+void draw_ghosts(const std::string& file)
+{
+    picture out(file, 4, 1);
+    const mesh control = grid(8);
+    kith::partition parts{{}, 2};
+    for (const auto& f : kith::level_of<mesh>(control).faces()) {
+        const point p = middle(f);
+        parts.part_of.push_back(p[0] > 3 and p[0] < 5 and p[1] > 3 and p[1] < 5 ? 1 : 0);
+    }
+    out.panel(0, 0, 8.2, "control mesh", "and a part");
+    const kith::level_of<mesh> whole(control);
+    for (const auto& f : whole.faces())
+        if (parts.part_of[f.index()] == 1)
+            out.fill(f, old_color, .4);
+    out.edges(whole, "#555", 1.2);
+    kith::tiled_refinement refinement(control, kith::doo_sabin{}, 2, parts);
+    refinement.refine_levels(1, [&](auto&& kept) {
+        out.panel(kept.level + 1, 0, 8.2, "level " + std::to_string(kept.level), "of the tile");
+        out.edges(whole, "#ddd", .8);
+        const kith::level_of<mesh> level(kept.part.mesh);
+        for (const auto& f : level.faces())
+            out.fill(f, kept.part.owns_face(f.index()) ? old_color : "#888", kept.part.owns_face(f.index()) ? .4 : .25);
+        out.edges(level, "#555", kept.level == 2 ? .6 : 1.2);
+    });
+}
+
+} // namespace
+
+int main(int count, char** words)
+{
+    const std::string folder = count > 1 ? words[1] : ".";
+    draw_tuples(folder + "/associations.svg");
+    draw_catmull_clark(folder + "/catmull_clark.svg");
+    draw_patch(folder + "/patch.svg");
+    draw_ghosts(folder + "/ghost_rings.svg");
+    std::ifstream last(folder + "/ghost_rings.svg");
+    return last ? 0 : 1;
+}
