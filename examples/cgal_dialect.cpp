@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A CGAL user's own lines, with kith::cgal in place of CGAL::Subdivision_method_3: constrained edges stay sharp,
-// property maps go along, and the user's own mask runs. docs/cgal.md.
+// property maps go along, and the user's own mask runs. docs/start/cgal.md.
 // Sample run: cgal_dialect
 
 #include <kith/cgal_subdivision.hpp>

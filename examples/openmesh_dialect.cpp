@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An OpenMesh user's own lines, with kith::openmesh in place of OpenMesh::Subdivider::Uniform: features stay sharp,
-// texture coordinates and properties go along. docs/openmesh.md.
+// texture coordinates and properties go along. docs/start/openmesh.md.
 // Sample run: openmesh_dialect
 
 #include <kith/crease/make_creases.hpp>
