@@ -233,7 +233,7 @@ private:
         to_content([] { return std::string("the numbers of vertices and faces"); });
     }
     /// Decides by the first vertices whether colours or normals come first: programs do not agree, and both are three
-    /// numbers. Normals have length 1, and colours are bytes or shares of 1. Where both orders are possible, the keyword
+    /// numbers. Normals have length 1, and colours are bytes or shares of 1. Where all numbers fit both orders, the keyword
     /// decides, which is noted.
     void find_order()
     {
@@ -251,6 +251,8 @@ private:
         text_ = begin;
         if (doubts[0] != doubts[1])
             keyword_.color_is_first = doubts[1] < doubts[0];
+        else if (doubts[0] != 0)
+            return; // no order is as it should be, and the keyword decides
         else if (keyword_.color_is_first)
             soup_.notes.emplace_back("colours and normals of vertices may stand in either order; colours are read "
                                      "first, as MeshLab writes them behind NC");
