@@ -278,8 +278,9 @@ private:
         if (found == vertices.end())
             return;
         const std::size_t face = face_of(std::size_t(found - vertices.begin()));
+        const std::size_t largest = std::ranges::max(soup_.faces[face - 1]);
         refuse_face(face,
-                    "face " + std::to_string(face) + ": vertex " + std::to_string(*found + 1) +
+                    "face " + std::to_string(face) + ": vertex " + std::to_string(largest + 1) +
                         " does not exist, there are " + std::to_string(soup_.points.size()));
     }
     /// Refuses the first face that has a corner without its line. Where there are no such lines at all, the references
