@@ -22,8 +22,8 @@ struct half {
 };
 
 /// Linear subdivision of triangles whose vertices are smoothed and whose edges have tension: an edge point lies between
-/// the middle of its edge, at tension 1, and the middle of the two far corners, at tension 0. The halves of an edge have
-/// half of its tension, the edges inside a face have none.
+/// the middle of its edge, at tension 1, and the middle of the two far corners, at tension 0. The halves of an edge
+/// have half of its tension, the edges inside a face have none.
 struct tense {
     using tensions = kith::field<kith::field_on::edges, double, kith::along_edges<half>>;
     tensions tension; // of the edges of this level, by e.index()

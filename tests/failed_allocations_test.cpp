@@ -278,7 +278,8 @@ TEST(failed_allocations, refine_with_fields)
 
 TEST(failed_allocations, plan)
 {
-    expect_value_or_error([] { return kith::plan(count(house.topology()), kith::catmull_clark{}, 12).back().bytes; }, std::equal_to());
+    const auto counts = count(house.topology());
+    expect_value_or_error([&] { return kith::plan(counts, kith::catmull_clark{}, 12).back().bytes; }, std::equal_to());
 }
 
 TEST(failed_allocations, evaluators)

@@ -333,9 +333,8 @@ TEST(refine, takes_a_list_of_points_and_a_list_of_faces)
     EXPECT_EQ(error_text<kith::mesh_error>([&] {
                   static_cast<void>(refine(points, std::vector<std::vector<int>>{{0, 1, 7}}, kith::loop(), 1));
               }),
-              error_text<kith::mesh_error>([&] {
-                  static_cast<void>(kith::make_mesh(points, std::vector<std::vector<int>>{{0, 1, 7}}));
-              }));
+              error_text<kith::mesh_error>(
+                  [&] { static_cast<void>(kith::make_mesh(points, std::vector<std::vector<int>>{{0, 1, 7}})); }));
 }
 
 TEST(refine, gives_its_faces_as_lists)

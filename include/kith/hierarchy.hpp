@@ -176,8 +176,8 @@ public:
     }
 
     /// Returns the elements of a finer level that have this element of `level` as their ancestor. No element descends
-    /// from two elements. The descendants of a face are those inside it: the vertices and edges on its border descend
-    /// from its edges and vertices. For the closed face take the descendants of these, too. Errors: mesh_error unless level <= finer, and for handles of no element of this level.
+    /// from two elements. The descendants of a face are those inside it: vertices and edges on its border descend from
+    /// its vertices and edges. Errors: mesh_error unless level <= finer, and for handles of no element of this level.
     /// Cost: O(their ranges), few per level; where edges are found by matching O(vertices of the dictionary + edges)
     /// per level.
     template <handle_of<M> X>

@@ -203,7 +203,7 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
     });
 }
 
-/// Refines a list of points and a list of faces, such as vectors of std::array<double, 3> and of std::array<int, 4>, and
+/// Refines a list of points and a list of faces, such as vectors of std::array<double, 3> and std::array<int, 4>, and
 /// returns the native mesh, whose points() and faces() are lists again; `faces_as` gives faces in a type of the
 /// caller's. Points may be of any type with an `affine`. Errors: as `make_mesh`, and those of `refine`.
 template <std::ranges::sized_range Points, class Faces, class Scheme>

@@ -249,8 +249,8 @@ inline constexpr std::size_t lists_that_make = (std::size_t(list_that_makes<List
 
 } // namespace detail
 
-/// The columns of a scheme: which tuples give birth to vertices, to edges and to faces. The three lists are given in any
-/// order. A scheme that declares no edges has them found by matching, which is slower and needs nothing else.
+/// The columns of a scheme: which tuples give birth to vertices, to edges and to faces. The lists stand in any order. A
+/// scheme that declares no edges has them found by matching, which is slower and needs nothing else.
 template <class Vertices, class Edges, class Faces, class Boundary = uncounted>
 struct columns {
     Vertices vertices;

@@ -236,9 +236,9 @@ inline std::size_t most_threads()
 }
 #endif
 
-/// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program is compiled with it and the
-/// loop has at least `smallest` elements. Every value of a level is a gather into its own place, so how the range is cut
-/// changes no bit. Of several errors that of the first part is rethrown.
+/// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program has them and the loop has at
+/// least `smallest` elements. Every value of a level is a gather into its own place, so how the range is cut changes no
+/// bit. Of several errors that of the first part is rethrown.
 inline void for_parts(std::size_t size, [[maybe_unused]] bool parallel, part_body body,
                       [[maybe_unused]] std::size_t smallest = elements_worth_threads())
 {

@@ -4,8 +4,8 @@
 // Every header of kith includes this one before it says anything. The include ends the compilation, since a compiler
 // goes on after an #error and would add thousands of lines about the words of C++20.
 #if __cplusplus < 202002L
-#error "kith needs C++20: compile with -std=c++20 or newer; in CMake link kith's targets, or set CMAKE_CXX_STANDARD to 20"
-#include <kith/needs/-std=c++20>
+#error "kith needs C++20: compile with -std=c++20 or newer; in CMake link kith's targets, or set CMAKE_CXX_STANDARD 20"
+#include <kith_needs_-std=c++20>
 #endif
 
 // Functions that are no templates and that nobody waits for, such as the texts of errors, are compiled once where a

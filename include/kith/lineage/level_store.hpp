@@ -74,8 +74,8 @@ public:
     /// How many of the last levels are kept.
     [[nodiscard]] int kept() const { return kept_; }
 
-    /// Adds n levels, drops those that are kept no longer, and gives up those that were undone, with what was chosen for
-    /// them. go_on(i) is called after the i-th of them. Returns false where it has returned false: then, and after an
+    /// Adds n levels, drops those that are kept no longer, and gives up those that were undone, with their selections.
+    /// go_on(i) is called after the i-th of them. Returns false where it has returned false: then, and after an
     /// error, all is as before the call. Errors: those of a step and of go_on.
     template <std::predicate<int> GoOn>
     bool add(int n, const GoOn& go_on)
