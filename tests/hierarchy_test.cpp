@@ -254,12 +254,16 @@ TEST(hierarchy, refuses_more_levels_than_there_are_numbers_for)
     EXPECT_EQ(levels.depth(), 1);
 }
 
-TEST(hierarchy, keeps_its_levels_when_a_step_fails)
+TEST(hierarchy, is_what_it_was_when_a_step_fails)
 {
     hierarchy levels(native(shapes::cube()), fails_at_level_3());
-    levels.refine(1);
+    levels.refine(2);
+    levels.undo();
     EXPECT_THROW(levels.refine(3), std::runtime_error);
-    EXPECT_EQ(levels.depth(), 2);
+    EXPECT_EQ(levels.depth(), 1);
+    EXPECT_EQ(levels.undone(), 1);
+    EXPECT_TRUE(same_bits(levels[1], kith::refine(native(shapes::cube()), kith::catmull_clark(), 1)));
+    levels.redo();
     EXPECT_TRUE(same_bits(levels[2], kith::refine(native(shapes::cube()), kith::catmull_clark(), 2)));
 }
 
@@ -395,6 +399,9 @@ TEST(hierarchy, needs_less_memory_where_it_keeps_fewer_levels)
     EXPECT_EQ(need, planned[0].bytes + planned[3].bytes + planned[4].bytes);
     EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 2), need + planned[2].bytes);
     EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 9), kith::peak_bytes(planned, true));
+    // From level 2 on that one stays until the end, so that the hierarchy can go back to it.
+    EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 1, 2), need + planned[2].bytes);
+    EXPECT_EQ(kith::peak_bytes_keeping_last(planned, 1, 3), need);
     hierarchy levels(mesh, kith::catmull_clark(), {.memory_limit = need});
     EXPECT_THROW(levels.refine(4), kith::mesh_error);
     levels.keep_last(1);
