@@ -195,10 +195,10 @@ public:
         requires movable_mesh<M>
     {
         require_finite(level, points);
-        std::vector<storage<typename traits::point>> moved;
-        moved.push_back(carry(level, level, points));
+        std::vector moved{carry(level, level, points)};
         for (int finer = level; finer < depth(); ++finer)
             moved.push_back(carry(finer, finer + 1, moved.back()));
+        static_cast<void>(elements(depth())); // as all that is allocated, before anything is moved
         levels_.forget_undone();
         for (std::size_t i = 0; i < moved.size(); ++i) {
             set_points(levels_.mesh(level + int(i)), elements(level + int(i)), moved[i]);

@@ -82,21 +82,24 @@ public:
     {
         const int before = depth_;
         entry& last = *levels_[std::size_t(before)];
-        Scheme scheme = last.scheme;
         std::vector<std::unique_ptr<entry>> given_up(levels_.size() - 1 - std::size_t(before));
+        std::optional<Scheme> scheme; // as it was, where it is to be changed
+        if (not given_up.empty())
+            scheme.emplace(last.scheme);
         auto ids = std::move(last.ids);
         std::move(levels_.begin() + before + 1, levels_.end(), given_up.begin());
         levels_.resize(std::size_t(before) + 1);
         const auto go_back = [&] {
             levels_.resize(std::size_t(before) + 1);
             depth_ = before;
-            swap_states(last.scheme, scheme);
+            if (scheme)
+                swap_states(last.scheme, *scheme);
             last.ids = std::move(ids);
             for (auto& each : given_up)
                 levels_.push_back(std::move(each)); // for which there is room, since they were there before
         };
         try {
-            if (not given_up.empty())
+            if (scheme)
                 choose_all(last.scheme, elements(before));
             for (int i = 1; i <= n; ++i) {
                 take_step();
