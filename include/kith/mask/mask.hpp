@@ -40,7 +40,7 @@ struct any_mask : mask_base {
 
 /// A point that its own library does not add, so that a sum of such points is meant to be a mask.
 template <class T>
-concept point_without_sum = affine_value<T> and not mask<T> and not std::is_arithmetic_v<T> and
+concept point_without_sum = not mask<T> and not std::is_arithmetic_v<T> and affine_value<T> and
                             not requires(const T& a) { a + a; };
 
 /// Masks, elements and ranges of them, so that functions of others with the same names are left alone.
