@@ -52,7 +52,7 @@ std::string shared_topic_of(std::string_view name)
 {
     const auto shared = shared_name(name);
     const auto is_one_of = [&](const auto& names) { return std::ranges::find(names, shared) != std::end(names); };
-    if (is_one_of(normal_names))
+    if (is_one_of(normal_names) or shared == ply_corner_normals_name)
         return "normals";
     if (is_one_of(color_names))
         return "colours";

@@ -56,6 +56,11 @@ void require_writable(mesh_format format, const written_mesh& what)
             if (not is_finite(what.normals[v]))
                 throw file_error("vertex " + std::to_string(v) +
                                  " would have no finite normal; the coordinates of the input are too large");
+    if (format == mesh_format::obj or format == mesh_format::ply)
+        for (std::size_t c = 0; c < what.corner_normals.size(); ++c)
+            if (not is_finite(what.corner_normals[c]))
+                throw file_error("vertex " + std::to_string(mesh.topology().corner_vertex[c]) +
+                                 " would have no finite normal; the coordinates of the input are too large");
     if (format == mesh_format::off or format == mesh_format::obj) {
         const held_attributes held = held_by(format, what);
         for (const auto* list : {&held.colors,

@@ -6,11 +6,13 @@
 #include <kith/text/counted.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -114,6 +116,25 @@ std::string as_line(const std::string& text)
     return line;
 }
 
+/// Normals as attributes, one per axis; none if there are no normals.
+std::vector<attribute> axes_of(std::span<const std::array<double, 3>> normals)
+{
+    std::vector<attribute> result;
+    for (std::size_t axis = 0; not normals.empty() and axis < 3; ++axis) {
+        attribute& a = result.emplace_back(attribute{std::string(normal_names[axis]), {8, true, true}, {}, {}});
+        for (const auto& n : normals)
+            a.values.push_back(n[axis]);
+    }
+    return result;
+}
+attribute_list all_of(const std::vector<attribute>& attributes)
+{
+    attribute_list result;
+    for (const attribute& a : attributes)
+        result.push_back(&a);
+    return result;
+}
+
 /// What is said before a face that has other words than the face before it.
 void write_labels(text_block& text, const attribute_list& labels, std::size_t face)
 {
@@ -135,10 +156,11 @@ void write_labels(text_block& text, const attribute_list& labels, std::size_t fa
 
 void write_obj(std::ostream& out, const written_mesh& what)
 {
-    const bool has_normals = not what.normals.empty();
+    const bool has_normals = not what.normals.empty() and what.corner_normals.empty();
     const held_attributes held = held_by(mesh_format::obj, what);
     const shared_lines textures(what.mesh, held.corner_textures, held.textures);
-    const shared_lines normals(what.mesh, held.corner_normals, held.normals);
+    const std::vector<attribute> of_corners = axes_of(what.corner_normals);
+    const shared_lines normals(what.mesh, of_corners.empty() ? held.corner_normals : all_of(of_corners), held.normals);
     text_block header;
     header << "# kith: " << counted(vertices_of(what), "vertex") << ", " << counted(what.mesh.face_count(), "face")
            << '\n';

@@ -4,11 +4,13 @@
 #include <kith/output/ply_words.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,7 +90,7 @@ void write_length(text_block& text, bool binary, const ply_count& type, std::siz
 /// The degrees of the faces, and the types in which a file counts the entries of their lists.
 struct list_lengths {
     std::size_t largest_degree = 0;
-    ply_count corners, textures;
+    ply_count corners, textures, normals;
 
     explicit list_lengths(const basic_mesh<>& mesh)
     {
@@ -96,6 +98,7 @@ struct list_lengths {
             largest_degree = std::max<std::size_t>(largest_degree, mesh.face(f).size());
         corners = ply_count::of(largest_degree);
         textures = ply_count::of(2 * largest_degree);
+        normals = ply_count::of(3 * largest_degree);
     }
 };
 
@@ -115,6 +118,20 @@ void write_texture(text_block& text, bool binary, const ply_count& count, const 
             write_number(text, binary, type, a->values[c]);
 }
 
+/// Writes the normals of the corners of a face, as a list of three numbers each.
+void write_corner_normals(text_block& text, bool binary, const ply_count& count,
+                          std::span<const std::array<double, 3>> normals)
+{
+    if (not binary)
+        text << ' ';
+    write_length(text, binary, count, 3 * normals.size());
+    for (const auto& n : normals)
+        if (binary)
+            text.raw(n);
+        else
+            text << ' ' << n;
+}
+
 ply_contents contents_of(const written_mesh& what, const held_attributes& held, const list_lengths& lengths)
 {
     ply_contents result{vertices_of(what), what.mesh.face_count(), not what.normals.empty(), lengths.largest_degree};
@@ -126,6 +143,8 @@ ply_contents contents_of(const written_mesh& what, const held_attributes& held, 
     if (not held.corner_textures.empty())
         result.face_properties = "property list " + std::string(lengths.textures.word) + " " +
                                  std::string(name_of(type_of_list(held.corner_textures))) + " texcoord\n";
+    if (not what.corner_normals.empty())
+        result.face_properties += ply_corner_normals(lengths.normals);
     result.face_properties += properties_of(held.faces);
     return result;
 }
@@ -169,6 +188,11 @@ void write_ply(std::ostream& out, const written_mesh& what)
                           held.corner_textures,
                           what.mesh.topology().first_corner(f),
                           face.size());
+        if (not what.corner_normals.empty())
+            write_corner_normals(text,
+                                 what.binary,
+                                 lengths.normals,
+                                 what.corner_normals.subspan(what.mesh.topology().first_corner(f), face.size()));
         of_faces.write(text, what.binary, f);
         if (not what.binary)
             text << '\n';

@@ -46,7 +46,7 @@ inline held_attributes held_by(mesh_format format, const written_mesh& what)
 {
     held_attributes result = what.attributes == nullptr ? held_attributes()
                                                         : held_by(format, *what.attributes, what.binary);
-    if (not what.normals.empty()) {
+    if (not what.normals.empty() or not what.corner_normals.empty()) {
         result.normals.clear();
         result.corner_normals.clear();
         std::erase_if(result.vertices, [](const auto* a) { return topic_of(a->name, "") == "normals"; });

@@ -7,6 +7,7 @@
 
 #include <kith/hierarchy.hpp>
 #include <kith/refine_in_tiles.hpp>
+#include <kith/tile/numbered_tile.hpp>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ namespace {
 template <class Scheme, class Test>
 void for_each_tile(const mesh3d& mesh, const Scheme& scheme, int rings, const Test& test)
 {
-    const kith::partition parts{partitions::scattered(mesh.face_count(), 3, 1), 3};
+    const kith::partition parts{partitions::blocks(mesh.face_count(), 3), 3};
     kith::tiled_refinement tiles(mesh, scheme, 1, parts, rings);
     for (std::size_t t = 0; t < tiles.tiles(); ++t) {
         kith::phase_seconds seconds;
@@ -132,13 +133,18 @@ TEST(limits_of_tile, need_as_many_rings_as_rings_for_limits_says)
     });
     EXPECT_GT(known, whole[1].vertex_count());
     EXPECT_GT(sides, 100U);
+    std::size_t refused = 0; // a tile may have more rings than it was asked for
     for (int fewer = 0; fewer < rings; ++fewer)
         for_each_tile(torus, scheme, fewer, [&](const auto& part, const auto& scheme_there) {
+            if (rings_of_shadows(part) >= rings or part.mesh.face_count() == whole[1].face_count())
+                return;
             const auto text = error_text<kith::mesh_error>(
                 [&] { static_cast<void>(limit_surface_of(part, scheme_there)); });
             EXPECT_NE(text.find("lacks neighbours that its limit depends on; refine or keep tiles with " +
                                 std::to_string(rings) + " rings of ghosts"),
                       std::string::npos)
                 << text;
+            ++refused;
         });
+    EXPECT_GE(refused, 3U);
 }

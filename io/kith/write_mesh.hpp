@@ -22,6 +22,7 @@ struct written_mesh {
     const mesh_tags* tags = nullptr;                   ///< OBJ only
     bool binary = false;                               ///< PLY and STL: as doubles and as floats
     const mesh_attributes* attributes = nullptr;       ///< of the mesh, and then of the isolated points; see held_by
+    std::span<const std::array<double, 3>> corner_normals{}; ///< one per corner of the faces, or none; OBJ and PLY only
 };
 
 /// Refuses, before anything is written, faces that a format has no room for, places and normals that are not finite,

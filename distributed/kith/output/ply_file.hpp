@@ -63,16 +63,19 @@ inline bool has_nan(const file_array& array, const std::byte* value)
 /// for which numbers of faces stand are comments.
 class ply_file : public stitched_file {
 public:
-    /// With normals, tiles have theirs. `largest_degree` is that of the faces of the whole mesh (kith::largest_degree);
+    /// With normals, of vertices or of corners, tiles have theirs. `largest_degree` is that of the faces of the whole mesh (kith::largest_degree);
     /// the type in which the file counts corners follows from it. Errors: mesh_error for more vertices than the format
     /// can number, for numbers of a type that PLY has not, for several of them in a value of a vertex or face, for two
     /// fields on corners, and for a name that is taken.
     explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {},
-                      const std::vector<std::string>& file_lines = {}, std::uint64_t largest_degree = 4)
+                      const std::vector<std::string>& file_lines = {}, std::uint64_t largest_degree = 4,
+                      bool with_corner_normals = false)
         : counts_(counts)
         , with_normals_(with_normals)
+        , with_corner_normals_(with_corner_normals)
         , arrays_(std::move(arrays))
         , corners_of_face_(ply_count::of(largest_degree))
+        , normals_of_face_(ply_count::of(3 * largest_degree))
     {
         if (counts.vertices > std::numeric_limits<std::int32_t>::max())
             throw mesh_error("PLY numbers " + std::to_string(std::numeric_limits<std::int32_t>::max()) +
@@ -81,6 +84,8 @@ public:
         property_names names;
         if (with_normals)
             names.of_vertices.insert({"nx", "ny", "nz"});
+        if (with_corner_normals)
+            names.of_faces.emplace(ply_corner_normals_name);
         place_of_ = std::vector<std::uint64_t>(arrays_.size());
         bytes_of_vertex_ = with_normals ? 48 : 24;
         for (std::size_t i = 0; i < arrays_.size(); ++i) {
@@ -105,8 +110,11 @@ public:
                                              (at_vertices ? bytes_of_vertex_ : bytes_of_values_) + array.bytes);
             }
         }
-        bytes_of_corner_ = 4 + (corners_ ? arrays_[*corners_].bytes : 0);
-        bytes_of_face_ = corners_of_face_.bytes + (corners_ ? values_of_face_.bytes : 0) + bytes_of_values_;
+        bytes_of_corner_ = 4 + (corners_ ? arrays_[*corners_].bytes : 0) + (with_corner_normals ? 24 : 0);
+        bytes_of_face_ = corners_of_face_.bytes + (corners_ ? values_of_face_.bytes : 0) +
+                         (with_corner_normals ? normals_of_face_.bytes : 0) + bytes_of_values_;
+        if (with_corner_normals)
+            of_corners += ply_corner_normals(normals_of_face_);
         head_ = ply_head(true,
                          {counts.vertices,
                           counts.faces,
@@ -190,6 +198,11 @@ private:
                 }
                 if (corners_)
                     at = put_corners(faces, at, part, f, corner, values[*corners_]);
+                if (with_corner_normals_) {
+                    at = put_count(faces, at, normals_of_face_, 3 * face.size());
+                    faces.put(at, part.corner_normals.data() + corner, 24 * face.size());
+                    at += 24 * face.size();
+                }
                 put_values(faces, at, field_on::faces, f, values);
             }
             corner += face.size();
@@ -221,7 +234,8 @@ private:
     void require_room(const tile<std::array<double, 3>>& part, std::size_t face) const
     {
         const std::uint64_t in_values = corners_ ? values_of_face_.most / arrays_[*corners_].numbers : UINT64_MAX;
-        const std::uint64_t most = std::min(corners_of_face_.most, in_values);
+        const std::uint64_t in_normals = with_corner_normals_ ? normals_of_face_.most / 3 : UINT64_MAX;
+        const std::uint64_t most = std::min({corners_of_face_.most, in_values, in_normals});
         if (const std::size_t degree = part.mesh.face(face).size(); degree > most)
             throw mesh_error("face " + std::to_string(part.face_ids[face]) + " has " + std::to_string(degree) +
                              " corners, the lists of this file count " + std::to_string(most) +
@@ -229,11 +243,11 @@ private:
     }
 
     whole_counts counts_;
-    bool with_normals_;
+    bool with_normals_, with_corner_normals_;
     std::vector<file_array> arrays_;
-    ply_count corners_of_face_, values_of_face_{}; // types of the lengths of lists
-    std::vector<std::uint64_t> place_of_;          // among the values of an element
-    std::optional<std::size_t> corners_;           // which array is on corners
+    ply_count corners_of_face_, normals_of_face_, values_of_face_{}; // types of the lengths of lists
+    std::vector<std::uint64_t> place_of_;                            // among the values of an element
+    std::optional<std::size_t> corners_;                             // which array is on corners
     std::uint64_t bytes_of_vertex_ = 0, bytes_of_values_ = 0, bytes_of_corner_ = 0, bytes_of_face_ = 0;
     std::string head_;
 };

@@ -67,6 +67,15 @@ struct ply_count {
     }
 };
 
+/// The name of the list in which each face has the normals of its corners, three numbers each.
+inline constexpr std::string_view ply_corner_normals_name = "normal";
+
+/// Returns the line of that list in a header.
+inline std::string ply_corner_normals(const ply_count& length)
+{
+    return "property list " + std::string(length.word) + " double " + std::string(ply_corner_normals_name) + "\n";
+}
+
 /// The number of elements of a file, and the lines of its header for attributes.
 struct ply_contents {
     std::size_t vertices, faces;

@@ -44,9 +44,10 @@ struct tile {
     storage<global_id> corners_before;   ///< per vertex, see numbers_corners_at_vertices; else empty
     storage<global_id> marked_before;    ///< per edge of level 0, see marks_edges; else empty
     storage<unsigned char> vertex_marks, edge_marks, face_marks;
-    storage<Index> root_of;                   ///< per face: which of `roots` it descends from
-    storage<global_id> roots;                 ///< faces of level 0
-    storage<std::array<double, 3>> normals{}; ///< per vertex, where they are asked for; else empty
+    storage<Index> root_of;                          ///< per face: which of `roots` it descends from
+    storage<global_id> roots;                        ///< faces of level 0
+    storage<std::array<double, 3>> normals{};        ///< per vertex, where they are asked for; else empty
+    storage<std::array<double, 3>> corner_normals{}; ///< per corner, where they are asked for; else empty
 
     [[nodiscard]] bool owns_vertex(std::size_t v) const { return (vertex_marks[v] & owned_mark) != 0; }
     [[nodiscard]] bool owns_edge(std::size_t e) const { return (edge_marks[e] & owned_mark) != 0; }
