@@ -23,9 +23,10 @@ struct refine_request {
     any_scheme scheme;
     int levels = 0;
     memory_limit memory;
-    bool with_tags = false; ///< the sharpness that is left is wanted
-    bool limit = false;     ///< the last level at its place on the limit surface, with the normals there
-    hole_field holes{};     ///< the faces that are left out in the end, if there are any
+    bool with_tags = false;      ///< the sharpness that is left is wanted
+    bool limit = false;          ///< the last level at its place on the limit surface, with the normals there
+    bool corner_normals = false; ///< and with normals of the corners, which differ on the sides of sharp edges
+    hole_field holes{};          ///< the faces that are left out in the end, if there are any
     attribute_fields attributes{};
     attribute_counts counted{}; ///< of them
 };
@@ -33,9 +34,10 @@ struct refine_request {
 struct refined_mesh {
     basic_mesh<> mesh; ///< of the last level; its edges need not be known
     std::uint64_t edges = 0;
-    storage<std::array<double, 3>> normals{}; ///< of the vertices, if the limit was asked for
-    io::mesh_tags tags{};                     ///< the sharpness that is left, if it was asked for
-    hole_field holes{};                       ///< if there are any
+    storage<std::array<double, 3>> normals{};        ///< of the vertices, if the limit was asked for
+    storage<std::array<double, 3>> corner_normals{}; ///< of the corners of the faces, if they were asked for
+    io::mesh_tags tags{};                            ///< the sharpness that is left, if it was asked for
+    hole_field holes{};                              ///< if there are any
     attribute_fields attributes{};
 };
 

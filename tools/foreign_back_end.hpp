@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <variant>
 
 namespace kith::tool {
@@ -27,7 +28,12 @@ inline void require_possible(const refine_request& request, const basic_mesh<>& 
     require_memory(request.scheme,
                    control,
                    request.levels,
-                   {mesh, request.limit, not request.holes.empty(), keeps_tags(request), request.counted},
+                   {.mesh = mesh,
+                    .limit = request.limit,
+                    .corner_normals = request.corner_normals,
+                    .holes = not request.holes.empty(),
+                    .tags = keeps_tags(request),
+                    .attributes = request.counted},
                    request.memory);
 }
 
@@ -65,8 +71,11 @@ refined_mesh refine_on(const basic_mesh<>& control, const refine_request& reques
             }
             refined.attributes = request.attributes.carried(
                 [&](const auto& field) { return levels.carry(0, request.levels, field); });
-            if (request.limit)
-                refined.normals = move_to_limit(refined.mesh, levels.scheme(request.levels));
+            if (request.limit) {
+                auto normals = move_to_limit(refined.mesh, levels.scheme(request.levels), request.corner_normals);
+                refined.normals = std::move(normals.of_vertices);
+                refined.corner_normals = std::move(normals.of_corners);
+            }
             return refined;
         },
         request.scheme);

@@ -97,6 +97,11 @@ void leave_out_holes(refined_mesh& result, io::mesh_attributes& attributes)
     edges.erase(std::ranges::unique(edges).begin(), edges.end());
     result.edges = edges.size();
     result.normals = storage<std::array<double, 3>>(normals);
+    std::vector<std::array<double, 3>> corner_normals;
+    for (std::size_t c = 0; c < result.corner_normals.size(); ++c)
+        if (corner_is_left[c])
+            corner_normals.push_back(std::as_const(result.corner_normals)[c]);
+    result.corner_normals = storage<std::array<double, 3>>(corner_normals);
     keep_values(attributes.vertices, [&](std::size_t v) { return used[v]; });
     keep_values(attributes.faces, [&](std::size_t f) { return not result.holes[f]; });
     keep_values(attributes.corners, [&](std::size_t c) { return corner_is_left[c]; });

@@ -51,6 +51,9 @@ double bytes_on_mesh(const planned_level& level, mesh_kind mesh)
 /// the normals in order, with an exponent and a length while they are made.
 constexpr double bytes_of_limit = 24 + 1 + 32 + 24 + 4 + 8;
 
+/// Of a corner: its normal, its numbers for the writer and the line that it refers to.
+constexpr double bytes_of_corner_normal = 24 + 24 + 12;
+
 /// What a job on a mesh that is not kith's takes whatever its size: pages of the program's code that it alone runs, and
 /// blocks that the other library's allocator begins.
 constexpr double bytes_of_other_library = 2 << 20;
@@ -112,6 +115,7 @@ double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& le
     const double shadows = std::min(all - faces, shadows_around(faces, rings)) / all;
     element_bytes last = written_bytes(kind.attributes);
     last.vertex += kind.limit ? bytes_of_limit : 0;
+    last.corner += kind.corner_normals ? bytes_of_corner_normal : 0;
     const std::uint64_t tile = tile_bytes(
         levels, scheme, share, shadows, last_rings, last, field_bytes(kind.attributes));
     return bytes_beside_tiles<Scheme>(levels, kind.attributes) + double(at_once) * double(tile);
@@ -242,6 +246,8 @@ std::uint64_t job_bytes(const std::vector<planned_level>& levels, const job_kind
     }
     if (kind.limit)
         written += bytes_of(24, 0, 0, last);
+    if (kind.corner_normals)
+        written += bytes_of_corner_normal * double(last.counts.corners());
     if (kind.holes) { // the holes of two levels; edges, corners and points of what is left
         most += bytes_of(0, 0, 2, last);
         written += bytes_of(52, 0, 4, last) + 16 * double(last.counts.corners());
@@ -303,8 +309,15 @@ void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int l
     for (const std::uint64_t threads : {std::uint64_t(tiles_at_once(SIZE_MAX)), std::uint64_t(1)}) {
         if (not is_possible or not in_tiles.empty())
             break;
-        const auto tiles = tiles_that_fit(
-            scheme, control, levels, "metis", limit.bytes, {threads, kind.limit, kind.attributes});
+        const auto tiles = tiles_that_fit(scheme,
+                                          control,
+                                          levels,
+                                          "metis",
+                                          limit.bytes,
+                                          {.threads = threads,
+                                           .limit = kind.limit,
+                                           .corner_normals = kind.corner_normals,
+                                           .attributes = kind.attributes});
         if (tiles != 0)
             in_tiles = ", or in tiles, to .vtu, .pvtu or .ply: --tiles " + std::to_string(tiles) +
                        (threads == 1 and tiles_at_once(SIZE_MAX) != 1 ? " --threads 1" : "");
@@ -321,7 +334,11 @@ void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int l
         return;
     const std::uint64_t together = at_once(parts.parts, kind.threads);
     const std::uint64_t alone = tiled_job_bytes(
-        scheme, control, levels, parts, {.limit = kind.limit, .attributes = kind.attributes});
+        scheme,
+        control,
+        levels,
+        parts,
+        {.limit = kind.limit, .corner_normals = kind.corner_normals, .attributes = kind.attributes});
     std::uint64_t threads = 0;
     if (together != 1 and alone <= limit.bytes)
         threads = 1 + std::uint64_t(double(limit.bytes - alone) / double(need - alone) * double(together - 1));

@@ -28,6 +28,7 @@ mesh_kind mesh_kind_from(const boost::program_options::variables_map& values);
 struct job_kind {
     mesh_kind mesh = mesh_kind::native;
     bool limit = false;
+    bool corner_normals = false; ///< with those of the corners
     bool holes = false;
     bool tags = false; ///< the sharpness that is left is written
     attribute_counts attributes{};
@@ -37,6 +38,7 @@ struct job_kind {
 struct tiling_kind {
     std::uint64_t threads = 1; ///< that may refine a tile each, see tiles_at_once
     bool limit = false;
+    bool corner_normals = false;
     attribute_counts attributes{};
 };
 

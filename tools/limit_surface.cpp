@@ -2,30 +2,54 @@
 #include "limit_surface.hpp"
 
 #include <kith/limit/limit_surface.hpp>
+#include <kith/part/limits_of_tile.hpp>
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 #include <utility>
 #include <variant>
 
 namespace kith::tool {
 
-storage<std::array<double, 3>> move_to_limit(basic_mesh<>& mesh, const any_scheme& scheme,
-                                             std::span<const unsigned char> marks)
+namespace {
+
+surface_normals take(basic_mesh<>& mesh, limit_surface<std::array<double, 3>> limits, bool with_corners)
 {
-    auto limits = std::visit([&](const auto& s) { return limit_surface_around(mesh, s, marks); }, scheme);
-    std::ranges::copy(limits.positions, mesh.points().begin());
-    return std::move(limits.normals);
+    std::ranges::copy(std::as_const(limits.positions), mesh.points().begin());
+    surface_normals result;
+    if (with_corners)
+        result.of_corners = normals_of_corners(mesh, limits);
+    result.of_vertices = std::move(limits.normals);
+    return result;
 }
 
-void move_to_limit(tile<std::array<double, 3>>& part, const any_scheme& scheme)
+} // namespace
+
+bool has_sides(const any_scheme& scheme)
 {
-    std::vector<unsigned char> marks(part.mesh.vertex_count(), 0);
-    for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
-        if (part.owns_face(f))
-            for (const auto v : part.mesh.face(f))
-                marks[v] = 1;
-    part.normals = move_to_limit(part.mesh, scheme, marks);
+    return std::visit(
+        []<class Scheme>(const Scheme& s) {
+            if constexpr (scheme_with_creases<Scheme>)
+                return std::ranges::any_of(s.sharpness.edges(),
+                                           [](const auto& edge) { return edge.second == infinitely_sharp; });
+            else
+                return false;
+        },
+        scheme);
+}
+
+surface_normals move_to_limit(basic_mesh<>& mesh, const any_scheme& scheme, bool with_corners)
+{
+    auto limits = std::visit([&](const auto& s) { return limit_surface_of(mesh, s); }, scheme);
+    return take(mesh, std::move(limits), with_corners);
+}
+
+void move_to_limit(tile<std::array<double, 3>>& part, const any_scheme& scheme, bool with_corners)
+{
+    auto limits = std::visit([&](const auto& s) { return limit_surface_of(part, s).surface; }, scheme);
+    surface_normals normals = take(part.mesh, std::move(limits), with_corners);
+    part.normals = std::move(normals.of_vertices);
+    part.corner_normals = std::move(normals.of_corners);
 }
 
 int rings_for_limit(const any_scheme& scheme)

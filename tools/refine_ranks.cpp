@@ -47,6 +47,7 @@ tiling_kind tiling_of(const rank_request& request)
 {
     return {.threads = tiles_at_once(SIZE_MAX, request.threads),
             .limit = request.what.limit,
+            .corner_normals = has_corner_normals(request.what),
             .attributes = count_of(request.what.kinds, request.what.linear)};
 }
 
@@ -197,9 +198,11 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
                                  .tiles = refinement.tiles(),
                                  .recipe = number_on_root(comm, recipe_sum),
                                  .process = number_on_root(comm, std::uint64_t(getpid()))};
+    const bool with_corner_normals = number_on_root(comm, has_corner_normals(what) ? 1 : 0) != 0; // it has the creases
     std::optional<tile_output> made;
     mpi::in_agreement(comm, [&] {
         output_request output = output_of(what);
+        output.with_corner_normals = with_corner_normals;
         output.journal = request.journal;
         output.with_checksum = with_checksum;
         output.verify = request.verify;
@@ -229,7 +232,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
     std::atomic<std::size_t> tiles_here = 0;
     const auto write = [&](std::uint64_t number, auto part, const Scheme& scheme_there) {
         if (what.limit)
-            move_to_limit(part, plain(scheme_there));
+            move_to_limit(part, plain(scheme_there), with_corner_normals);
         const auto values = tile_attributes(what).values_beside(scheme_there);
         finished_tile tile;
         std::optional<std::string> damage;

@@ -66,7 +66,8 @@ finished_tile finish(Refinement& refinement, const tile_request& request, tile_o
     auto job = shown("refining", share_of_memory(bytes_of_level), [&] {
         auto result = refinement.refine_job(number, last_rings(request) ? connect::everything : connect::faces, spent);
         if (request.limit)
-            timed(spent[phase::refine], [&] { move_to_limit(result.part, plain(result.scheme)); });
+            timed(spent[phase::refine],
+                  [&] { move_to_limit(result.part, plain(result.scheme), has_corner_normals(request)); });
         return result;
     });
     auto& part = job.part;
@@ -203,6 +204,7 @@ tiled_result refine_tiles(const tile_request& request, const tiling& how)
                    how.memory,
                    {.threads = tiles_at_once(wanted),
                     .limit = request.limit,
+                    .corner_normals = has_corner_normals(request),
                     .attributes = count_of(request.kinds, request.linear)},
                    "--tiles");
     auto result = std::visit(

@@ -195,7 +195,8 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
         return plan_what_fits(count(control.topology()), s, levels, control.generation());
     };
     const partial_plan planned = std::visit(fits, scheme);
-    const job_kind kind{mesh_kind_from(*values), limit, has_holes, false, count_of(input.attributes)};
+    const job_kind kind{
+        .mesh = mesh_kind_from(*values), .limit = limit, .holes = has_holes, .attributes = count_of(input.attributes)};
     const planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels))};
     if (values->count("json") != 0)
         print_json(job);

@@ -4,6 +4,7 @@
 #include "errors.hpp"
 #include "holes.hpp"
 #include "json.hpp"
+#include "limit_surface.hpp"
 #include "mesh_input.hpp"
 #include "run_refine_tiles.hpp"
 #include "run_stats.hpp"
@@ -74,6 +75,11 @@ po::options_description options_of_refine()
     add_option<std::string>(options, "stats", "FILE", stats_help);
     add_flag(options, "json", "print the result line as JSON");
     return options;
+}
+
+bool holds_corner_normals(mesh_format format)
+{
+    return format == mesh_format::obj or format == mesh_format::ply;
 }
 
 /// Points without a face are written behind the vertices, where that is wanted and the format has them.
@@ -190,6 +196,10 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
             tell_next_step(control, request.scheme, request.levels);
         request.holes = holes_of(control.tags, control.mesh);
         settle_attributes(control, format, {request.scheme, request.levels, request.limit, binary});
+        const bool has_normals_of_sides = request.limit and has_sides(request.scheme);
+        request.corner_normals = has_normals_of_sides and holds_corner_normals(format);
+        if (has_normals_of_sides and format == mesh_format::off)
+            control.not_kept.emplace_back(normals_of_sides);
         request.attributes = attribute_fields(control.attributes, control.mesh, linear);
         request.counted = count_of(control.attributes, linear);
         auto start = prepared(request.scheme, std::move(control.mesh), request.attributes);
@@ -212,7 +222,13 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     }
     settle_isolated(control, format, given("drop-isolated"));
     append_isolated(attributes, control);
-    const written_mesh what{result.mesh, result.normals, control.isolated, &result.tags, binary, &attributes};
+    const written_mesh what{.mesh = result.mesh,
+                            .normals = result.normals,
+                            .isolated = control.isolated,
+                            .tags = &result.tags,
+                            .binary = binary,
+                            .attributes = &attributes,
+                            .corner_normals = result.corner_normals};
     timed(seconds[phase::write], [&] {
         const shown_phase writing("writing", share_of_file);
         write_mesh_file(output, what);

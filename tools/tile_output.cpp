@@ -90,7 +90,8 @@ output_request output_of(const tile_request& request)
             .file_lines = request.kinds.file_lines,
             .levels = request.levels,
             .with_origin = request.with_origin,
-            .with_normals = request.limit};
+            .with_normals = request.limit,
+            .with_corner_normals = has_corner_normals(request)};
 }
 
 void require_tile_format(const std::string& path)
@@ -119,8 +120,12 @@ tile_output::tile_output(const output_request& request, const output_surface& su
                                                request.with_normals,
                                                request.arrays);
     } else if (extension_of(request.path) == ".ply") {
-        layout_ = std::make_unique<ply_file>(
-            surface.counts, request.with_normals, request.arrays, request.file_lines, surface.largest_degree);
+        layout_ = std::make_unique<ply_file>(surface.counts,
+                                             request.with_normals,
+                                             request.arrays,
+                                             request.file_lines,
+                                             surface.largest_degree,
+                                             request.with_corner_normals);
     } else {
         layout_ = std::make_unique<vtu_file>(
             surface.counts, request.levels, request.with_origin, request.with_normals, request.arrays);

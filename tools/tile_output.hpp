@@ -32,6 +32,7 @@ struct output_request {
     int levels = 0;
     bool with_origin = false;
     bool with_normals = false;
+    bool with_corner_normals = false; ///< .ply only
     bool with_checksum = false;
     bool verify = false; ///< read back what has been written
 };

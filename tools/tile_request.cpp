@@ -2,6 +2,7 @@
 #include "tile_request.hpp"
 
 #include "holes.hpp"
+#include "limit_surface.hpp"
 #include "mesh_input.hpp"
 #include "settle_attributes.hpp"
 
@@ -51,6 +52,11 @@ std::vector<std::string> zeros_of(const tile_request& request, const io::mesh_at
 
 } // namespace
 
+bool has_corner_normals(const tile_request& request)
+{
+    return request.limit and io::extension_of(request.output) == ".ply" and has_sides(request.scheme);
+}
+
 void read_control(tile_request& request, const std::string& path)
 {
     control_mesh control = read_mesh(path, request.repair);
@@ -61,6 +67,8 @@ void read_control(tile_request& request, const std::string& path)
         tell_next_step(control, request.scheme, request.levels);
         add_lost_boundary_rule(control.not_kept, control.tags, request.scheme);
     }
+    if (request.limit and has_sides(request.scheme) and not has_corner_normals(request))
+        control.not_kept.emplace_back(normals_of_sides);
     if (not control.isolated.empty())
         control.not_kept.push_back(io::counted(control.isolated.size(), "vertex") + " without a face");
     take_control(request, control);

@@ -123,4 +123,54 @@ for size in 1e-160 1e160; do
     check "no number that is none" test "$(grep -ciE 'nan|inf' sized_limit.off)" -eq 0
     check "the normals" near 4 <(cut -d' ' -f4- sized_limit.off | tr -s ' ') -$third -$third -$third
 done
+
+# Infinitely sharp edges: each side has its normals. On a cube whose edges are all sharp they are those of its faces.
+printf '%s\n' 'v -1 -1 -1' 'v 1 -1 -1' 'v 1 1 -1' 'v -1 1 -1' 'v -1 -1 1' 'v 1 -1 1' 'v 1 1 1' 'v -1 1 1' \
+    'f 1 4 3 2' 'f 5 6 7 8' 'f 1 2 6 5' 'f 2 3 7 6' 'f 3 4 8 7' 'f 4 1 5 8' >hard.obj
+for ends in 0/1 1/2 2/3 3/0 4/5 5/6 6/7 7/4 0/4 1/5 2/6 3/7; do
+    echo "t crease 2/1/0 ${ends/\// } 10" >>hard.obj
+done
+run refine hard.obj -s catmull-clark -n 2 --limit -o hard_limit.obj
+exits 0
+says_nothing
+# Every corner of a face has a normal of unit length along an axis, and it is that of the face's side of the cube.
+check "normals of the sides" awk '/^v / { for (i = 2; i < 5; ++i) v[nv + 0, i] = $i; ++nv }
+    /^vn / { for (i = 2; i < 5; ++i) n[nn + 0, i] = $i; ++nn }
+    /^f / { ++faces
+        for (c = 2; c <= NF; ++c) {
+            split($c, w, "//"); off = 0
+            for (i = 2; i < 5; ++i) if (n[w[2] - 1, i] * n[w[2] - 1, i] > 1e-20) { ++off; axis = i }
+            if (off != 1 || v[w[1] - 1, axis] * n[w[2] - 1, axis] < 1 - 1e-12) bad = 1
+        } }
+    END { exit bad || faces != 96 }' hard_limit.obj
+for mesh in cgal openmesh; do
+    run refine hard.obj -s catmull-clark -n 2 --limit --mesh $mesh -o $mesh.obj
+    exits 0
+    same hard_limit.obj $mesh.obj
+done
+run refine hard.obj -s catmull-clark -n 2 --limit --binary -o hard.ply
+exits 0
+has hard.ply '^property list uchar double normal$'
+for tiles in 1 3; do
+    run refine hard.obj -s catmull-clark -n 2 --limit --tiles $tiles -o hard_tiles.ply
+    exits 0
+    same hard.ply hard_tiles.ply
+done
+run refine hard.obj -s catmull-clark -n 2 --limit -o hard.off
+exits 0
+says '^kith: note: hard.obj: not kept: the normals of each side of sharp edges, but their mean$'
+run refine hard.obj -s catmull-clark -n 2 --limit --tiles 2 -o hard.vtu
+exits 0
+says 'not kept: the normals of each side of sharp edges, but their mean'
+# Other meshes have the normals of their vertices alone.
+run refine cube.off -s catmull-clark -n 1 --limit -o soft.ply
+check "no normals of corners" test "$(grep -c '^property list .* normal$' soft.ply)" -eq 0
+
+# A smoothed corner has the plane of its two edges, after any number of steps.
+printf 'OFF 9 4 0\n0 0 0\n1 0 1\n2 0 4\n0 1 1\n1 1 2\n2 1 5\n0 2 4\n1 2 5\n2 2 8\n4 0 1 4 3\n4 1 2 5 4\n4 3 4 7 6\n4 4 5 8 7\n' >bowl.off
+for levels in 0 1 2 3; do
+    run refine bowl.off -s catmull-clark -n $levels --boundary-corners smoothed --limit -o bowl_limit.off
+    exits 0
+    check "the normal after $levels steps" near 4 <(cut -d' ' -f5- bowl_limit.off) -$third -$third $third
+done
 finish
