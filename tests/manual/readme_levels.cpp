@@ -5,7 +5,6 @@
 #include <kith/mesh/make_mesh.hpp>
 
 #include <array>
-#include <span>
 #include <vector>
 
 int main()
@@ -19,8 +18,7 @@ int main()
     const auto mesh = kith::make_mesh(points, faces);
     const traits::edge edge{0};
     const traits::face cell{2}, face{2 * 64 + 5};
-    const std::vector<double> values(8, 1.);
-    const std::span<const double> colors(values);
+    const std::vector<double> colors(8, 1.);
 
     // @block@
 
