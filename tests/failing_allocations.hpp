@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Replaces the global operator new, and aligned_alloc, which large blocks come from. Include it in one file of a program.
+// Replaces the global operator new and aligned_alloc, from which large blocks come. Include it in one file of a
+// program.
 
 #include <atomic>
 #include <cstddef>

@@ -13,9 +13,9 @@
 
 namespace kith {
 
-/// While one lives in a thread, new points and numbers of exact kernels that it computes stay lazy, as CGAL leaves them.
-/// That is faster by far until their exact values are asked for, and keeps the expressions of all levels in memory.
-/// Values are equal either way; as doubles they may differ in the last digits.
+/// Keeps numbers of exact kernels lazy, as CGAL does, in the thread that made it and for as long as it lives. New
+/// points then cost no exact arithmetic until their exact values are asked for, but the expressions of all levels stay
+/// in memory. Values are equal either way; converted to doubles they may differ in the last digits.
 class lazy_numbers {
 public:
     lazy_numbers() { ++count(); }

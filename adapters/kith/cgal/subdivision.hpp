@@ -271,12 +271,13 @@ property_report refine(Graph& g, Scheme& scheme, const Np& np, const Argument&..
 ///                                   mesh stays
 ///
 /// Maps of creases that can be written then say how sharp the refined mesh is, so that it can be refined again.
-/// More arguments say how property maps go: kith::by_rule<face, type>(name, rule), kith::value_types<type...>(). Maps of
-/// other types are copied from the parent on faces, edges and half-edges along old ones; old vertices keep their values.
-/// A mesh without faces stays as it is, and so do isolated vertices where old vertices stay.
+/// More arguments say how property maps go: kith::by_rule<face, type>(name, rule), kith::value_types<type...>(). Maps
+/// of other types are copied from the parent on faces, edges and half-edges along old ones; old vertices keep their
+/// values. A mesh without faces stays as it is, and so do isolated vertices where old vertices stay.
 /// Returns which property maps were carried and which were left out, with the reason.
-/// Errors: those of kith::refine. After these, and when memory ends, a Surface_mesh is as it was, except where a copy of
-/// a value of a type that is not named, or a map of the user's own, fails at the very end. Cost: that of kith::refine.
+/// Errors: those of kith::refine. After these, and when memory ends, a Surface_mesh is as it was. Two things are
+/// excepted, since they come last: copies of values of types that are not named, and maps of the user's own.
+/// Cost: that of kith::refine.
 template <class Graph, scheme Scheme, class Np = CGAL::parameters::Default_named_parameters, class... Argument>
 property_report subdivision(Graph& pmesh, Scheme scheme, const Np& np = CGAL::parameters::default_values(),
                             const Argument&... arguments)

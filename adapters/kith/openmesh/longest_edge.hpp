@@ -20,7 +20,7 @@ namespace kith::openmesh {
 /// edge is longer than set_max_edge_length(). Of edges of one length the one between the smaller vertices comes first.
 /// The number of steps is ignored, as there. Old vertices keep their handles; values of new ones, and of corners, are
 /// linear along the split edges; faces and edges inherit from those they lie in. Normals are made anew.
-/// After an exception the mesh is as it was, also when memory ends, but for normals of half-edges, which OpenMesh makes.
+/// After an exception the mesh is as it was, also when memory ends, except where OpenMesh makes normals of half-edges.
 template <subdividable_mesh Mesh, class RealType = float>
 class LongestEdgeT : public OpenMesh::Subdivider::Uniform::SubdividerT<Mesh, RealType> {
     static_assert(std::derived_from<Mesh, OpenMesh::TriConnectivity>,

@@ -33,7 +33,7 @@ namespace kith::openmesh {
 /// know, such as items of the traits, are copied from the parent on faces, edges and half-edges along old ones; old
 /// vertices keep theirs. A mesh without faces stays as it is, and so do isolated vertices where old vertices stay.
 /// As with OpenMesh the steps of sqrt(3) are counted from attach() on.
-/// After an exception the mesh is as it was, also when memory ends, but for normals of half-edges, which OpenMesh makes.
+/// After an exception the mesh is as it was, also when memory ends, except where OpenMesh makes normals of half-edges.
 template <subdividable_mesh Mesh, scheme Scheme, class RealType = double>
 class subdivider : public OpenMesh::Subdivider::Uniform::SubdividerT<Mesh, RealType> {
     static constexpr bool fits = needs_triangles<Scheme> or not std::derived_from<Mesh, OpenMesh::TriConnectivity>;

@@ -16,7 +16,7 @@ namespace kith::openmesh {
 
 /// The mid-edge scheme on a mesh of triangles, whose new faces are cut into triangles in each step. As with OpenMesh's
 /// MidpointT no vertex stays, and whether points are to be updated does not matter. Values go as with `subdivider`.
-/// After an exception the mesh is as it was, also when memory ends, but for normals of half-edges, which OpenMesh makes.
+/// After an exception the mesh is as it was, also when memory ends, except where OpenMesh makes normals of half-edges.
 template <subdividable_mesh Mesh, class RealType = double>
 class triangulated_midpoints : public OpenMesh::Subdivider::Uniform::SubdividerT<Mesh, RealType> {
 public:
