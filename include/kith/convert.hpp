@@ -70,7 +70,7 @@ template <mesh From>
 auto lift_valid_or_empty(const From& mesh)
 {
     using traits = mesh_traits<From>;
-    const auto is_empty = [](const auto& elements) { return elements.begin() == elements.end(); };
+    const auto is_empty = [](auto&& elements) { return elements.begin() == elements.end(); };
     if (is_empty(traits::vertices(mesh)) and is_empty(traits::edges(mesh)) and is_empty(traits::faces(mesh)))
         return lift(mesh);
     if constexpr (requires { mesh.topology(); }) // where vertices start is looked at in native meshes

@@ -24,7 +24,7 @@ namespace detail {
 template <mesh M>
 numbers_in_mesh read_numbers(const M& mesh)
 {
-    const auto read = [&mesh](const auto& range, std::vector<std::size_t>& numbers) {
+    const auto read = [&mesh](auto&& range, std::vector<std::size_t>& numbers) {
         for (const auto x : range)
             numbers.push_back(std::size_t(mesh_traits<M>::index(mesh, x)));
     };
