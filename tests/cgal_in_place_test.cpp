@@ -334,6 +334,7 @@ void expect_old_or_new(const base& control, const Call& call)
     call(done);
     const std::string before = text_of(control), after = text_of(done);
     EXPECT_NE(before, after);
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(done));
     base m;
     long thrown = 0;
     failing_allocations::try_all([&] { m = control; },

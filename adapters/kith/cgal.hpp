@@ -133,6 +133,7 @@ struct mesh_traits<M> {
     }
     static void set_boundary_side(mesh_type& m, halfedge h, vertex target, halfedge next)
     {
+        m.set_face(h, mesh_type::null_face()); // the half-edge may have had one in a mesh that is overwritten
         m.set_target(h, target);
         m.set_next(h, next);
     }
