@@ -15,7 +15,7 @@ namespace kith::tool {
 bool has_sides(const any_scheme& scheme);
 
 /// The words for normals on the sides of sharp edges that an output has no room for.
-inline constexpr const char* normals_of_sides = "the normals of each side of sharp edges, but their mean";
+inline constexpr const char* normals_of_sides = "normals of each side of sharp edges (their mean is written)";
 
 /// The unit normals of a level on the limit surface.
 struct surface_normals {
