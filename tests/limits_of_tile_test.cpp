@@ -13,17 +13,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace {
 
-/// Calls test(part, scheme) for the tiles of a mesh after one step, with so many rings of ghosts.
+/// Calls test(part, scheme) for the tiles of a mesh in three parts after one step, with so many rings of ghosts.
 template <class Scheme, class Test>
-void for_each_tile(const mesh3d& mesh, const Scheme& scheme, int rings, const Test& test)
+void for_each_tile(const mesh3d& mesh, const Scheme& scheme, const std::vector<std::uint32_t>& part_of, int rings,
+                   const Test& test)
 {
-    const kith::partition parts{partitions::blocks(mesh.face_count(), 3), 3};
+    const kith::partition parts{part_of, 3};
     kith::tiled_refinement tiles(mesh, scheme, 1, parts, rings);
     for (std::size_t t = 0; t < tiles.tiles(); ++t) {
         kith::phase_seconds seconds;
@@ -55,9 +57,10 @@ template <class Whole, class Part, class Tile>
 void expect_own(const Whole& whole, const Part& limits, const Tile& part)
 {
     for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
-        if (part.owns_face(f))
+        if (part.owns_face(f)) {
             for (const auto v : part.mesh.face(f))
                 EXPECT_EQ(limits[v].has_value(), whole[part.vertex_ids[v]].has_value()) << part.vertex_ids[v];
+        }
 }
 
 } // namespace
@@ -77,23 +80,28 @@ TEST(limits_of_tile, are_those_of_the_whole_level_or_none)
             const auto expected_heights = limit_values(
                 whole.elements(1), whole.scheme(1), std::span<const double>(heights));
             for (const int rings : {0, 1, 1 + kith::limit_rules<Scheme>::rings(scheme)})
-                for_each_tile(mesh, scheme, rings, [&](const auto& part, const auto& scheme_there) {
-                    const auto limits = limit_positions(part, scheme_there);
-                    expect_those_of(expected, limits, part, positions);
-                    std::vector<double> heights_there;
-                    for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
-                        heights_there.push_back(part.mesh.point(v)[2]);
-                    expect_those_of(expected_heights,
-                                    limit_values(part, scheme_there, std::span<const double>(heights_there)),
-                                    part,
-                                    positions);
-                    if (rings > kith::limit_rules<Scheme>::rings(scheme))
-                        expect_own(expected, limits, part);
-                    if constexpr (kith::has_limit_tangents<Scheme, kith::vertex<level>, level>) {
-                        const auto of_whole = limit_normals(whole.elements(1), whole.scheme(1));
-                        expect_those_of(of_whole, limit_normals(part, scheme_there), part, normals);
-                    }
-                });
+                for_each_tile(mesh,
+                              scheme,
+                              partitions::scattered(mesh.face_count(), 3, 1),
+                              rings,
+                              [&](const auto& part, const auto& scheme_there) {
+                                  const auto limits = limit_positions(part, scheme_there);
+                                  expect_those_of(expected, limits, part, positions);
+                                  std::vector<double> heights_there;
+                                  for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+                                      heights_there.push_back(part.mesh.point(v)[2]);
+                                  expect_those_of(
+                                      expected_heights,
+                                      limit_values(part, scheme_there, std::span<const double>(heights_there)),
+                                      part,
+                                      positions);
+                                  if (rings > kith::limit_rules<Scheme>::rings(scheme))
+                                      expect_own(expected, limits, part);
+                                  if constexpr (kith::has_limit_tangents<Scheme, kith::vertex<level>, level>) {
+                                      const auto of_whole = limit_normals(whole.elements(1), whole.scheme(1));
+                                      expect_those_of(of_whole, limit_normals(part, scheme_there), part, normals);
+                                  }
+                              });
         }
     });
     for (const auto& found : {positions, normals}) {
@@ -110,12 +118,13 @@ TEST(limits_of_tile, need_as_many_rings_as_rings_for_limits_says)
     for (std::size_t e = 0; e < torus.edge_count(); e += 3)
         scheme.sharpness.sharpen_edge(e, e % 2 == 0 ? kith::infinitely_sharp : 1.5);
     const int rings = rings_for_limits(scheme);
+    const auto blocks = partitions::blocks(torus.face_count(), 3);
     kith::hierarchy whole(torus, scheme);
     whole.refine(1);
     const auto expected = limit_surface_of(whole, 1);
     const auto expected_corners = normals_of_corners(whole[1], expected);
     std::size_t known = 0, sides = 0;
-    for_each_tile(torus, scheme, rings, [&](const auto& part, const auto& scheme_there) {
+    for_each_tile(torus, scheme, blocks, rings, [&](const auto& part, const auto& scheme_there) {
         const auto limits = limit_surface_of(part, scheme_there);
         for (std::size_t v = 0; v < limits.is_known.size(); ++v)
             if (limits.is_known[v] != 0) {
@@ -135,7 +144,7 @@ TEST(limits_of_tile, need_as_many_rings_as_rings_for_limits_says)
     EXPECT_GT(sides, 100U);
     std::size_t refused = 0; // a tile may have more rings than it was asked for
     for (int fewer = 0; fewer < rings; ++fewer)
-        for_each_tile(torus, scheme, fewer, [&](const auto& part, const auto& scheme_there) {
+        for_each_tile(torus, scheme, blocks, fewer, [&](const auto& part, const auto& scheme_there) {
             if (rings_of_shadows(part) >= rings or part.mesh.face_count() == whole[1].face_count())
                 return;
             const auto text = error_text<kith::mesh_error>(
