@@ -32,13 +32,13 @@ bool has_words(const attribute& a)
     return not a.labels.empty();
 }
 
-/// Whether a face is not opaque.
+/// Tests whether a face is not opaque.
 bool has_transparency(const attribute& alpha)
 {
     const double opaque = color_unit(alpha.type);
     return std::ranges::any_of(alpha.values, [&](double x) { return not std::isnan(x) and x != opaque; });
 }
-/// Whether a value is none of the 32 shades of binary STL.
+/// Tests whether a value is none of the 32 shades of binary STL.
 bool has_more_shades(const attribute* channel)
 {
     constexpr double rounding = 1e-9;

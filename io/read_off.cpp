@@ -53,8 +53,8 @@ bool is_larger_than_one(const off_number& x)
     return x.value > 1;
 }
 
-/// Colours of some elements, three or four numbers each. Each colour is of its own kind: whole numbers from 0 to 255, or
-/// numbers from 0 to 1, which have a point.
+/// Colours of some elements, three or four numbers each. Each colour is of its own kind: whole numbers from 0 to 255,
+/// or numbers from 0 to 1, which have a point.
 class colors {
 public:
     void add(std::size_t element, off_numbers color)
@@ -132,7 +132,7 @@ bool is_plausible_color(off_numbers color)
     return std::ranges::all_of(color, is_share, &off_number::value) or
            std::ranges::all_of(color, is_byte, &off_number::value);
 }
-/// Whether the vector has length 1, or 0 where a vertex has no normal.
+/// Tests whether the vector has length 1, or 0 where a vertex has no normal.
 bool is_plausible_normal(off_numbers n)
 {
     constexpr double tolerance = 0.02; // programs write few digits
@@ -233,8 +233,8 @@ private:
         to_content([] { return std::string("the numbers of vertices and faces"); });
     }
     /// Decides by the first vertices whether colours or normals come first: programs do not agree, and both are three
-    /// numbers. Normals have length 1, and colours are bytes or shares of 1. Where all numbers fit both orders, the keyword
-    /// decides, which is noted.
+    /// numbers. Normals have length 1, and colours are bytes or shares of 1. Where all numbers fit both orders, the
+    /// keyword decides, which is noted.
     void find_order()
     {
         constexpr std::size_t most_vertices = 4096;
@@ -345,8 +345,8 @@ private:
     struct number_parts {
         off_numbers normal, color, texture;
     };
-    /// Divides the numbers behind the coordinates; a vertex may lack its colour. Nothing if their count does not fit the
-    /// keyword.
+    /// Divides the numbers behind the coordinates; a vertex may lack its colour. Nothing if their count does not fit
+    /// the keyword.
     [[nodiscard]] std::optional<number_parts> parts_of(off_numbers all, bool color_is_first) const
     {
         const std::size_t normal = keyword_.normal ? 3 : 0, texture = keyword_.texture ? 2 : 0;

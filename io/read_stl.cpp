@@ -69,8 +69,8 @@ std::optional<std::array<double, 4>> part_color(std::string_view header)
     return result;
 }
 
-/// Adds colours from the two bytes behind each triangle. VisCAM and SolidView have 1 and then red, green and blue in five
-/// bits each. Materialise has 0 and then blue, green and red, or 1 for the colour of the part.
+/// Adds colours from the two bytes behind each triangle. VisCAM and SolidView have 1 and then red, green and blue in
+/// five bits each. Materialise has 0 and then blue, green and red, or 1 for the colour of the part.
 void add_colors(polygon_soup& soup, std::string_view header, const std::vector<std::uint16_t>& bits)
 {
     const auto of_part = part_color(header);

@@ -28,7 +28,7 @@ float_point rounded(const std::array<double, 3>& p)
     return {float(p[0]) + 0, float(p[1]) + 0, float(p[2]) + 0};
 }
 
-/// Whether corners of a triangle are equal once they are rounded.
+/// Tests whether corners of a triangle are equal once they are rounded.
 bool is_fallen(const basic_mesh<>& mesh, std::size_t face)
 {
     const auto corners = mesh.face(face);
@@ -37,7 +37,7 @@ bool is_fallen(const basic_mesh<>& mesh, std::size_t face)
     return p == q or q == r or r == p;
 }
 
-/// Whether some vertices are equal once they are rounded. Cost: O(V log V), 8 bytes per vertex.
+/// Tests whether some vertices are equal once they are rounded. Cost: O(V log V), 8 bytes per vertex.
 bool some_vertices_fall_together(const basic_mesh<>& mesh)
 {
     std::vector<std::uint64_t> hashes(mesh.vertex_count());

@@ -53,7 +53,7 @@ double written_bytes()
     return 0;
 }
 
-/// Whether standard error is a terminal, or goes on to that of mpirun, which is one.
+/// Tests whether standard error is a terminal, or a pipe to mpirun, whose standard error is one.
 bool leads_to_terminal()
 {
     if (::isatty(STDERR_FILENO) == 1)
@@ -81,7 +81,7 @@ public:
         if (is_allowed_ and not drawing_.joinable())
             drawing_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
     }
-    /// Whether this phase is the one that is shown.
+    /// Returns whether this phase is the one that is shown.
     bool begin(std::string name, share_of_work share)
     {
         const std::lock_guard lock(mutex_);

@@ -10,8 +10,8 @@
 /// The terminal on which a program runs: texts that cannot upset it, and a bar that shows how far the work is.
 namespace kith::tool {
 
-/// While it lives, control characters of what is written to std::cerr, and on wish to std::cout, are replaced
-/// (io::printable). A bar that is shown is erased before. Made once, at the beginning of main.
+/// Filters std::cerr, and on wish std::cout, during its lifetime: control characters are replaced (io::printable), and
+/// a bar is erased before the text. Made once, at the beginning of main.
 class printable_output {
 public:
     explicit printable_output(bool with_standard_output);
@@ -24,14 +24,14 @@ private:
     std::unique_ptr<filter> errors_, output_;
 };
 
-/// Whether bars are shown at all: where `wanted`, on standard error if that is a terminal. Not before this is called.
+/// Lets bars be shown if `wanted` and if standard error is a terminal. Before this call none is shown.
 void allow_progress(bool wanted);
 
-/// Returns the share of the work that is done, 0 to 1. It is called on another thread. An empty function: nobody knows.
+/// Returns the share of the work that is done, 0 to 1; called on another thread. Empty if the share is unknown.
 using share_of_work = std::function<double()>;
 
-/// A phase of the work. Once the program has run for a second, a bar shows the phase, its share and how long the rest of
-/// it will take, ten times a second, until the phase ends. Phases inside of another one are not shown.
+/// A phase of the work. Once the program has run for a second, a bar shows the phase, its share and how long the rest
+/// of it will take, ten times a second, until the phase ends. Phases inside of another one are not shown.
 class shown_phase {
 public:
     explicit shown_phase(std::string name, share_of_work share = {});

@@ -22,7 +22,7 @@ namespace kith::tool {
 
 namespace {
 
-/// Whether a scheme has faces that are born by edges or vertices, and so have no value of a face.
+/// Tests whether a scheme has faces that are born by edges or vertices, and so have no value of a face.
 bool has_faces_without_parent(const any_scheme& scheme)
 {
     return std::visit(
@@ -36,7 +36,7 @@ bool has_faces_without_parent(const any_scheme& scheme)
         scheme);
 }
 
-/// What the output has 0 for, as far as the control mesh tells.
+/// Returns the list of values that the output has 0 for, as far as the control mesh tells.
 std::vector<std::string> zeros_of(const tile_request& request, const io::mesh_attributes& attributes)
 {
     const auto format = io::extension_of(request.output) == ".ply" ? io::mesh_format::ply : io::mesh_format::vtu;

@@ -28,15 +28,16 @@ struct held_attributes {
 
 /// Finds the attributes that a format has room for. OBJ: normals and texture coordinates of corners, or of vertices,
 /// colours of vertices, words. OFF: normals, colours and texture coordinates of vertices, colours of faces. PLY: all
-/// numbers of vertices and faces, words of faces, texture coordinates of corners. STL: colours of faces if it is binary.
+/// numbers of vertices and faces, words of faces, texture coordinates of corners. STL: colours of faces if it is
+/// binary.
 held_attributes held_by(mesh_format format, const mesh_attributes& attributes, bool binary = false);
 
 /// Returns the topics (topics_of) of the attributes for which a format has no room, and what binary STL rounds: colours
 /// have 32 shades there, and no transparency.
 std::vector<std::string> not_held(mesh_format format, const mesh_attributes& attributes, bool binary = false);
 
-/// Returns what is written as 0 because the format has no word for "none": "the colours of 2 of 4 faces". These are whole
-/// numbers, and in OFF and PLY what programs read as numbers: normals, texture coordinates, in PLY colours. Cost:
+/// Returns what is written as 0 because the format has no word for "none": "the colours of 2 of 4 faces". These are
+/// whole numbers, and in OFF and PLY what programs read as numbers: normals, texture coordinates, in PLY colours. Cost:
 /// O(values).
 std::vector<std::string> written_as_zero(mesh_format format, const mesh_attributes& attributes);
 

@@ -67,8 +67,8 @@ std::string topic_of(std::string_view name, std::string_view elements);
 /// The topics of all attributes, each once; colours of faces are told from those of vertices.
 std::vector<std::string> topics_of(const mesh_attributes& attributes);
 
-/// Whether PLY has 0 where an element lacks the attribute: a colour, a normal or a texture coordinate, which programs
-/// read as numbers. In other properties of floating type NaN is a value.
+/// Tests whether PLY has 0 where an element lacks the attribute: a colour, a normal or a texture coordinate, which
+/// programs read as numbers. In other properties of floating type NaN is a value.
 bool is_zero_without_value(const attribute& a);
 
 /// Returns the value of a colour channel that is full in a file of this type: 1, or the largest whole number.

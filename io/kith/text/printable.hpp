@@ -35,7 +35,7 @@ inline utf8_character first_character(std::string_view text)
     return code < least[bytes] or code > 0x10ffff or is_surrogate ? utf8_character{} : utf8_character{code, bytes};
 }
 
-/// Whether a terminal takes the character for a command, or shows the text around it in another order.
+/// Tests whether a terminal takes the character for a command, or shows the text around it in another order.
 inline bool is_command(char32_t code)
 {
     const bool is_control = (code < ' ' and code != '\n' and code != '\t') or (code >= 0x7f and code < 0xa0);

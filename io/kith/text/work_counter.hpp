@@ -29,7 +29,7 @@ struct work_counter {
     }
 };
 
-/// Of this process.
+/// Counts for this process.
 inline constinit work_counter file_work;
 
 } // namespace kith::io
