@@ -81,11 +81,11 @@ public:
         });
     }
 
-    /// Takes tiles of level 0 that lie on their ranks already, such as those of read_tiles. Each has one ring of shadows
-    /// or more; what is missing of ring_schedule(scheme, levels, last_rings)[0] rings is fetched from the owners. State
-    /// of the scheme (creases) is that of the whole mesh, as far as the tiles of this rank go. Collective.
+    /// Takes tiles of level 0 that lie on their ranks already, such as those of read_tiles. Each has one ring of
+    /// shadows or more; what is missing of ring_schedule(scheme, levels, last_rings)[0] rings is fetched.
+    /// State of the scheme (creases) is that of the whole mesh, as far as the tiles of this rank go. Collective.
     /// Errors: phase_error as above, for tiles that are not numbered from 0 on, each once, for one without a complete
-    /// ring, for missing rings of a state without add_part, and for schemes whose numbers need more than a tile can tell:
+    /// ring, for missing rings of a state without add_part, and for schemes whose numbers need more than a tile knows:
     /// of the boundary, if the mesh has one, and of marked edges (4-8).
     rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                     const Scheme& scheme, int levels, std::optional<int> last_rings = std::nullopt,

@@ -136,10 +136,11 @@ inline constexpr bool is_array<std::array<T, N>> = true;
 
 /// A value of this type may hold one value per element: it points to objects, is a range of any length, or owns memory.
 template <class T>
-inline constexpr bool may_hold_elements = not is_text<T> and
-                                          ((std::is_pointer_v<T> and
-                                            not std::is_function_v<std::remove_pointer_t<T>>) or
-                                           std::ranges::range<const T&> or not std::is_trivially_copyable_v<T>);
+inline constexpr bool owns_nothing = std::is_trivially_destructible_v<T> and std::is_trivially_copy_constructible_v<T>;
+template <class T>
+inline constexpr bool may_hold_elements = not is_text<T> and ((std::is_pointer_v<T> and
+                                                               not std::is_function_v<std::remove_pointer_t<T>>) or
+                                                              std::ranges::range<const T&> or not owns_nothing<T>);
 
 template <class... T>
 struct type_list {};

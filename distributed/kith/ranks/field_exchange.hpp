@@ -214,7 +214,7 @@ private:
         });
     }
 
-    /// Errors: mesh_error unless there is a value for each element of each tile, where the type of `fields` tells sizes.
+    /// Throws mesh_error unless `fields`, if its type tells sizes, has a value for each element of each tile.
     template <class Fields>
     void require_sizes(const Fields& fields) const
     {

@@ -45,8 +45,8 @@ class held_tiles {
 public:
     using job_type = tile_job<Tile, Scheme>;
 
-    /// Takes tiles, and looks whether they are all, numbered from 0 on, and such as `scheme` takes. `counts` are those of
-    /// the whole mesh. Collective. Errors: phase_error.
+    /// Takes tiles, and requires that they are all there, numbered from 0 on, and that `scheme` takes their faces.
+    /// `counts` are those of the whole mesh. Collective. Errors: phase_error.
     held_tiles(communicator& comm, std::vector<numbered_tile<Tile>> tiles, const whole_counts& counts,
                const Scheme& scheme)
         : tiles_(std::move(tiles))
@@ -74,7 +74,7 @@ public:
     [[nodiscard]] const std::vector<numbered_tile<Tile>>& tiles() const { return tiles_; }
     [[nodiscard]] std::size_t size() const { return tiles_.size(); }
 
-    /// Fetches rings of shadows, with the state there, until all tiles have `rings` of them. Where no tile has a scheme,
+    /// Fetches rings of shadows, with the state there, until all tiles have `rings` of them. If tiles have no schemes,
     /// the state of `scheme` is that of the whole mesh. Collective.
     /// Errors: phase_error for a tile without a complete ring, and where state cannot be joined. Cost: that of
     /// grow_shadows, if rings are missing.

@@ -85,8 +85,8 @@ public:
     [[nodiscard]] std::size_t most_at_once() const { return most_at_once_; }
     [[nodiscard]] const work_done& done() const { return done_; }
 
-    /// Refines so many tiles; job(i) returns the number of the i-th one and its tile_job. Errors: those of the steps, of
-    /// `job` and of `use`.
+    /// Refines so many tiles; job(i) returns the number of the i-th one and its tile_job.
+    /// Errors: those of the steps, of `job` and of `use`.
     template <std::invocable<std::size_t> Job>
     void refine(std::size_t tiles, const Job& job)
     {

@@ -45,8 +45,8 @@ private:
     }
 };
 
-/// Rotates each face to start at its smallest vertex, as make_mesh does. Local. Errors: mesh_error for a face that comes
-/// to a vertex twice, and for coordinates that are no finite numbers.
+/// Rotates each face to start at its smallest vertex, as make_mesh does. Local. Errors: mesh_error for a face that
+/// comes to a vertex twice, and for coordinates that are no finite numbers.
 template <class Point>
 void start_at_smallest(mesh_slice<Point>& slice)
 {

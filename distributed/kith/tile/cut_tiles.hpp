@@ -66,7 +66,7 @@ public:
     {
         return std::span(faces_).subspan(first_[part], first_[part + 1] - first_[part]);
     }
-    /// Returns the number of faces and of corners of the part with the most corners, from which the most new faces come.
+    /// Returns the number of faces and of corners of the part with the most corners, which makes the most new faces.
     /// Cost: O(faces).
     [[nodiscard]] std::array<std::uint64_t, 2> largest() const
     {
