@@ -42,7 +42,7 @@ written_from() { # written_from FILE WHOLE OFFSET: the first byte from there on 
 }
 damage='is damaged, its bytes are not those that were written; call again with --verify, which writes damaged tiles'
 size=$(stat -c %s whole.ply)
-for from in 302 20000 $((size - 17 * 700)) $((size - 17 * 40)); do
+for from in 302 20000 $((size - 17 * 1400)) $((size - 17 * 700)); do
     run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
     exits 0
     at=$(written_from kept/surface whole.ply "$from")

@@ -449,12 +449,12 @@ waves() { # waves CORNERS
         for (f = 0; f < 2; ++f) { printf n; for (i = f * n; i < (f + 1) * n; ++i) printf " %d", i; print "" }
     }'
 }
-for n in 1500 100000; do
+for n in 1500 40000; do
     waves $n >waves.off
     run refine waves.off -s linear-triangles -n 0 --triangulate -o cut.off
     exits 0
     prints "$((2 * n)) vertices, $((4 * n - 3 * 2)) edges, $((2 * n - 4)) faces"
-    check "the triangles cover the faces" awk -v n=$n 'v < 2 * n && NF == 3 && NR > 2 { x[v] = $1; y[v] = $2; ++v }
+    check "the triangles cover the faces" awk -v n=$n -v v=0 'v < 2 * n && NF == 3 && NR > 2 { x[v] = $1; y[v] = $2; ++v }
         NF == 4 {
             a = ((x[$3] - x[$2]) * (y[$4] - y[$2]) - (x[$4] - x[$2]) * (y[$3] - y[$2])) / 2
             side = $2 < n ? 0 : 1
