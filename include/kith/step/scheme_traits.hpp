@@ -194,8 +194,8 @@ consteval auto checked_traits()
             static_assert(
                 not has_traits<S>(),
                 "traits() of a scheme is public, static constexpr, takes nothing and returns kith::scheme_traits{...}; "
-                "its words, in this order, are .name .faces .closed_only .trusted .valence .require .reach .is_marked "
-                ".state .ignores_numbers .closure");
+                "its words, in this order, are .name .faces .closed_only .trusted .constants_only .valence .require "
+                ".reach .is_marked .state .ignores_numbers .closure");
             return scheme_traits{};
         }
     } else {
