@@ -31,8 +31,8 @@ namespace {
 constexpr std::string_view mark_of_unfinished = ".incomplete-";
 constexpr std::string_view mark_of_directory = ".pieces";
 
-/// All files that a signal has to remove, as a list through the files themselves, so that adding and removing one cannot
-/// fail. Never destroyed, as a signal may come while the program ends.
+/// All files that a signal has to remove, as a list through the files themselves, so that adding and removing one
+/// cannot fail. Never destroyed, as a signal may come while the program ends.
 struct unfinished_files {
     std::recursive_mutex mutex;
     unfinished_file* first = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/part/limits_of_tile.hpp>
+#include <kith/limits_of_tile.hpp>
 
 #include "error_text.hpp"
 #include "every_scheme.hpp"

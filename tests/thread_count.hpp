@@ -9,7 +9,8 @@
 #include <omp.h>
 #endif
 
-/// So many threads while it lives, also in loops over levels of a few thousand faces; without OpenMP there is always one.
+/// So many threads while it lives, also in loops over levels of a few thousand faces; without OpenMP there is always
+/// one.
 class thread_count {
 public:
     explicit thread_count([[maybe_unused]] int count)

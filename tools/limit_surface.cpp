@@ -2,7 +2,7 @@
 #include "limit_surface.hpp"
 
 #include <kith/limit/limit_surface.hpp>
-#include <kith/part/limits_of_tile.hpp>
+#include <kith/limits_of_tile.hpp>
 
 #include <algorithm>
 #include <array>

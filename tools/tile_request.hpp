@@ -26,7 +26,8 @@ struct tile_request {
     attribute_fields attributes{};
 };
 
-/// Returns whether the output has normals of the corners: it is .ply, and edges of the control mesh stay sharp for ever.
+/// Returns whether the output has normals of the corners: it is .ply, and edges of the control mesh stay sharp for
+/// ever.
 bool has_corner_normals(const tile_request& request);
 
 /// Reads the control mesh of a request, with what the output holds of its attributes, and what the file says of its

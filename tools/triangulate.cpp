@@ -59,7 +59,8 @@ void mark_outside(plane_triangulation& all)
 }
 
 /// Returns the triangles of a face with many corners: as CGAL's triangulate_face finds them, but where corners lie on a
-/// circle, in time that is not quadratic. Nothing where its sides cross. Cost: O(n log n) where corners do not conspire.
+/// circle, in time that is not quadratic. Nothing where its sides cross. Cost: O(n log n) where corners do not
+/// conspire.
 std::vector<triangle> large_face(const std::vector<point>& corners, const kernel::Vector_3& normal)
 {
     std::vector<std::pair<point, std::size_t>> numbered;

@@ -89,8 +89,8 @@ public:
 
     /// Takes tiles of level 0, all of one generation, such as those of read_tiles. Each has one ring of shadows or
     /// more; what is missing of `rings_per_step` rings is fetched from the owners. State of the scheme (creases) is
-    /// that of the whole mesh, by its numbers, as far as the tiles of this rank go. Collective. Errors: phase_error for what the
-    /// scheme cannot take, and for a tile without a complete ring.
+    /// that of the whole mesh, by its numbers, as far as the tiles of this rank go. Collective. Errors: phase_error for
+    /// what the scheme cannot take, and for a tile without a complete ring.
     exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
                           const Scheme& scheme, int rings_per_step)
         : exchanging_refinement(comm, scheme, rings_per_step)

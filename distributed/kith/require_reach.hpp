@@ -39,7 +39,8 @@ std::string difference_in_tile(const Tile& part, const basic_mesh<Point, Index>&
 /// the end, and all that the tile has must be what refining the whole mesh makes. `refine` of many faces, `evaluator`,
 /// tiles and ranks believe that word. A mesh tells more that has all that the scheme tells apart: a boundary,
 /// extraordinary vertices, creases.
-/// Errors: mesh_error that names the element that differs; those of `validate` and `refine`. Cost: that of refining each face with its rings.
+/// Errors: mesh_error that names the element that differs; those of `validate` and `refine`. Cost: that of refining
+/// each face with its rings.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 void require_reach(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels = 2)
 {

@@ -84,8 +84,8 @@ void carry_map(const hierarchy<M, Scheme>& levels, int from, int to, const Sourc
 }
 
 /// A property that goes by a rule of the user, on elements with such handles and of type T, which may be any. Handle is
-/// a handle of the mesh that is refined: mesh_traits<M>::halfedge, which is Surface_mesh's Halfedge_index and OpenMesh's
-/// HalfedgeHandle. The value of a half-edge stands for the corner at its target.
+/// a handle of the mesh that is refined: mesh_traits<M>::halfedge, which is Surface_mesh's Halfedge_index and
+/// OpenMesh's HalfedgeHandle. The value of a half-edge stands for the corner at its target.
 template <class Handle, class T, class Rule>
 struct property_by_rule {
     std::string name;

@@ -7,7 +7,6 @@
 
 int main()
 {
-    compile_scheme([](const auto& coarse, const auto& assoc) {
-        for_each(coarse.edges(), [&](auto e) { assoc(e, V) = MASK; });
-    });
+    compile_scheme(
+        [](const auto& coarse, const auto& assoc) { for_each(coarse.edges(), [&](auto e) { assoc(e, V) = MASK; }); });
 }

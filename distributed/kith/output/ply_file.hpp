@@ -63,10 +63,10 @@ inline bool has_nan(const file_array& array, const std::byte* value)
 /// for which numbers of faces stand are comments.
 class ply_file : public stitched_file {
 public:
-    /// With normals, of vertices or of corners, tiles have theirs. `largest_degree` is that of the faces of the whole mesh (kith::largest_degree);
-    /// the type in which the file counts corners follows from it. Errors: mesh_error for more vertices than the format
-    /// can number, for numbers of a type that PLY has not, for several of them in a value of a vertex or face, for two
-    /// fields on corners, and for a name that is taken.
+    /// With normals, of vertices or of corners, tiles have theirs. `largest_degree` is that of the faces of the whole
+    /// mesh (kith::largest_degree); the type in which the file counts corners follows from it. Errors: mesh_error for
+    /// more vertices than the format can number, for numbers of a type that PLY has not, for several of them in a value
+    /// of a vertex or face, for two fields on corners, and for a name that is taken.
     explicit ply_file(const whole_counts& counts, bool with_normals = false, std::vector<file_array> arrays = {},
                       const std::vector<std::string>& file_lines = {}, std::uint64_t largest_degree = 4,
                       bool with_corner_normals = false)

@@ -39,8 +39,8 @@ public:
     /// Writes what is not of any tile; one process does.
     virtual void write_frame(placed_bytes& file) const = 0;
     /// Writes the vertices and faces that a tile owns, with the values for the arrays that the file was made with, in
-    /// their order. Local. Errors: write_error, and mesh_error for a vertex that has no finite place, and unless there is a
-    /// value for each element. Cost: O(corners), and a write for each run of consecutive numbers.
+    /// their order. Local. Errors: write_error, and mesh_error for a vertex that has no finite place, and unless there
+    /// is a value for each element. Cost: O(corners), and a write for each run of consecutive numbers.
     virtual void write_tile(placed_bytes& file, const tile<std::array<double, 3>>& part, cell_origin origin,
                             std::span<const value_bytes> values = {}) const = 0;
 

@@ -120,7 +120,10 @@ template <level Level, std::unsigned_integral Index>
                                          const connectivity<Index>& fine)
 {
     if (halfedge == connectivity<Index>::none)
-        refuse(level, kind, tuple, " -> F: the scheme declares edges, so each line needs its side: "
+        refuse(level,
+               kind,
+               tuple,
+               " -> F: the scheme declares edges, so each line needs its side: "
                "assoc(v, V) >> assoc(v, e, E).along(e)");
     if (halfedge >= fine.halfedge_corner.size())
         refuse(list_tuple(level, kind, tuple),

@@ -89,51 +89,53 @@ private:
         sequence_numbers kinds;
         const auto degree = Index(mesh.degree);
         const auto in_order = vertices_by_faces(mesh);
-        detail::for_shared_parts(in_order.size(), 1, detail::is_worth_threads(mesh.faces), [&](detail::parts_to_do parts) {
-            sequence_numbers::reader kind(kinds);
-            std::u32string fan;
-            std::vector<Index> corners;
-            const auto look_at = [&](Index start) {
-                fan.clear();
-                corners.clear();
-                Index c = start;
-                do {
-                    const Index h = mesh.corner_halfedge[c];
-                    // With divisors that the compiler knows.
-                    const Index face = degree == 4 ? c / 4 : degree == 3 ? c / 3 : mesh.corner_face[c];
-                    const Index first = degree != 0 ? degree * face : mesh.face_corner[face];
-                    const bool is_boundary = mesh.halfedge_corner[h ^ 1] == mesh.none;
-                    fan += char32_t(4 * (class_[face] + number(c - first)) + 2 * (h % 2) + is_boundary);
-                    corners.push_back(c);
-                    c = mesh.next_in_fan(c);
-                } while (c != mesh.none and c != start);
-                number place = kind(fan).first_item;
-                for (const Index corner : corners)
-                    place_in_fan_[corner] = char32_t(place++);
-            };
-            parts.for_each([&](std::size_t part, std::size_t) {
-                const std::size_t first = in_order[part];
-                const std::size_t last = std::min(first + vertices_at_once, mesh.vertices);
-                for (std::size_t v = first; v < last; ++v)
-                    look_at(mesh.vertex_corner[v]);
+        detail::for_shared_parts(
+            in_order.size(), 1, detail::is_worth_threads(mesh.faces), [&](detail::parts_to_do parts) {
+                sequence_numbers::reader kind(kinds);
+                std::u32string fan;
+                std::vector<Index> corners;
+                const auto look_at = [&](Index start) {
+                    fan.clear();
+                    corners.clear();
+                    Index c = start;
+                    do {
+                        const Index h = mesh.corner_halfedge[c];
+                        // With divisors that the compiler knows.
+                        const Index face = degree == 4 ? c / 4 : degree == 3 ? c / 3 : mesh.corner_face[c];
+                        const Index first = degree != 0 ? degree * face : mesh.face_corner[face];
+                        const bool is_boundary = mesh.halfedge_corner[h ^ 1] == mesh.none;
+                        fan += char32_t(4 * (class_[face] + number(c - first)) + 2 * (h % 2) + is_boundary);
+                        corners.push_back(c);
+                        c = mesh.next_in_fan(c);
+                    } while (c != mesh.none and c != start);
+                    number place = kind(fan).first_item;
+                    for (const Index corner : corners)
+                        place_in_fan_[corner] = char32_t(place++);
+                };
+                parts.for_each([&](std::size_t part, std::size_t) {
+                    const std::size_t first = in_order[part];
+                    const std::size_t last = std::min(first + vertices_at_once, mesh.vertices);
+                    for (std::size_t v = first; v < last; ++v)
+                        look_at(mesh.vertex_corner[v]);
+                });
             });
-        });
     }
     void look_at_faces(const connectivity<Index>& mesh, bool is_last)
     {
         sequence_numbers classes;
         const auto degree = std::size_t(mesh.degree);
-        detail::for_shared_parts(mesh.faces, faces_at_once, detail::is_worth_threads(mesh.faces), [&](detail::parts_to_do parts) {
-            sequence_numbers::reader class_of(classes);
-            parts.for_each([&](std::size_t begin, std::size_t end) {
-                for (std::size_t f = begin; f < end; ++f) {
-                    const std::size_t first = degree != 0 ? degree * f : mesh.face_corner[f];
-                    const std::size_t corners = degree != 0 ? degree : mesh.face_corner[f + 1] - first;
-                    const auto made = class_of(std::u32string_view(place_in_fan_.data() + first, corners));
-                    class_[f] = is_last ? made.sequence : made.first_item;
-                }
+        detail::for_shared_parts(
+            mesh.faces, faces_at_once, detail::is_worth_threads(mesh.faces), [&](detail::parts_to_do parts) {
+                sequence_numbers::reader class_of(classes);
+                parts.for_each([&](std::size_t begin, std::size_t end) {
+                    for (std::size_t f = begin; f < end; ++f) {
+                        const std::size_t first = degree != 0 ? degree * f : mesh.face_corner[f];
+                        const std::size_t corners = degree != 0 ? degree : mesh.face_corner[f + 1] - first;
+                        const auto made = class_of(std::u32string_view(place_in_fan_.data() + first, corners));
+                        class_[f] = is_last ? made.sequence : made.first_item;
+                    }
+                });
             });
-        });
         count_ = classes.count();
     }
 

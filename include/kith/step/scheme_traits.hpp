@@ -37,8 +37,8 @@ struct scheme_traits {
     /// Its members beside `state` are constants, which belong to no element: a table of weights, a function. Tiles and
     /// ranks ask for this word where a member is a container, a pointer or a class that owns memory.
     bool constants_only = false;
-    int valence = 0;      ///< of all inner vertices that a step has made, where it is the same everywhere; else 0
-    Next next{};          ///< refused: counts of the next level follow from the columns, see next_counts
+    int valence = 0; ///< of all inner vertices that a step has made, where it is the same everywhere; else 0
+    Next next{};     ///< refused: counts of the next level follow from the columns, see next_counts
     /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take, and
     /// for options with which it can take none.
     Require require{};

@@ -88,8 +88,8 @@ public:
     {
     }
 
-    /// Returns the faces within `rings` rings of the seeds, increasing. A ring is the faces that share a vertex with the
-    /// faces before. Precondition: the seeds are increasing.
+    /// Returns the faces within `rings` rings of the seeds, increasing. A ring is the faces that share a vertex with
+    /// the faces before. Precondition: the seeds are increasing.
     [[nodiscard]] std::vector<Index> faces_around(std::span<const Index> seeds, int rings)
     {
         begin();

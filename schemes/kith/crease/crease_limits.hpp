@@ -5,7 +5,7 @@
 #include "sectors.hpp"
 #include "sharp_rules.hpp"
 
-#include <kith/limit_rules/rules.hpp>
+#include <kith/kernel/limit_rules.hpp>
 
 #include <array>
 #include <cstddef>

@@ -16,7 +16,7 @@
 #include <kith/limit_rules/loop.hpp>
 #include <kith/limit_rules/mid_edge.hpp>
 #include <kith/limit_rules/nasri_hasbini.hpp>
-#include <kith/limit_rules/rules.hpp>
+#include <kith/kernel/limit_rules.hpp>
 #include <kith/limit_rules/sqrt3.hpp>
 #include <kith/limit_rules/unified.hpp>
 

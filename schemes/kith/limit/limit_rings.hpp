@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/limit_rules/rules.hpp>
+#include <kith/kernel/limit_rules.hpp>
 #include <kith/step/scheme.hpp>
 
 #include <algorithm>

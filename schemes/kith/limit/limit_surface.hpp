@@ -27,8 +27,8 @@ struct corner_normal {
 
 /// The vertices of a level at their places on the limit surface, with the unit normals there, outward for
 /// counter-clockwise faces. Faces on different sides of infinitely sharp edges have different normals at a vertex:
-/// `corner_normals` has these by increasing corner. The normal of such a vertex is their mean, each weighed by one minus
-/// the cosine of the angle of its side.
+/// `corner_normals` has these by increasing corner. The normal of such a vertex is their mean, each weighed by one
+/// minus the cosine of the angle of its side.
 template <class Point>
 struct limit_surface {
     storage<Point> positions;

@@ -56,7 +56,8 @@ struct limit_rules<loop> : crease_limits {
         const auto turns = std::int64_t(2 * part.faces);
         const auto sine = sine_wave(turns);
         const double cotangent = cosine_wave(2 * turns)(1) / sine_wave(2 * turns)(1), c = cosine_wave(turns)(1);
-        // The row's image is lambda times the row, with lambda = 3/8 + c/4, in its entry at the first end of the sector.
+        // The row's image is lambda times the row, with lambda = 3/8 + c/4, in its entry at the first end of the
+        // sector.
         const double x = (sine(1) / 8 - r * cotangent) / (2 * r - 1. / 8 + c / 4);
         return row_of(part, -(2 * x + cotangent), x);
     }

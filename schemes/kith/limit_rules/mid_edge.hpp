@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "rules.hpp"
+#include <kith/kernel/limit_rules.hpp>
 
 #include <kith/mid_edge.hpp>
 

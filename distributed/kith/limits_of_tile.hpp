@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tile_like.hpp"
+#include <kith/part/tile_like.hpp>
 
 #include <kith/limit/limit_surface.hpp>
 #include <kith/number/tuple_facts.hpp>
@@ -59,8 +59,8 @@ auto level_of_tile(const Tile& part)
 
 /// Returns the limits of the vertices of a tile by closed masks, with the bits that limit_positions gives for the whole
 /// level. A vertex has none where the whole level has none, and where the mask asks about faces that are not in the
-/// tile; a tile with one ring of ghosts more than limit_rules::rings has those of all its own faces. `scheme` is that of
-/// the tile. Errors: mesh_error for a tile without edges.
+/// tile; a tile with one ring of ghosts more than limit_rules::rings has those of all its own faces. `scheme` is that
+/// of the tile. Errors: mesh_error for a tile without edges.
 template <tile_like Tile, scheme Scheme>
 auto limit_positions(const Tile& part, const Scheme& scheme)
 {
