@@ -449,7 +449,7 @@ waves() { # waves CORNERS
         for (f = 0; f < 2; ++f) { printf n; for (i = f * n; i < (f + 1) * n; ++i) printf " %d", i; print "" }
     }'
 }
-for n in 1500 40000; do
+for n in 1500 100000; do
     waves $n >waves.off
     run refine waves.off -s linear-triangles -n 0 --triangulate -o cut.off
     exits 0
