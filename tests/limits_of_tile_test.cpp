@@ -79,29 +79,28 @@ TEST(limits_of_tile, are_those_of_the_whole_level_or_none)
                 heights.push_back(p[2]);
             const auto expected_heights = limit_values(
                 whole.elements(1), whole.scheme(1), std::span<const double>(heights));
+            const auto look_at = [&](const auto& part_of, int rings) {
+                for_each_tile(mesh, scheme, part_of, rings, [&](const auto& part, const auto& scheme_there) {
+                    const auto limits = limit_positions(part, scheme_there);
+                    expect_those_of(expected, limits, part, positions);
+                    std::vector<double> heights_there;
+                    for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
+                        heights_there.push_back(part.mesh.point(v)[2]);
+                    expect_those_of(expected_heights,
+                                    limit_values(part, scheme_there, std::span<const double>(heights_there)),
+                                    part,
+                                    positions);
+                    if (rings > kith::limit_rules<Scheme>::rings(scheme))
+                        expect_own(expected, limits, part);
+                    if constexpr (kith::has_limit_tangents<Scheme, kith::vertex<level>, level>) {
+                        const auto of_whole = limit_normals(whole.elements(1), whole.scheme(1));
+                        expect_those_of(of_whole, limit_normals(part, scheme_there), part, normals);
+                    }
+                });
+            };
             for (const int rings : {0, 1, 1 + kith::limit_rules<Scheme>::rings(scheme)})
-                for_each_tile(mesh,
-                              scheme,
-                              partitions::scattered(mesh.face_count(), 3, 1),
-                              rings,
-                              [&](const auto& part, const auto& scheme_there) {
-                                  const auto limits = limit_positions(part, scheme_there);
-                                  expect_those_of(expected, limits, part, positions);
-                                  std::vector<double> heights_there;
-                                  for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
-                                      heights_there.push_back(part.mesh.point(v)[2]);
-                                  expect_those_of(
-                                      expected_heights,
-                                      limit_values(part, scheme_there, std::span<const double>(heights_there)),
-                                      part,
-                                      positions);
-                                  if (rings > kith::limit_rules<Scheme>::rings(scheme))
-                                      expect_own(expected, limits, part);
-                                  if constexpr (kith::has_limit_tangents<Scheme, kith::vertex<level>, level>) {
-                                      const auto of_whole = limit_normals(whole.elements(1), whole.scheme(1));
-                                      expect_those_of(of_whole, limit_normals(part, scheme_there), part, normals);
-                                  }
-                              });
+                look_at(partitions::scattered(mesh.face_count(), 3, 1), rings);
+            look_at(partitions::blocks(mesh.face_count(), 3), 1);
         }
     });
     for (const auto& found : {positions, normals}) {

@@ -11,7 +11,7 @@
 
 namespace kith {
 
-/// Per vertex, whether it has faces in the whole mesh that are not here. Precondition: the tile has its edges.
+/// Marks the vertices that have faces in the whole mesh which are not here. Precondition: the tile has its edges.
 template <tile_like Tile>
 std::vector<unsigned char> incomplete_vertices(const Tile& part)
 {
@@ -40,14 +40,21 @@ public:
 
     [[nodiscard]] const level_type& level() const { return level_; }
 
-    /// Whether a rim that a tuple gives birth to is the boundary of the whole mesh. Precondition: it is a rim here.
+    /// Returns whether an edge with one face, which a tuple gives birth to, is at the boundary of the whole mesh. Such an
+    /// edge lacks the face of an edge of the tuple that has one face, or else that of its vertex, which dual schemes
+    /// give to vertices whose faces are all here.
     [[nodiscard]] bool is_at_true_boundary(tuple_kind kind, std::size_t tuple) const
     {
         switch (kind) {
         case tuple_kind::v: return is_complete(tuple);
         case tuple_kind::e: return not coarse_.is_cut(tuple);
-        case tuple_kind::ve: return not coarse_.is_cut(tuple / 2);
+        case tuple_kind::ve: {
+            const auto& t = coarse_.mesh.topology();
+            const std::size_t e = tuple / 2;
+            return t.is_boundary(e) ? not coarse_.is_cut(e) : is_complete(t.ends(e)[tuple % 2]);
+        }
         case tuple_kind::f: return true;
+        case tuple_kind::vf: return is_complete(level_.corners()[tuple].v().index());
         case tuple_kind::vfe: tuple /= 2; [[fallthrough]];
         default: return not coarse_.is_cut(level_.corners()[tuple].next_edge().index());
         }
