@@ -144,7 +144,12 @@ double bytes_of_levels(const refine_request& request, const basic_mesh<>& contro
         request.scheme);
     return mesh == mesh_kind::native and not request.limit and not request.with_tags
                ? double(planned.back().least_bytes)
-               : double(job_bytes(planned, {mesh, request.limit, false, request.with_tags, request.counted}));
+               : double(job_bytes(planned,
+                                  {.mesh = mesh,
+                                   .limit = request.limit,
+                                   .corner_normals = request.corner_normals,
+                                   .tags = request.with_tags,
+                                   .attributes = request.counted}));
 }
 
 void set_threads([[maybe_unused]] const po::variables_map& values)
