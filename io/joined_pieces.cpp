@@ -181,8 +181,8 @@ polygon_soup joined_pieces(std::vector<vtu_piece> pieces)
     if (point_ids.size() == result.points.size())
         sort_vertices(result, point_ids);
     else
-        result.notes.emplace_back("its pieces have no GlobalPointIds for all vertices; vertices of different pieces "
-                                  "stay apart, also at the same place");
+        result.notes.emplace_back("not all vertices of its pieces have GlobalPointIds; vertices of different pieces "
+                                  "are not joined, even if they coincide");
     if (cell_ids.size() == result.faces.size())
         sort_faces(result, cell_ids);
     return result;

@@ -107,7 +107,7 @@ std::vector<std::string> topics_of(const mesh_attributes& attributes)
         add(topic == "colours" ? "colours of faces" : topic);
     }
     for (const std::string& line : attributes.file_lines)
-        add(line == odd_generation        ? "that sqrt3 splits the boundary in the next step"
+        add(line == odd_generation        ? "the parity of sqrt3 steps (the next one splits the boundary)"
             : line.starts_with("mtllib ") ? "materials"
                                           : "names of texture files");
     return result;

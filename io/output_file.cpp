@@ -219,7 +219,7 @@ void give_name(const std::string& finished, const std::string& target)
         fs::permissions(finished, before.permissions(), failed);
     fs::rename(finished, target, failed);
     if (failed)
-        throw file_error(target + ": could not be given its name: " + failed.message());
+        throw file_error(target + ": the finished temporary file could not be renamed: " + failed.message());
 }
 
 unfinished_file::unfinished_file(const std::string& path) : unfinished_file() // so that its destructor tidies up
@@ -253,7 +253,7 @@ void unfinished_file::create()
     descriptor_ = open_locked(name_, O_CREAT);
     if (descriptor_ < 0)
         refuse(std::string("cannot be written: ") +
-               (errno == EWOULDBLOCK ? "another process of the same number writes it" : std::strerror(errno)));
+               (errno == EWOULDBLOCK ? "another process with the same number writes it" : std::strerror(errno)));
     next_ = std::exchange(unfinished().first, this);
     if (::ftruncate(descriptor_, 0) != 0)
         refuse(std::string("cannot be written: ") + std::strerror(errno));
@@ -303,7 +303,7 @@ void unfinished_file::make_directory(const std::string& directory)
     directory_ = directory;
     remove_directory(directory_.c_str());
     if (::mkdir(directory_.c_str(), 0777) != 0)
-        throw file_error(directory + ": cannot be made: " + std::strerror(errno));
+        throw file_error(directory + ": cannot be created: " + std::strerror(errno));
 }
 
 void unfinished_file::commit()

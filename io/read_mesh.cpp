@@ -24,7 +24,7 @@ polygon_soup read_mesh(mesh_format format, std::string_view bytes)
     case mesh_format::stl: return read_stl(bytes);
     case mesh_format::vtu: return read_vtu(bytes);
     }
-    throw file_error("is of a format that is not known; choose one of mesh_format");
+    throw file_error("has an unknown format; choose one of mesh_format");
 }
 
 polygon_soup read_mesh_file(const std::string& path)

@@ -237,11 +237,11 @@ private:
         if (numbers < 3)
             text_.refuse(what() + " has " + counted(numbers, "coordinate") + ", 3 are needed");
         if (numbers > p.size())
-            not_kept("numbers behind the coordinates of vertices");
+            not_kept("extra numbers after the coordinates of vertices");
         else if (numbers >= 6)
             add_color({p[3], p[4], p[5], numbers == 7 ? p[6] : no_number});
         else if (numbers == 5)
-            not_kept("numbers behind the coordinates of vertices");
+            not_kept("extra numbers after the coordinates of vertices");
         else if (p[3] != 1)
             not_kept("weights of vertices");
         soup_.points.push_back({p[0], p[1], p[2]});
@@ -326,8 +326,8 @@ private:
         }
         if (not rest.empty())
             text_.refuse("face " + std::to_string(face) +
-                         ": a corner has a vertex, a texture coordinate and a normal "
-                         "at most, here is more: '" +
+                         ": a corner has at most a vertex, a texture coordinate and a normal, "
+                         "but here is more: '" +
                          shown(rest) + "'");
     }
     /// The words up to the end of the line, with a blank between them. At the end of the file the last one may end in
@@ -395,7 +395,7 @@ private:
         const auto found = std::ranges::find(
             other_statements, statement, &std::pair<std::string_view, std::string_view>::first);
         if (found == other_statements.end())
-            text_.refuse("'" + shown(statement) + "' is no statement of an OBJ file");
+            text_.refuse("'" + shown(statement) + "' is not a statement of an OBJ file");
         not_kept(found->second);
         text_.skip_line();
     }

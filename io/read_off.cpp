@@ -228,8 +228,7 @@ private:
     {
         const auto dimension = text_.whole<std::size_t>([] { return std::string("the number of coordinates"); });
         if (dimension != 3)
-            text_.refuse("vertices have " + counted(dimension, "coordinate") +
-                         ", which is another number than three; write three");
+            text_.refuse("vertices have " + counted(dimension, "coordinate") + ", but three are needed; write three");
         to_content([] { return std::string("the numbers of vertices and faces"); });
     }
     /// Decides by the first vertices whether colours or normals come first: programs do not agree, and both are three
@@ -254,11 +253,11 @@ private:
         else if (doubts[0] != 0)
             return; // no order is as it should be, and the keyword decides
         else if (keyword_.color_is_first)
-            soup_.notes.emplace_back("colours and normals of vertices may stand in either order; colours are read "
-                                     "first, as MeshLab writes them behind NC");
+            soup_.notes.emplace_back("the order of vertex colours and normals is ambiguous; colours are read "
+                                     "first, as MeshLab writes them after NC");
         else
-            soup_.notes.emplace_back("normals and colours of vertices may stand in either order; normals are read "
-                                     "first, as Geomview writes them behind CN");
+            soup_.notes.emplace_back("the order of vertex normals and colours is ambiguous; normals are read "
+                                     "first, as Geomview writes them after CN");
     }
     /// Vertices and faces have lines of their own, where colors may follow them. But the format does not ask for that,
     /// and some files have all their numbers in a line: then nothing but what the keyword says stands between them.
@@ -275,7 +274,7 @@ private:
             if (more >= all and vertices_ != 0)
                 return false;
             (void)text_.word();
-            text_.refuse("more than the numbers of vertices, faces and edges stands on this line");
+            text_.refuse("this line holds more than the numbers of vertices, faces and edges");
         }
         cursor first = text_;
         if (not first.to_content())
@@ -429,9 +428,9 @@ private:
         take(textures_, texture_names);
         face_colors_.give(attributes.faces, faces_);
         if (has_other_numbers_)
-            soup_.not_kept.emplace_back("numbers behind the coordinates of vertices");
+            soup_.not_kept.emplace_back("extra numbers after the coordinates of vertices");
         if (has_listed_colors_)
-            soup_.not_kept.emplace_back("colours of faces by their numbers in a list");
+            soup_.not_kept.emplace_back("colours of faces given as indices of a colour map");
     }
 
     std::string_view bytes_;

@@ -83,7 +83,7 @@ void add_colors(polygon_soup& soup, std::string_view header, const std::vector<s
     const bool some_have_own = std::ranges::any_of(bits, has_own);
     if (not some_have_own and not of_part) {
         if (differ())
-            soup.not_kept.emplace_back("the two bytes behind each triangle");
+            soup.not_kept.emplace_back("the two attribute bytes of each triangle");
         return;
     }
     const bool has_alpha = of_part and (*of_part)[3] != 255 and not std::ranges::all_of(bits, has_own);
@@ -128,7 +128,7 @@ polygon_soup read_binary(std::string_view bytes)
     add_colors(soup, bytes.substr(0, header_bytes), bits);
     if (const std::size_t more = bytes.size() - binary_size(triangles); more != 0)
         soup.notes.push_back(counted(more, "byte") + " after the last of " + counted(triangles, "triangle") +
-                             (more == 1 ? " is" : " are") + " left aside");
+                             (more == 1 ? " is" : " are") + " ignored");
     return soup;
 }
 
@@ -142,7 +142,7 @@ public:
         for (; not word.empty(); word = text_.word_of_any_line()) {
             const bool has_name = is_word(word, "solid");
             if (not has_name and not(is_word(word, "facet") and solids_ == 0))
-                text_.refuse("'solid' should be here, it is '" + shown(word) + "'");
+                text_.refuse("'solid' is expected here, not '" + shown(word) + "'");
             ++solids_;
             if (has_name) {
                 text_.skip_line(); // the name, which may be anything
@@ -153,7 +153,7 @@ public:
             if (word.empty() and has_name)
                 throw file_error("the file ends where 'endsolid' should be");
             if (not word.empty() and not is_word(word, "endsolid"))
-                text_.refuse("'facet' or 'endsolid' should be here, it is '" + shown(word) + "'");
+                text_.refuse("'facet' or 'endsolid' is expected here, not '" + shown(word) + "'");
             text_.skip_line();
         }
         polygon_soup soup = points_.triangles();
@@ -169,7 +169,7 @@ private:
         if (word.empty())
             throw file_error("the file ends where '" + std::string(wanted) + "' should be");
         if (not is_word(word, wanted))
-            text_.refuse("'" + std::string(wanted) + "' should be here, it is '" + shown(word) + "'");
+            text_.refuse("'" + std::string(wanted) + "' is expected here, not '" + shown(word) + "'");
     }
     void read_triangle()
     {

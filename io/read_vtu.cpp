@@ -96,7 +96,7 @@ private:
     vtu_numbers& require_begun()
     {
         if (not numbers_)
-            throw file_error("a file of VTK begins with the element VTKFile, which is not there");
+            throw file_error("a file of VTK begins with the element VTKFile, which is missing");
         return *numbers_;
     }
     /// Reads words for which the numbers of an array of that name stand, which are data of the whole file.
@@ -110,8 +110,8 @@ private:
                 const int letter = text.whole<int>([] { return std::string("a letter of a word"); });
                 if (letter < std::numeric_limits<signed char>::min() or
                     letter > std::numeric_limits<unsigned char>::max())
-                    throw file_error("the words '" + shown(tag.attribute("Name")) + "' have the letter " +
-                                     std::to_string(letter) + ", which is none");
+                    throw file_error("the strings '" + shown(tag.attribute("Name")) + "' have the character code " +
+                                     std::to_string(letter) + ", which does not exist");
                 if (letter != 0)
                     word += letter > 0 and letter < ' ' ? '_' : char(letter); // lines of OBJ end there
                 else

@@ -240,7 +240,7 @@ std::string vtu_numbers::inflated(const vtu_array& array, std::string_view text,
         refuse_end(array);
     const std::uint64_t blocks = word(head, 0), block_bytes = word(head, 1), last_bytes = word(head, 2);
     if (blocks > text.size() / bytes_of_length_ or last_bytes > block_bytes)
-        throw file_error("the blocks of " + called(array) + " are no blocks of " + std::string(zlib_compressor));
+        throw file_error("the blocks of " + called(array) + " are not blocks of " + std::string(zlib_compressor));
     const bool is_far_more = blocks > 1 and block_bytes > size / (blocks - 1);
     const std::uint64_t last = last_bytes != 0 ? last_bytes : block_bytes;
     const std::uint64_t length = blocks == 0 ? 0 : (blocks - 1) * block_bytes + last;

@@ -156,7 +156,7 @@ private:
         if (not is_quad and type != triangle and type != polygon)
             throw file_error("cell " + std::to_string(cell) + " is of type " +
                              std::to_string(std::size_t(std::clamp(type, 0., 255.))) +
-                             " of VTK, which is no face; take the surface alone");
+                             " of VTK, which is not a face; save only the surface");
         const std::size_t degree = is_quad ? 4 : type == triangle ? 3 : std::max<std::size_t>(corners.size(), 3);
         if (corners.size() != degree)
             throw file_error("cell " + std::to_string(cell) + " has " + counted(corners.size(), "corner") +
@@ -219,7 +219,7 @@ private:
             return false;
         const auto [values, rounded] = numbers_.values(array, of_points ? points_ : cells_);
         if (rounded)
-            throw file_error("the ids '" + shown(array.name) + "' are beyond 2^53; number the elements anew");
+            throw file_error("the ids '" + shown(array.name) + "' are beyond 2^53; renumber the elements");
         if (is_ids)
             for (const std::size_t element : elements)
                 (of_points ? result_.point_ids : result_.cell_ids).push_back(values[element]);

@@ -95,7 +95,7 @@ void require_readable_floats(const written_mesh& what)
         return; // what is equal is so in doubles, too
     if (const mesh_report report = validate(soup.points, soup.faces); not report.ok())
         throw file_error(std::to_string(fallen) + " of " + std::to_string(mesh.face_count()) +
-                         " triangles fall together in the floats of binary STL, and the others form no surface that "
+                         " triangles collapse in the floats of binary STL, and the others form no surface that "
                          "can be read; write text, .off, .obj or .ply, or move the mesh to the origin");
 }
 

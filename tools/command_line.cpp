@@ -36,8 +36,8 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
                                        const std::vector<std::string>& operands,
                                        const std::vector<std::string>& arguments)
 {
-    add_flag(options, "help,h", "print this and stop");
-    add_flag(options, "version", "print the version and stop");
+    add_flag(options, "help,h", "print this help and exit");
+    add_flag(options, "version", "print the version and exit");
     po::options_description all;
     all.add(options);
     po::positional_options_description positions;
@@ -58,7 +58,7 @@ std::optional<po::variables_map> parse(const verb& verb, po::options_description
                   values);
     } catch (const po::error& error) {
         if (std::string(error.what()).find("too many positional") != std::string::npos)
-            throw usage_error("more operands than " + std::to_string(operands.size()) + " were given");
+            throw usage_error("too many operands; at most " + std::to_string(operands.size()) + " can be given");
         throw usage_error(error.what());
     }
     if (values.count("version") != 0) {
@@ -145,7 +145,7 @@ std::uint64_t bytes_from(const std::string& text)
     }
     const double bytes = value * unit;
     if (error != std::errc() or rest != end or not(bytes >= 1 and bytes < 1e19))
-        throw usage_error("'" + text + "' is no number of bytes such as 500M or 1.5G");
+        throw usage_error("'" + text + "' is not a number of bytes; write e.g. 500M or 1.5G");
     return std::uint64_t(bytes);
 }
 

@@ -56,8 +56,8 @@ hole_field holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh)
 void require_no_holes(const control_mesh& control)
 {
     if (not holes_of(control.tags, control.mesh).empty())
-        throw mesh_error("the file has holes, which are not left out of tiles; write a file of another kind without "
-                         "--tiles, or leave them aside with --ignore-tags");
+        throw mesh_error("the file has holes, which tiles cannot leave out; write .off, .obj, .ply or .stl without "
+                         "--tiles, or ignore the holes with --ignore-tags");
 }
 
 void leave_out_holes(refined_mesh& result, io::mesh_attributes& attributes)

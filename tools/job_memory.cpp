@@ -188,7 +188,7 @@ std::string name_of(const any_scheme& scheme)
 std::string too_much(const std::string& what, std::uint64_t bytes, const memory_limit& limit)
 {
     return what + bytes_text(bytes) + " bytes at once, the limit is " + bytes_text(limit.bytes) +
-           (limit.was_given ? "" : ", nine tenths of the memory that is available");
+           (limit.was_given ? "" : ", 9/10 of the available memory");
 }
 
 } // namespace
@@ -319,7 +319,7 @@ void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int l
                                            .corner_normals = kind.corner_normals,
                                            .attributes = kind.attributes});
         if (tiles != 0)
-            in_tiles = ", or in tiles, to .vtu, .pvtu or .ply: --tiles " + std::to_string(tiles) +
+            in_tiles = ", or refine in tiles and write .vtu, .pvtu or .ply: --tiles " + std::to_string(tiles) +
                        (threads == 1 and tiles_at_once(SIZE_MAX) != 1 ? " --threads 1" : "");
     }
     throw mesh_error(name_of(scheme) + ": " + problem + "; refine fewer times" + in_tiles);
@@ -347,12 +347,12 @@ void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int l
                                            : std::to_string(together) + " tiles, one per thread, need ";
     std::string ways = "refine fewer times";
     if (threads != 0)
-        ways += ", or on fewer threads: --threads " + std::to_string(threads);
+        ways += ", or use fewer threads: --threads " + std::to_string(threads);
     if (tiles != 0)
-        ways += (tiles < parts.parts ? ", or in fewer tiles, one at a time: " : ", or in more tiles: ") + option + " " +
-                std::to_string((tiles + times - 1) / times);
+        ways += (tiles < parts.parts ? ", or use fewer tiles, one at a time: " : ", or use more tiles: ") + option +
+                " " + std::to_string((tiles + times - 1) / times);
     if (threads == 0 and tiles == 0)
-        ways += ", for not even a tile for each face of the mesh would fit";
+        ways += ", since not even one tile per face of the mesh would fit";
     throw mesh_error(name_of(scheme) + ": " + too_much(what, need, limit) + "; " + ways);
 }
 

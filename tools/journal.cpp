@@ -44,7 +44,7 @@ std::optional<recipe> find_recipe(const std::string& directory)
     try {
         return unpack_recipe({view.begin(), view.end()});
     } catch (const pack_error& error) {
-        throw file_error(path + ": " + error.what() + "; remove " + directory + " and begin again");
+        throw file_error(path + ": " + error.what() + "; remove " + directory + " and start again");
     }
 }
 
@@ -86,7 +86,7 @@ void require_apart(const std::string& output, const std::string& directory)
     const std::string surface = journal_share::surface_in(directory);
     for (const auto& own : {surface, surface + ".pieces", journal_share::records_in(directory), recipe_in(directory)})
         if (place(own) == place(output))
-            throw file_error(output + ": is a name that the journal uses itself; name another output, or another "
+            throw file_error(output + ": is a file of the journal itself; name another output, or another "
                                       "directory for the journal");
 }
 
@@ -94,7 +94,8 @@ recipe kept_recipe(const std::string& directory)
 {
     auto kept = find_recipe(directory);
     if (not kept)
-        throw file_error(directory + ": holds no recipe to go on with; name the mesh, and what to do with it");
+        throw file_error(directory +
+                         ": holds no recipe to resume; name the input mesh, the scheme and the other options");
     return std::move(*kept);
 }
 
@@ -105,7 +106,7 @@ found_recipe recipe_for(const std::string& directory, const tile_request& reques
     if (not kept)
         return {recipe_of(request, make()), false};
     if (const auto text = difference(*kept, recipe_of(request, {})); not text.empty())
-        throw file_error(directory + ": is the journal of another refinement, " + text +
+        throw file_error(directory + ": is the journal of another refinement: " + text +
                          "; finish that one, or name another directory");
     return {std::move(*kept), true};
 }
@@ -121,15 +122,15 @@ journal_share::journal_share(std::string directory, const found_recipe& recipe, 
 {
     const auto there = find_recipe(directory_);
     if (there and checksum_of(*there) != checksum_of(recipe.value))
-        throw file_error(directory_ + ": another job has begun this journal at the same time, with other tiles; "
-                                      "call this one once more");
+        throw file_error(directory_ + ": another job started this journal at the same time with other tiles; "
+                                      "run this job again");
     if (not there and recipe.is_kept)
         leave();
     else if (not there)
         write_recipe(recipe_, recipe.value);
     std::error_code failed;
     if (is_over() and not fs::exists(output, failed))
-        throw file_error(directory_ + ": was removed while this job began; call it once more");
+        throw file_error(directory_ + ": was removed while this job started; run the job again");
 }
 
 journal_share::journal_share(journal_share&& other) noexcept
@@ -162,7 +163,7 @@ bool journal_share::hold()
     std::error_code failed;
     fs::create_directory(directory_, failed);
     if (failed)
-        throw file_error(directory_ + ": cannot be made: " + failed.message());
+        throw file_error(directory_ + ": cannot be created: " + failed.message());
     descriptor_ = ::open(surface_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0 and errno != ENOENT)
         throw file_error(surface_ + ": cannot be opened for writing: " + std::strerror(errno));
@@ -170,7 +171,7 @@ bool journal_share::hold()
         return false;
     if (is_of_others()) {
         ::close(std::exchange(descriptor_, -1));
-        throw file_error(surface_ + ": is there without a recipe, so it may belong to another program; remove it, or "
+        throw file_error(surface_ + ": exists without a recipe, so it may belong to another program; remove it, or "
                                     "name another directory for the journal");
     }
     lock(descriptor_, LOCK_SH);
@@ -209,7 +210,7 @@ bool journal_share::own()
 {
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 and errno == EWOULDBLOCK) {
         std::cerr << "kith: note: all tiles in " << directory_
-                  << " are finished; waiting for another job that is at work there\n";
+                  << " are finished; waiting for another job that still uses the journal\n";
         lock(descriptor_, LOCK_EX);
     }
     return holds_surface();

@@ -15,7 +15,8 @@ namespace kith::tool {
 bool has_sides(const any_scheme& scheme);
 
 /// The words for normals on the sides of sharp edges that an output has no room for.
-inline constexpr const char* normals_of_sides = "normals of each side of sharp edges (their mean is written)";
+inline constexpr const char* normals_of_sides =
+    "separate normals for the two sides of sharp edges (the mean is written)";
 
 /// The unit normals of a level on the limit surface.
 struct surface_normals {

@@ -31,30 +31,30 @@ constexpr std::array verbs{
          "Examples:\n"
          "  kith refine cow.off -s loop -n 3 -o fine.ply --binary\n"
          "  kith refine house.obj -s loop --triangulate -n 4 -o fine.obj --limit\n"
-         "  kith refine cow.off -s loop -n 9 -o fine.vtu --tiles 500     larger than the memory\n"
-         "Files are OFF, OBJ, PLY, STL or VTU by their extension, - is OFF on standard input or output.\n"
-         "IN may be .vtu, .vtp, .pvtu or .pvtp; OUT may be .vtu or .pvtu, which are written in tiles.\n"
-         "Tiles make binary .vtu, .pvtu or .ply, with --binary or without.\n"},
+         "  kith refine cow.off -s loop -n 9 -o fine.vtu --tiles 500     # for results larger than memory\n"
+         "The extension of a file selects OFF, OBJ, PLY, STL or VTU; - is standard input or output, as OFF.\n"
+         "IN may be .vtu, .vtp, .pvtu or .pvtp; OUT may be .vtu or .pvtu, which need no --tiles.\n"
+         "With tiles, the output is .vtu, .pvtu or .ply, and always binary.\n"},
     verb{"info",
-         "Tells what a file holds and what is wrong with it; exit code 1 if something is.",
+         "Reports the contents and the problems of a mesh file; exit code 1 if it has problems.",
          run_info,
          "Examples:\n"
          "  kith info cow.off\n"
          "  kith info cow.off --json\n"},
     verb{"compare",
-         "Compares two meshes, whatever their numbering or bit by bit; exit code 1 if they differ.",
+         "Compares two meshes, in any numbering or bit by bit; exit code 1 if they differ.",
          run_compare,
          "Examples:\n"
          "  kith compare a.off b.ply --tolerance 1e-9\n"
          "  kith compare a.off b.ply --bitwise\n"},
     verb{"plan",
-         "Tells how large each level would be, and what ranks would do; nothing is refined.",
+         "Predicts the size of each level and the work of each rank, without refining.",
          run_plan,
          "Examples:\n"
          "  kith plan cow.off -s loop -n 9\n"
          "  kith plan cow.off -s loop -n 9 --ranks 64 --tiles-per-rank 4\n"},
     verb{"schemes",
-         "Lists the subdivision schemes, the faces they take and their options.",
+         "Lists the subdivision schemes, the faces that they accept and their options.",
          run_schemes,
          "Examples:\n"
          "  kith schemes --json\n"},
@@ -65,9 +65,9 @@ void print_help(std::ostream& out)
     out << "kith VERB [arguments]: subdivision surfaces\n\n";
     for (const auto& verb : verbs)
         out << "  " << std::left << std::setw(9) << verb.name << verb.summary << '\n';
-    out << "\n`kith VERB --help` tells the options of a verb, with examples. Files are OFF, OBJ, PLY, STL or VTU by "
-           "their\n"
-           "extension, `-` is OFF on standard input or output; `kith refine` alone writes VTU (.vtu, .pvtu).\n"
+    out << "\n`kith VERB --help` lists the options of a verb, with examples. The extension of a file selects\n"
+           "OFF, OBJ, PLY, STL or VTU; `-` is standard input or output, as OFF.\n"
+           "Only `kith refine` writes VTU (.vtu, .pvtu).\n"
            "Exit codes: 0 success, 1 bad input or a difference, 2 wrong use.\n";
 }
 
@@ -91,7 +91,7 @@ int run(const std::vector<std::string>& arguments)
     std::string known;
     for (const auto& verb : verbs)
         append_to_list(known, verb.name);
-    throw usage_error("'" + arguments[0] + "' is no verb; there are " + known);
+    throw usage_error("'" + arguments[0] + "' is not a verb; the verbs are " + known);
 }
 
 int run_and_report(const std::vector<std::string>& arguments)

@@ -135,7 +135,7 @@ control_mesh read_mesh(const std::string& path, const input_repair& repair)
     try {
         return shown("joining faces", {}, [&] { return control_mesh_of(soup); });
     } catch (const mesh_error& error) {
-        std::string text = path + (repair.empty() ? ":\n" : ", in the numbers after the repair:\n") + error.what();
+        std::string text = path + (repair.empty() ? ":\n" : ", numbered as after the repair:\n") + error.what();
         for (const auto& remedy : remedies(soup, report_of(soup)))
             text += "\n" + remedy;
         throw file_error(text);
@@ -170,7 +170,7 @@ void note_zeros(const std::string& output, const std::vector<std::string>& zeros
         append_to_list(list, what);
     if (not list.empty())
         std::cerr << "kith: note: " << (output == standard_stream ? "standard output" : output)
-                  << ": this format has no word for none and has 0 for: " << list << '\n';
+                  << ": this format cannot mark missing values; it has 0 for: " << list << '\n';
 }
 
 void add_lost_sharpness(std::vector<std::string>& lost, std::size_t edges, std::size_t vertices)
@@ -181,7 +181,7 @@ void add_lost_sharpness(std::vector<std::string>& lost, std::size_t edges, std::
     if (vertices != 0)
         of += (of.empty() ? "" : " and ") + counted(vertices, "vertex");
     if (not of.empty())
-        lost.push_back("the sharpness left to " + of + ", which .obj holds");
+        lost.push_back("the remaining sharpness of " + of + " (.obj can hold it)");
 }
 
 } // namespace kith::tool

@@ -27,19 +27,18 @@ constexpr verb refine_verb{"refine",
                            nullptr,
                            "Examples:\n"
                            "  mpirun -n 64 kith-mpi refine cow.off -s loop -n 9 -o fine.vtu\n"
-                           "  mpirun -n 64 kith-mpi refine cow.off -s loop -n 9 -o fine.ply --journal kept     and, to "
-                           "go on after an accident:\n"
-                           "  mpirun -n 16 kith-mpi refine --journal kept\n"
-                           "The file has the same bytes on any number of ranks. All its formats are binary.\n",
+                           "  mpirun -n 64 kith-mpi refine cow.off -s loop -n 9 -o fine.ply --journal kept\n"
+                           "  mpirun -n 16 kith-mpi refine --journal kept     # resumes the job above after a failure\n"
+                           "The output has the same bytes on any number of ranks. All output formats are binary.\n",
                            "kith-mpi"};
 
 void print_help()
 {
     std::cout << "kith-mpi refine [IN] [options]: subdivision surfaces in tiles, on all ranks of an MPI job\n\n"
-                 "`kith-mpi refine --help` tells the options, with examples. IN is OFF, OBJ, PLY, STL or VTU by its "
-                 "extension, the\n"
-                 "output .vtu, .pvtu or .ply. All else is done by the program kith, see `kith --help`.\n"
-                 "Exit codes: 0 success, 1 bad input, 2 wrong use, others where MPI ended the job.\n";
+                 "`kith-mpi refine --help` lists the options, with examples. The extension of IN selects\n"
+                 "OFF, OBJ, PLY, STL or VTU; the output is .vtu, .pvtu or .ply. The program kith has the other verbs,\n"
+                 "see `kith --help`.\n"
+                 "Exit codes: 0 success, 1 bad input, 2 wrong use, other codes if MPI ended the job.\n";
 }
 
 /// Exit codes as `kith`; what goes wrong is told once, by rank 0.
@@ -55,7 +54,7 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
             erase_progress();
         }
         if (arguments.empty())
-            throw usage_error("the verb is missing; there is refine, see `kith-mpi --help`");
+            throw usage_error("the verb is missing; use refine, see `kith-mpi --help`");
         if (arguments[0] == "--help" or arguments[0] == "-h") {
             print_help();
             return 0;
@@ -65,7 +64,7 @@ int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
             return 0;
         }
         if (arguments[0] != refine_verb.name)
-            throw usage_error("'" + arguments[0] + "' is no verb; there is refine, see `kith-mpi --help`");
+            throw usage_error("'" + arguments[0] + "' is not a verb; use refine, see `kith-mpi --help`");
         std::optional<rank_request> request;
         try {
             request = rank_request_from(refine_verb, {arguments.begin() + 1, arguments.end()});

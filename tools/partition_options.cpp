@@ -39,7 +39,7 @@ partition make_partition(const std::string& partitioner, const basic_mesh<>& mes
     } catch (const mesh_error& error) {
         throw file_error(
             path + ": " + error.what() +
-            "; faces are those that `kith plan` counts on level 0, which for 4-8 are triangles made of yours");
+            "; these are the faces that `kith plan` counts on level 0 (4-8 first cuts faces into triangles)");
     }
 }
 

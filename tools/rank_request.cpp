@@ -27,23 +27,31 @@ po::options_description options_of_refine()
     add_scheme_options(options);
     add_uv_option(options);
     add_repair_options(options);
-    add_option<std::string>(options, "output,o", "OUT", "the file to write: .vtu, .ply or, a file per tile, .pvtu");
-    add_option<std::string>(options, "mode", "MODE", "spmd: tiles are dealt out; manager: rank 0 hands them out");
-    add_option<std::int64_t>(options, "tiles-per-rank", "K", "cut the mesh into so many tiles per rank");
-    add_option<std::string>(options, "memory-per-rank", "BYTES", "cut it into as many tiles as this needs, e.g. 2G");
+    add_option<std::string>(options, "output,o", "OUT", "the file to write: .vtu, .ply or .pvtu (one file per tile)");
     add_option<std::string>(
-        options, "partitioner", "P", "metis, block or file:PATH (a part per face, as METIS writes)");
+        options, "mode", "MODE", "spmd: each rank has fixed tiles; manager: rank 0 hands out tiles one by one");
+    add_option<std::int64_t>(options, "tiles-per-rank", "K", "cut the mesh into K tiles per rank");
+    add_option<std::string>(
+        options, "memory-per-rank", "BYTES", "cut the mesh into tiles so that each rank needs at most BYTES, e.g. 2G");
+    add_option<std::string>(options,
+                            "partitioner",
+                            "P",
+                            "how to cut tiles: metis, block or file:PATH (one part per face, as METIS writes)");
     add_option<std::string>(options, "journal", "DIR", journal_help);
-    add_option<std::int64_t>(options, "threads", "N", "threads of each rank; 1 unless told, as ranks fill the machine");
-    add_flag(options, "limit", "write the vertices at their limits, with the normals there");
-    add_flag(options, "cell-origin", "write tile and rank of every cell; the file then depends on the ranks");
-    add_flag(options, "verify", "read back what is written, and refine on one rank as well and compare");
-    add_flag(options, "checksum", "print a number that stands for the surface, whatever the tiles and ranks");
+    add_option<std::int64_t>(options, "threads", "N", "threads per rank (default: 1)");
+    add_flag(options, "limit", "write limit positions and limit normals of the vertices");
+    add_flag(
+        options, "cell-origin", "write the tile and rank of each cell; the file then depends on the number of ranks");
+    add_flag(options, "verify", "read the output back and compare it with a refinement on one rank");
+    add_flag(options, "checksum", "print a checksum of the surface, independent of tiles and ranks");
     add_flag(options,
              "slices",
-             "each rank reads its share of a binary PLY file and has one tile: for meshes too large for one rank");
+             "each rank reads its share of a binary PLY file as one tile; for meshes too large for one rank");
     add_option<std::string>(
-        options, "stats", "FILE", "write what each rank did, a JSON object a line, and at the end the seconds of all");
+        options,
+        "stats",
+        "FILE",
+        "write a line of JSON for the work of each rank, and a last one for the seconds of all ranks");
     return options;
 }
 
@@ -63,7 +71,7 @@ void require_slices_alone(const po::variables_map& values)
                                "weld"})
         if (values.count(option) != 0)
             throw usage_error("--" + std::string(option) +
-                              ": needs the whole mesh on one rank; leave out this or --slices");
+                              ": needs the whole mesh on one rank; leave out this option or --slices");
 }
 
 } // namespace

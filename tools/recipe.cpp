@@ -46,7 +46,7 @@ const std::string& setting(const recipe& recipe, const std::string& name)
     for (const auto& [known, value] : recipe.settings)
         if (known == name)
             return value;
-    throw file_error("the recipe has no " + name + "; it is of another version");
+    throw file_error("the recipe has no " + name + "; another version of kith wrote it");
 }
 
 template <class Kinds, class F>
@@ -197,7 +197,7 @@ recipe unpack_recipe(const std::vector<std::byte>& bytes)
 {
     unpacker in(bytes);
     if (in.get<std::uint64_t>() != kind_of_recipe)
-        throw pack_error("this is no recipe, or of another version or kind of machine");
+        throw pack_error("this is not a recipe, or another version of kith or kind of machine wrote it");
     recipe result;
     for (auto left = in.get<std::uint64_t>(); left > 0; --left) {
         auto name = next_text(in);
@@ -227,7 +227,7 @@ std::string difference(const recipe& kept, const recipe& asked)
     for (const auto& [name, value] : asked.settings)
         if (setting(kept, name) != value)
             return "its " + name + " is '" + setting(kept, name) + "', not '" + value + "'";
-    return kept.control == asked.control ? "" : "its control mesh, its creases or its attributes are others";
+    return kept.control == asked.control ? "" : "its control mesh, creases or attributes differ";
 }
 
 } // namespace kith::tool

@@ -241,7 +241,7 @@ void write_surface(mpi::communicator& comm, const rank_request& request, const S
             damage = output.damage(part, values, number);
         if (damage)
             std::cerr << "kith-mpi: note: tile " + std::to_string(number) + " is damaged, " + *damage +
-                             " is another one; it is written again\n";
+                             " is wrong; the tile is written again\n";
         if (is_finished and not damage)
             tile = {owned_count(part.face_marks), checksum(part)};
         else

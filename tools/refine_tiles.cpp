@@ -79,7 +79,7 @@ finished_tile finish(Refinement& refinement, const tile_request& request, tile_o
         if (not damage)
             return *file.finished(number);
         std::cerr << "kith: note: tile " + std::to_string(number) + " is damaged, " + *damage +
-                         " is another one; it is written again\n";
+                         " is wrong; the tile is written again\n";
     }
     return file.write(part, values, {std::uint32_t(number), 0});
 }
@@ -165,7 +165,7 @@ tile_range tile_range_from(const std::string& text)
     if (read.ec == std::errc() and std::string_view(read.ptr, end).starts_with(".."))
         read = std::from_chars(read.ptr + 2, end, range.last);
     if (read.ec != std::errc() or read.ptr != end or range.last < range.first)
-        throw usage_error("--only: '" + text + "' are no tiles such as 100..199 or 7");
+        throw usage_error("--only: '" + text + "' is not a range of tiles; write e.g. 100..199 or 7");
     return range;
 }
 
@@ -193,7 +193,7 @@ tiled_result refine_tiles(const tile_request& request, const tiling& how)
     const partition& parts = kept.value.parts;
     const tile_range range = how.only.value_or(tile_range{0, parts.parts - 1});
     if (range.last >= parts.parts)
-        throw usage_error("--only: there is no tile " + std::to_string(range.last) + ", there are " +
+        throw usage_error("--only: tile " + std::to_string(range.last) + " does not exist, there are " +
                           std::to_string(parts.parts) + ", numbered from 0");
     const std::uint64_t wanted = how.verify ? parts.parts : range.last - range.first + 1;
     require_memory(request.scheme,

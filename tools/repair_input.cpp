@@ -84,7 +84,8 @@ void note_other_values(const io::polygon_soup& soup, const repaired<std::array<d
         if (const std::size_t n = differing(a); n != 0)
             lost[io::topic_of(a.name, "vertices")] = std::max(lost[io::topic_of(a.name, "vertices")], n);
     for (const auto& [topic, n] : lost)
-        notes.push_back(topic + ": " + io::counted(n, "joined vertex") + " had others than the vertex that stays");
+        notes.push_back(topic + ": " + io::counted(n, "joined vertex") +
+                        " had other values than the vertex that is kept");
 }
 
 /// Creases follow the sides of faces, sharp vertices their corners.
@@ -145,7 +146,8 @@ io::mesh_tags mended_tags(const io::polygon_soup& soup, const repaired<std::arra
             tags.holes.push_back(f);
     const auto note = [&](std::size_t lost, std::string_view noun) {
         if (lost != 0)
-            notes.push_back(io::counted(lost, noun) + (lost == 1 ? " goes" : " go") + " with what is left out");
+            notes.push_back(io::counted(lost, noun) + (lost == 1 ? " is" : " are") +
+                            " lost with the elements that the repair removes");
     };
     note(wanted.size() - kept.size(), "crease");
     note(sharp_vertices.size() - kept_vertices.size(), "sharp vertex");
@@ -153,11 +155,11 @@ io::mesh_tags mended_tags(const io::polygon_soup& soup, const repaired<std::arra
     return tags;
 }
 
-/// "vertex 9 lies where vertex 1 does, one of 16 such vertices at the boundary"
+/// "vertex 9 coincides with vertex 1, one of 16 such vertices at the boundary"
 std::string crack_text(const io::polygon_soup& soup, const std::vector<edge>& pairs)
 {
     const auto number = [&](std::size_t v) { return std::to_string(v + soup.first_number); };
-    std::string result = "vertex " + number(pairs[0].first) + " lies where vertex " + number(pairs[0].second) + " does";
+    std::string result = "vertex " + number(pairs[0].first) + " coincides with vertex " + number(pairs[0].second);
     if (pairs.size() > 1)
         result += ", one of " + std::to_string(pairs.size()) + " such vertices at the boundary";
     return result;
@@ -167,7 +169,7 @@ double distance_from(const std::string& option, std::string_view text)
 {
     const auto distance = number_in(text);
     if (not distance or not(*distance >= 0))
-        throw usage_error(option + ": '" + std::string(text) + "' is no distance; give a number of 0 or more");
+        throw usage_error(option + ": '" + std::string(text) + "' is not a distance; give a number of 0 or more");
     return *distance;
 }
 
@@ -184,12 +186,11 @@ void add_repair_options(po::options_description& options)
         options,
         "repair",
         "WORDS",
-        "mend faces that are no manifold: drop (leave out), split (edges and vertices), orient (turn "
-        "round), weld, e.g. orient,split");
-    options.add_options()(
-        "weld",
-        po::value<std::string>()->implicit_value("")->value_name("[DISTANCE]"),
-        "join boundary vertices within DISTANCE of each other, else within a millionth of the diagonal");
+        "repair non-manifold faces: drop (remove them), split (edges and vertices), orient (reverse "
+        "them), weld; e.g. orient,split");
+    options.add_options()("weld",
+                          po::value<std::string>()->implicit_value("")->value_name("[DISTANCE]"),
+                          "join boundary vertices within DISTANCE of each other (default: 1e-6 of the mesh diagonal)");
 }
 
 input_repair repair_named(std::string_view words)
@@ -290,12 +291,12 @@ std::vector<std::string> remedies(const io::polygon_soup& soup, const mesh_repor
         result.push_back(crack_text(soup, found.rounded) + "; --weld joins such vertices, try it first");
     std::string words;
     if (report.has(turned_face))
-        append_to_list(words, "orient (turns faces round)");
+        append_to_list(words, "orient (reverses faces)");
     if (report.has(turned_face) or report.has(nonmanifold_edge) or report.has(nonmanifold_vertex))
-        append_to_list(words, "split (gives each sheet its edge and each fan its vertex)");
+        append_to_list(words, "split (gives each sheet an edge of its own and each fan a vertex of its own)");
     if (report.has(turned_face) or report.has(nonmanifold_edge) or report.has(nonmanifold_vertex) or
         report.has(degenerate_face))
-        append_to_list(words, "drop (leaves faces out)");
+        append_to_list(words, "drop (removes faces)");
     if (not words.empty())
         result.push_back("--repair changes such faces: " + words);
     return result;

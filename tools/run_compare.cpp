@@ -19,12 +19,12 @@ namespace po = boost::program_options;
 double tolerance_of(const po::variables_map& values)
 {
     if (values.count("tolerance") == 0)
-        throw usage_error("--tolerance is missing, or --bitwise");
+        throw usage_error("--tolerance or --bitwise is missing");
     const double tolerance = values["tolerance"].as<double>();
     if (not(tolerance >= 0) or std::isinf(tolerance))
         throw usage_error(
             "--tolerance: " + (std::isfinite(tolerance) ? to_json(tolerance) : std::to_string(tolerance)) +
-            " is no distance; give a number of 0 or more");
+            " is not a distance; give a number of 0 or more");
     return tolerance;
 }
 
@@ -55,9 +55,8 @@ int compare_bitwise(const polygon_soup& a, const polygon_soup& b, bool as_json)
 int run_compare(const verb& verb, const std::vector<std::string>& arguments)
 {
     po::options_description options("Options");
-    add_option<double>(options, "tolerance,t", "T", "vertices farther apart than this are different");
-    add_flag(
-        options, "bitwise", "the numbers of vertices and faces and all bits of the coordinates have to be the same");
+    add_option<double>(options, "tolerance,t", "T", "treat vertices farther apart than T as different");
+    add_flag(options, "bitwise", "require the same numbering and the same bits of all coordinates");
     add_flag(options, "json", "print JSON");
     const auto values = parse(verb, options, {"A", "B"}, arguments);
     if (not values)

@@ -67,7 +67,7 @@ struct verdict {
 
 std::string sharpness_text(double sharpness)
 {
-    return sharpness == infinitely_sharp ? "sharp for ever" : "sharpness " + to_json(sharpness);
+    return sharpness == infinitely_sharp ? "infinitely sharp" : "sharpness " + to_json(sharpness);
 }
 
 std::vector<std::string> lines_of(const mesh_tags& tags)
@@ -80,7 +80,7 @@ std::vector<std::string> lines_of(const mesh_tags& tags)
     for (const std::size_t face : tags.holes)
         result.push_back("face " + std::to_string(face) + ": a hole");
     if (tags.boundary_is_hole)
-        result.emplace_back("boundary: the faces at it are holes");
+        result.emplace_back("boundary: its faces are holes");
     else if (tags.corners)
         result.emplace_back(*tags.corners == boundary_corner::kept ? "boundary: its corners are kept"
                                                                    : "boundary: its corners are smoothed");
@@ -145,17 +145,17 @@ void print_list(const std::vector<std::string>& lines)
         std::cout << "  and " << lines.size() - most << " more, which --json lists\n";
 }
 
-/// "16 at the boundary lie where others do, 8 of them to the last bit: vertex 8 at vertex 0, ...; --weld joins them"
+/// "16 at the boundary coincide with others, 8 exactly, the rest within 1e-06: 8 at 0, ...; --weld joins them"
 std::string cracks_text(const cracks& found, std::size_t first_number)
 {
     constexpr std::size_t most = 4;
     const auto number = [&](std::size_t v) { return std::to_string(v + first_number); };
     const std::size_t count = found.rounded.size();
     std::string result = std::to_string(count) + " at the boundary " +
-                         (count == 1 ? "lies where another does" : "lie where others do") + ", " +
+                         (count == 1 ? "coincides with another" : "coincide with others") + ", " +
                          (found.equal.size() == count ? "exactly"
-                                                      : std::to_string(found.equal.size()) + " exactly, else within " +
-                                                            to_json(found.distance)) +
+                                                      : std::to_string(found.equal.size()) +
+                                                            " exactly, the rest within " + to_json(found.distance)) +
                          ": ";
     for (std::size_t i = 0; i < std::min(most, count); ++i)
         result += (i == 0 ? "" : ", ") + number(found.rounded[i].first) + " at " + number(found.rounded[i].second);
@@ -178,7 +178,7 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
     line("valences", histogram_text(facts.valences));
     if (facts.between_two_faces != 0)
         line("between two faces",
-             std::to_string(facts.between_two_faces) + ", which dual schemes and schemes for triangles refuse");
+             std::to_string(facts.between_two_faces) + "; dual schemes and schemes for triangles refuse such vertices");
     line("face degrees", histogram_text(facts.degrees));
     print_box(line, facts);
     if (facts.isolated != 0)

@@ -76,8 +76,8 @@ void print_table(const planned_job& job)
             columns[i].entries.push_back(row[i]);
     }
     print_columns(columns);
-    std::cout << "refining needs " << job.bytes << " bytes at once, keeping all levels " << peak_bytes(levels, true)
-              << '\n';
+    std::cout << "refining needs " << job.bytes << " bytes at once; keeping all levels needs "
+              << peak_bytes(levels, true) << '\n';
 }
 
 void print_json(const planned_job& job)
@@ -100,11 +100,11 @@ void print_json(const planned_job& job)
 
 void print_table(const planned_ranks& plan)
 {
-    std::cout << "rings of shadows on level 0: " << plan.rings << '\n';
+    std::cout << "rings of ghosts on level 0: " << plan.rings << '\n';
     std::vector<table_column> columns{{" rank"},
                                       {"  tiles"},
                                       {"     faces"},
-                                      {"   shadows"},
+                                      {"    ghosts"},
                                       {"  message bytes"},
                                       {"      last faces"},
                                       {"     tile bytes"},
@@ -160,11 +160,10 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     po::options_description options("Options");
     add_scheme_options(options);
     add_repair_options(options);
-    add_option<std::string>(
-        options, "mesh", "MESH", "count what refining on this kind of mesh needs: " + mesh_kind_names());
-    add_flag(options, "limit", "count what --limit of `kith refine` needs as well");
-    add_option<std::int64_t>(options, "ranks", "N", "tell what each of N ranks of kith-mpi would do instead");
-    add_option<std::int64_t>(options, "tiles-per-rank", "K", "with so many tiles for each");
+    add_option<std::string>(options, "mesh", "MESH", "predict the memory for this kind of mesh: " + mesh_kind_names());
+    add_flag(options, "limit", "include the memory for --limit of `kith refine`");
+    add_option<std::int64_t>(options, "ranks", "N", "predict the work of each of N ranks of kith-mpi instead");
+    add_option<std::int64_t>(options, "tiles-per-rank", "K", "with --ranks: K tiles per rank");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
     add_flag(options, "json", "print JSON");
     const auto values = parse(verb, options, {"IN"}, arguments);
@@ -175,7 +174,7 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     any_scheme scheme = make_scheme(required(*values, "scheme"), words);
     for (const char* option : {"tiles-per-rank", "partitioner"})
         if (values->count(option) != 0 and values->count("ranks") == 0)
-            throw usage_error("--" + std::string(option) + ": say with --ranks how many there are");
+            throw usage_error("--" + std::string(option) + ": needs --ranks; name the number of ranks as well");
     if (values->count("mesh") != 0 and values->count("ranks") != 0)
         throw usage_error(
             "--mesh and --ranks do not go together, since ranks refine native tiles; leave one of them out");
@@ -205,7 +204,7 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     if (not planned.problem.empty())
         throw mesh_error(required(*values, "scheme") + ": " + planned.problem + "; refine at most " +
                          std::to_string(planned.levels.size() - 1) +
-                         " times, or in tiles, for which there is --tiles of `kith refine`");
+                         " times, or refine in tiles with `kith refine --tiles`");
     return 0;
 }
 

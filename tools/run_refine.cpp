@@ -57,21 +57,25 @@ po::options_description options_of_refine()
     add_repair_options(options);
     add_option<std::string>(options, "output,o", "OUT", "the file to write; - is standard output");
     add_flag(options, "binary", "write PLY or STL as binary instead of text");
-    add_flag(options, "limit", "write the vertices at their limits; in OFF, OBJ and PLY with the normals there");
-    add_flag(options, "drop-isolated", "leave out vertices that no face has, which else are kept behind the others");
+    add_flag(options, "limit", "write limit positions of the vertices; in OFF, OBJ and PLY with limit normals");
+    add_flag(options, "drop-isolated", "leave out isolated vertices (otherwise they are written after the others)");
     add_option<std::string>(options, "mesh", "MESH", "refine on this kind of mesh: " + mesh_kind_names());
     add_option<std::int64_t>(
         options, "tiles", "N", "refine in N tiles, one in memory at a time; OUT is .vtu, .ply or .pvtu");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
     add_option<std::string>(options, "journal", "DIR", journal_help);
-    add_option<std::string>(options, "only", "A..B", "of the tiles in the journal refine only these, numbered from 0");
+    add_option<std::string>(options, "only", "A..B", "refine only tiles A to B of the journal, numbered from 0");
     add_option<std::string>(
-        options, "memory-limit", "BYTES", "refuse what needs more, e.g. 500M or 4G; else 9/10 of what is available");
+        options,
+        "memory-limit",
+        "BYTES",
+        "refuse jobs that need more memory, e.g. 500M or 4G (default: 9/10 of the available memory)");
 #if defined(_OPENMP)
-    add_option<std::int64_t>(options, "threads", "N", "run on so many threads");
+    add_option<std::int64_t>(options, "threads", "N", "run on N threads");
 #endif
-    add_flag(options, "verify", "tiles: read back what is written; with a journal, what was finished before, too");
-    add_flag(options, "checksum", "tiles: print a number that stands for the surface, whatever the tiles");
+    add_flag(
+        options, "verify", "with tiles: read the output back; with a journal, also tiles that earlier jobs finished");
+    add_flag(options, "checksum", "with tiles: print a checksum of the surface, independent of the number of tiles");
     add_option<std::string>(options, "stats", "FILE", stats_help);
     add_flag(options, "json", "print the result line as JSON");
     return options;
@@ -95,7 +99,7 @@ void settle_isolated(control_mesh& control, mesh_format format, bool drop)
         control.isolated.clear();
     } else {
         std::cerr << "kith: note: " << points << (control.isolated.size() == 1 ? " is" : " are")
-                  << " kept, behind the others; --drop-isolated leaves out such\n";
+                  << " written after the others; --drop-isolated leaves out such vertices\n";
     }
 }
 
@@ -129,7 +133,7 @@ void note_rounding(const std::string& output, const written_mesh& what)
               << to_json(largest_move);
     if (fallen != 0)
         std::cerr << "; " << fallen << " of " << counted(what.mesh.face_count(), "triangle")
-                  << (fallen == 1 ? " falls together and is" : " fall together and are") << " left out";
+                  << (fallen == 1 ? " collapses and is" : " collapse and are") << " left out";
     std::cerr << "; text, .off, .obj and .ply keep doubles\n";
 }
 
@@ -173,7 +177,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
         return run_refine_tiles(*values);
     for (const char* option : {"verify", "checksum", "partitioner"})
         if (given(option))
-            throw usage_error("--" + std::string(option) + ": is for tiles; name --tiles as well");
+            throw usage_error("--" + std::string(option) + ": applies to tiles only; name --tiles as well");
     shared_blocks.keep_at_most(0); // nothing is refined after this
     const std::string input = required(*values, "IN");
     const std::string output = output_of(*values);

@@ -87,7 +87,7 @@ int run_refine_tiles(const po::variables_map& values)
     if (values.count("only") != 0)
         how.only = tile_range_from(required(values, "only"));
     if (how.only and how.journal.empty())
-        throw usage_error("--only: name with --journal where the tiles are kept");
+        throw usage_error("--only: needs --journal; name the directory of the tiles as well");
     how.verify = values.count("verify") != 0;
     how.with_checksum = values.count("checksum") != 0;
     tile_request request;
@@ -107,7 +107,7 @@ int run_refine_tiles(const po::variables_map& values)
     }
     if (values.count("tiles") != 0 and extension_of(request.output) == ".ply" and values.count("binary") == 0)
         std::cerr << "kith: note: " << request.output
-                  << " is binary, as tiles are written where every byte has its place\n";
+                  << " is binary, since tiles are written at fixed byte positions\n";
     how.partitioner = partitioner;
     how.memory = memory_limit_from(values);
     how.make_parts = [&] { return make_partition(partitioner, request.control, tiles); };
@@ -119,7 +119,7 @@ int run_refine_tiles(const po::variables_map& values)
     const bool is_complete = result.finished_tiles == result.tiles;
     print_result(std::cout,
                  result_line(request, how, result, values.count("json") != 0, with_seconds),
-                 is_complete ? request.output : "what is finished of " + how.journal);
+                 is_complete ? request.output : "the finished part of " + how.journal);
     return 0;
 }
 

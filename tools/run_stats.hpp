@@ -11,7 +11,7 @@
 namespace kith::tool {
 
 inline constexpr const char* stats_help =
-    "write the seconds of each phase, as JSON; with --json they are in the result line, too";
+    "write the seconds of each phase as JSON; with --json, the result line has them as well";
 
 /// What this process has had of the processors, in seconds.
 double processor_seconds();

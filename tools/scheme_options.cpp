@@ -10,10 +10,12 @@ namespace kith::tool {
 void add_scheme_options(boost::program_options::options_description& options)
 {
     add_option<std::string>(options, "scheme,s", "SCHEME", scheme_names());
-    add_option<int>(options, "levels,n", "LEVELS", "how often to refine");
-    add_option<std::string>(options, "preset", "WORD", "as this library does: " + all_words<library>());
-    add_option<std::string>(
-        options, "boundary-corners", "WORD", "boundary vertices with a single face: " + all_words<boundary_corner>());
+    add_option<int>(options, "levels,n", "LEVELS", "number of refinement steps");
+    add_option<std::string>(options, "preset", "WORD", "use the rules of this library: " + all_words<library>());
+    add_option<std::string>(options,
+                            "boundary-corners",
+                            "WORD",
+                            "rule for boundary vertices with a single face: " + all_words<boundary_corner>());
     add_option<std::string>(options,
                             "weights",
                             "WORD",
@@ -23,19 +25,22 @@ void add_scheme_options(boost::program_options::options_description& options)
                             "WORD",
                             "doo-sabin: " + all_words<doo_sabin_boundary>() +
                                 "; catmull-clark: " + all_words<boundary_curve>());
+    add_option<double>(options,
+                       "crease-angle",
+                       "DEGREES",
+                       "catmull-clark, loop: sharpen edges whose face normals differ by more than DEGREES");
     add_option<double>(
-        options, "crease-angle", "DEGREES", "catmull-clark, loop: edges at which the faces turn by more stay sharp");
-    add_option<double>(options, "crease-sharpness", "S", "for so many levels, else for ever");
+        options, "crease-sharpness", "S", "make these edges sharp for S levels (default: on all levels)");
     add_option<std::string>(options,
                             "crease-method",
                             "WORD",
                             "how the sharpness of creases in the file decays: " + all_words<crease_method>());
-    add_option<double>(options, "tension", "W", "kobbelt: between 0 and 2.472, else 1");
-    add_option<int>(options, "degree", "N", "unified: of the B-spline, 1 to 9, else 3");
+    add_option<double>(options, "tension", "W", "kobbelt: between 0 and 2.472 (default: 1)");
+    add_option<int>(options, "degree", "N", "unified: degree of the B-spline, 1 to 9 (default: 3)");
     add_flag(options,
              "triangulate",
              "cut faces into triangles first: quads along the better diagonal, others in their planes");
-    add_flag(options, "ignore-tags", "leave aside what an OBJ file says of creases, corners, holes and boundaries");
+    add_flag(options, "ignore-tags", "ignore the tags of an OBJ file (creases, corners, holes, boundary rules)");
 }
 
 scheme_words scheme_words_of(const boost::program_options::variables_map& values)
@@ -61,11 +66,12 @@ scheme_words scheme_words_of(const boost::program_options::variables_map& values
 
 void add_uv_option(boost::program_options::options_description& options)
 {
-    add_option<std::string>(options,
-                            "uv",
-                            "WORD",
-                            "catmull-clark, loop: what of texture coordinates is linear, as OpenSubdiv names it: " +
-                                all_words<face_varying_linear>() + "; else all");
+    add_option<std::string>(
+        options,
+        "uv",
+        "WORD",
+        "catmull-clark, loop: where texture coordinates are interpolated linearly, as named by OpenSubdiv: " +
+            all_words<face_varying_linear>() + " (default: all)");
 }
 
 face_varying_linear linear_from(const boost::program_options::variables_map& values, const any_scheme& scheme)
@@ -75,7 +81,7 @@ face_varying_linear linear_from(const boost::program_options::variables_map& val
     const auto result = choice_from<face_varying_linear>("--uv", values["uv"].as<std::string>());
     if (result != face_varying_linear::all and not refines_along_seams(scheme))
         throw usage_error("--uv: only " + schemes_with_creases() +
-                          " have rules for seams of texture coordinates; leave it out, or say all");
+                          " have rules for seams of texture coordinates; leave it out, or use all");
     return result;
 }
 

@@ -58,7 +58,7 @@ void set_tension(Scheme& scheme, double tension)
             throw usage_error(std::string("--tension: ") + error.what());
         }
     } else {
-        throw usage_error("--tension: " + std::string(scheme_name<Scheme>()) + " has no such choice");
+        throw usage_error("--tension: " + std::string(scheme_name<Scheme>()) + " has no such option");
     }
 }
 
@@ -71,7 +71,7 @@ void set_degree(Scheme& scheme, int degree)
                               std::to_string(Scheme::max_degree));
         scheme.degree = degree;
     } else {
-        throw usage_error("--degree: " + std::string(scheme_name<Scheme>()) + " has no such choice");
+        throw usage_error("--degree: " + std::string(scheme_name<Scheme>()) + " has no such option");
     }
 }
 
@@ -80,12 +80,12 @@ void require_creases(const scheme_words& words)
 {
     if (not words.crease_angle) {
         if (words.crease_sharpness)
-            throw usage_error("--crease-sharpness: say with --crease-angle which edges");
+            throw usage_error("--crease-sharpness: needs --crease-angle, which selects the edges");
         return;
     }
     if constexpr (not scheme_with_creases<Scheme>)
-        throw usage_error("--crease-angle: " + std::string(scheme_name<Scheme>()) + " has no creases; " +
-                          schemes_with_creases() + " have");
+        throw usage_error("--crease-angle: " + std::string(scheme_name<Scheme>()) + " has no creases; only " +
+                          schemes_with_creases() + " have them");
     if (not(*words.crease_angle >= 0 and *words.crease_angle <= 180))
         throw usage_error("--crease-angle: " + std::to_string(*words.crease_angle) +
                           " is not between 0 and 180 degrees");
@@ -118,12 +118,12 @@ Scheme configured(const scheme_words& words)
             }
         });
         if (not taken)
-            throw usage_error(std::string(option) + ": " + std::string(scheme_name<Scheme>()) + " has no such choice");
+            throw usage_error(std::string(option) + ": " + std::string(scheme_name<Scheme>()) + " has no such option");
     }
     return scheme;
 }
 
-/// Names the lines that nobody understood, the first few of them.
+/// Prints a note that names the first few tags that kith does not understand.
 void note_unread(const mesh_tags& tags)
 {
     constexpr std::size_t most_told = 4;
@@ -148,7 +148,7 @@ any_scheme make_scheme(const std::string& name, const scheme_words& words)
         },
         known_schemes);
     if (not result)
-        throw usage_error("'" + name + "' is no scheme; there are " + scheme_names());
+        throw usage_error("'" + name + "' is not a scheme; the schemes are " + scheme_names());
     return *result;
 }
 
@@ -178,14 +178,14 @@ void give_creases(any_scheme& scheme, control_mesh& control, scheme_words& words
                     words.boundary_corners = word_of(s.corners);
                 } else if (tags.corners and words.boundary_corners.empty() and *tags.corners != s.corners) {
                     std::cerr << "kith: note: --preset " << words.preset
-                              << " decides on the corners of the boundary, not the rule of the file; for that add "
+                              << " overrides the rule of the file for boundary corners; to keep that rule, add "
                                  "--boundary-corners "
                               << word_of(*tags.corners) << '\n';
                 }
             } else if (tags.has_creases() or not holes_of(tags, control.mesh).empty()) {
                 throw mesh_error(std::string(scheme_name<Scheme>()) +
-                                 " has no rules for the creases, corners or holes of the file; " +
-                                 schemes_with_creases() + " have, or leave them aside with --ignore-tags");
+                                 " has no rules for the creases, corners or holes of the file; only " +
+                                 schemes_with_creases() + " have them; use one of these, or --ignore-tags");
             }
         },
         scheme);
@@ -216,7 +216,7 @@ sharp_elements sharp_after(const any_scheme& scheme, int levels)
 void tell_next_step(control_mesh& control, const any_scheme& scheme, int levels)
 {
     if (is_prepared(scheme))
-        control.not_kept.emplace_back("which edges 4-8 has marked to be split next");
+        control.not_kept.emplace_back("the edges that 4-8 splits next");
     const bool is_odd = (control.mesh.generation() + levels) % 2 != 0;
     if (std::holds_alternative<sqrt3>(scheme) and is_odd and count(control.mesh.topology()).boundary_edges != 0)
         control.attributes.file_lines.emplace_back(odd_generation);
@@ -238,7 +238,7 @@ void add_lost_boundary_rule(std::vector<std::string>& lost, const io::mesh_tags&
     io::mesh_tags needed;
     add_boundary_tag(needed, scheme);
     if (given.corners and needed.corners and not given.boundary_is_hole)
-        lost.emplace_back("the rule of corners at the boundary");
+        lost.emplace_back("the rule for boundary corners");
 }
 
 void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control)

@@ -43,7 +43,7 @@ void add_spreading_lack(control_mesh& control, int levels)
     for (const io::attribute& a : control.attributes.vertices) {
         const auto missing = std::ranges::count_if(a.values, [](double x) { return std::isnan(x); });
         if (levels > 0 and missing != 0 and missing != std::ranges::ssize(a.values))
-            topics.push_back(io::topic_of(a.name, "vertices") + ", around vertices that have none");
+            topics.push_back(io::topic_of(a.name, "vertices") + " around vertices without a value");
     }
     add_not_kept(control, topics);
 }
@@ -92,7 +92,7 @@ void settle_attributes(control_mesh& control, io::mesh_format format, const attr
     keep_held(format, control.attributes, use.binary);
     add_spreading_lack(control, use.levels);
     if (format == io::mesh_format::ply and some_faces_lack_some(control))
-        control.not_kept.emplace_back("texture coordinates of faces that have not all of theirs");
+        control.not_kept.emplace_back("texture coordinates of faces where some corners have none");
 }
 
 void settle_tile_attributes(control_mesh& control, const std::string& output, const attribute_use& use)

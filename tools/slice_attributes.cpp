@@ -36,7 +36,7 @@ attribute_fields slice_attributes::of_tile(const tile<std::array<double, 3>>& pa
         if (const auto found = std::ranges::find_if(a.values, has_no_word);
             not a.labels.empty() and found != a.values.end())
             throw mesh_error(path_ + ": face " + std::to_string(part.face_ids[std::size_t(found - a.values.begin())]) +
-                             ": " + a.name + " is a number for which the file has no word; read it on one rank");
+                             ": " + a.name + " is a number without a name in the file; read it on one rank");
     }
     return attribute_fields(here, part.mesh);
 }

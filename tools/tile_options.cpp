@@ -31,7 +31,7 @@ bool names_input(const po::variables_map& values, std::initializer_list<std::str
     }
     for (const auto& [name, value] : values)
         if (name != "journal" and std::ranges::find(beside_journal, name) == beside_journal.end())
-            throw usage_error("--" + name + ": without IN the journal says what is refined; name IN as well");
+            throw usage_error("--" + name + ": without IN, the journal sets this option; leave it out or name IN");
     return false;
 }
 
@@ -47,7 +47,7 @@ tile_request tile_request_from(const po::variables_map& values)
     request.linear = linear_from(values, request.scheme);
     request.with_origin = values.count("cell-origin") != 0;
     if (request.with_origin and extension_of(request.output) == ".ply")
-        throw usage_error("--cell-origin: " + request.output + " would have no place for it; write .vtu or .pvtu");
+        throw usage_error("--cell-origin: " + request.output + " cannot hold it; write .vtu or .pvtu");
     request.limit = values.count("limit") != 0;
     request.repair = input_repair_from(values);
     return request;

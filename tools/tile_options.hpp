@@ -10,7 +10,7 @@
 namespace kith::tool {
 
 inline constexpr const char* journal_help =
-    "keep finished tiles in DIR, and go on with those that are there; without IN go on with what DIR says";
+    "keep finished tiles in DIR and resume from them; without IN, DIR provides the mesh and the options";
 
 /// --journal DIR, or nothing. Errors: usage_error.
 std::string journal_from(const boost::program_options::variables_map& values);

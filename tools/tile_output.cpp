@@ -70,8 +70,8 @@ void require_places(const output_request& request, const std::string& target, bo
     if (fs::is_fifo(status) or fs::is_socket(status))
         throw file_error(request.path + ": is a pipe, and tiles are written in any order; name a file");
     if (is_special(target) and (in_pieces or not request.journal.empty()))
-        throw file_error(request.path + ": is no file, which " +
-                         (in_pieces ? "the index of the pieces" : "the end of a journal") + " must be; name a file");
+        throw file_error(request.path + ": is not a regular file, but " +
+                         (in_pieces ? "the index of pieces" : "the output of a journal") + " must be one; name a file");
 }
 
 /// By which a directory is told from others that have its name later; it keeps it when it is renamed.
@@ -98,8 +98,7 @@ void require_tile_format(const std::string& path)
 {
     const std::string extension = extension_of(path);
     if (extension != ".vtu" and extension != ".ply" and extension != ".pvtu")
-        throw usage_error(
-            path + ": tiles are written to .vtu or .ply, where every byte has its place, or to .pvtu, a file each");
+        throw usage_error(path + ": tiles are written to .vtu, .ply or .pvtu (one file per tile); name such an output");
 }
 
 tile_output::tile_output(const output_request& request, const output_surface& surface)
@@ -217,7 +216,7 @@ bool tile_output::begin(const found_recipe& recipe)
         if (not pieces_.empty())
             fs::create_directory(incomplete_pieces(), failed);
         if (failed)
-            throw file_error(incomplete_pieces() + ": cannot be made: " + failed.message());
+            throw file_error(incomplete_pieces() + ": cannot be created: " + failed.message());
         file_.emplace(offset_file::create_or_keep(incomplete_, journal_->end()));
     }
     layout_->write_frame(*file_);
@@ -267,7 +266,7 @@ finished_tile tile_output::write(const tile_type& part, const tile_values& value
         journal_->add(*file_, origin.tile, finished);
     if (request_.verify)
         if (const auto differs = damage(part, values, origin.tile))
-            throw file_error(*differs + " is not what was written there; look after the disk");
+            throw file_error(*differs + " is not what was written; check the disk");
     return finished;
 }
 
@@ -301,9 +300,9 @@ void tile_output::require_bytes(byte_sum found)
             expected += tile->bytes;
     if (found != expected)
         throw file_error(incomplete_ +
-                         ": is damaged, its bytes are not those that were written; call again with --verify, "
-                         "which writes damaged tiles again, or remove " +
-                         request_.journal + " and begin again");
+                         ": is damaged, its bytes differ from those that were written; run again with --verify, "
+                         "which rewrites damaged tiles, or remove " +
+                         request_.journal + " and start again");
 }
 
 void tile_output::close()

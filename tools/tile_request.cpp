@@ -46,7 +46,7 @@ std::vector<std::string> zeros_of(const tile_request& request, const io::mesh_at
         of_a_face.faces.push_back({a.name, a.type, {std::numeric_limits<double>::quiet_NaN()}, a.labels});
     if (request.levels > 0 and not written_as_zero(format, of_a_face).empty() and
         has_faces_without_parent(request.scheme))
-        result.emplace_back("the values of faces that come from edges or vertices");
+        result.emplace_back("the values of faces made at edges or vertices");
     return result;
 }
 

@@ -114,7 +114,7 @@ TEST(obj_attributes, may_have_a_comment_sign_in_their_names)
     ASSERT_EQ(soup.attributes.faces.size(), 1U);
     EXPECT_EQ(soup.attributes.faces[0].labels, (names{"", "Mat#1", "Mat#2"}));
     expect_same(soup.attributes.faces[0].values, {1, 2}, "material");
-    EXPECT_EQ(soup.not_kept, names{"numbers behind the coordinates of vertices"});
+    EXPECT_EQ(soup.not_kept, names{"extra numbers after the coordinates of vertices"});
 }
 
 TEST(obj_attributes, are_written_as_they_are_read)
@@ -341,7 +341,8 @@ TEST(ply_attributes, words_of_faces_are_comments_that_others_skip)
     EXPECT_EQ(through.attributes.file_lines, odd.attributes.file_lines);
     EXPECT_EQ(io::read_mesh(mesh_format::obj, written(mesh_format::obj, through)).attributes.file_lines,
               odd.attributes.file_lines);
-    EXPECT_EQ(not_held(mesh_format::off, odd.attributes).back(), "that sqrt3 splits the boundary in the next step");
+    EXPECT_EQ(not_held(mesh_format::off, odd.attributes).back(),
+              "the parity of sqrt3 steps (the next one splits the boundary)");
     EXPECT_TRUE(take_odd_generation(odd.attributes) and not take_odd_generation(odd.attributes));
     EXPECT_EQ(odd.attributes.file_lines, soup.attributes.file_lines);
     EXPECT_EQ(io::read_mesh(mesh_format::obj, obj + "t generation 1/0/0 2\n").tags.unread.size(), 1);

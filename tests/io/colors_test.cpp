@@ -176,11 +176,11 @@ TEST(off_keyword, decides_where_the_numbers_do_not)
     EXPECT_EQ(find(meshlab.attributes.vertices, "nx")->values, numbers(3, 0));
     EXPECT_EQ(find(meshlab.attributes.vertices, "red")->values, numbers(3, 1));
     EXPECT_EQ(geomview.notes,
-              names{"normals and colours of vertices may stand in either order; normals are read first, "
-                    "as Geomview writes them behind CN"});
+              names{"the order of vertex normals and colours is ambiguous; normals are read first, "
+                    "as Geomview writes them after CN"});
     EXPECT_EQ(meshlab.notes,
-              names{"colours and normals of vertices may stand in either order; colours are read first, "
-                    "as MeshLab writes them behind NC"});
+              names{"the order of vertex colours and normals is ambiguous; colours are read first, "
+                    "as MeshLab writes them after NC"});
     // And where all stands in one line, the numbers do.
     const auto line = io::read_mesh(mesh_format::off,
                                     "CNOFF 3 1 0 0 0 0 0 0 255 255 0 0 1 1 0 0 0 0 255 255 0 0 1 "
@@ -285,7 +285,7 @@ TEST(stl_colors, are_named_where_the_bytes_are_none)
             io::read_mesh(mesh_format::stl, stl_with(std::vector<std::uint16_t>(4, constant))).attributes.empty());
     const auto others = io::read_mesh(mesh_format::stl, stl_with({1, 2, 3, 4}));
     EXPECT_TRUE(others.attributes.empty());
-    EXPECT_EQ(others.not_kept, names{"the two bytes behind each triangle"});
+    EXPECT_EQ(others.not_kept, names{"the two attribute bytes of each triangle"});
 }
 
 TEST(stl_colors, from_other_formats)

@@ -79,7 +79,7 @@ TEST(read_off, keywords)
     for (const std::string keyword : {"nOFF\n3", "nOFF 3"})
         expect_tetrahedron(mesh_format::off, replaced(files::off, "OFF", keyword));
     for (const std::string keyword : {"nOFF\n2", "4nOFF\n4"})
-        EXPECT_NE(refusal(mesh_format::off, replaced(files::off, "OFF", keyword)).find("another number than three"),
+        EXPECT_NE(refusal(mesh_format::off, replaced(files::off, "OFF", keyword)).find("three are needed"),
                   std::string::npos);
     for (const std::string keyword : {"NNOFF", "STSOFF", "CCOFF", "SOFF", "XOFF", "44OFF"})
         EXPECT_EQ(refusal(mesh_format::off, replaced(files::off, "OFF", keyword)),
@@ -99,7 +99,7 @@ TEST(read_off, one_line)
     EXPECT_EQ(refusal(mesh_format::off, "OFF 4 4 6 0 0 0 1 0 0 0 1 0 0 0 1 3 0 2 1 3 0 1 3 3 1 2 3 3 2 0"),
               "line 1: face 3 should have 3 corners, 2 are there");
     EXPECT_EQ(refusal(mesh_format::off, replaced(files::off, "4 4 6", "4 4 6 0 0 0")),
-              "line 2: more than the numbers of vertices, faces and edges stands on this line");
+              "line 2: this line holds more than the numbers of vertices, faces and edges");
 }
 
 TEST(read_off, what_is_not_kept)
@@ -108,8 +108,8 @@ TEST(read_off, what_is_not_kept)
     EXPECT_TRUE(expect_tetrahedron(mesh_format::off, files::off).attributes.empty());
     const auto numbers = replaced(replaced(files::off, "0 1 0\n", "0 1 0 7\n"), "3 0 1 3", "3 0 1 3 255");
     EXPECT_EQ(expect_tetrahedron(mesh_format::off, numbers).not_kept,
-              (std::vector<std::string>{"numbers behind the coordinates of vertices",
-                                        "colours of faces by their numbers in a list"}));
+              (std::vector<std::string>{"extra numbers after the coordinates of vertices",
+                                        "colours of faces given as indices of a colour map"}));
 }
 
 TEST(read_obj, everything_else_is_named)
@@ -124,7 +124,7 @@ TEST(read_obj, everything_else_is_named)
     EXPECT_EQ(io::read_mesh(mesh_format::obj, files::obj + others).not_kept,
               (std::vector<std::string>{"weights of vertices",
                                         "lines",
-                                        "numbers behind the coordinates of vertices",
+                                        "extra numbers after the coordinates of vertices",
                                         "texture maps",
                                         "smoothing groups",
                                         "texture coordinates that no corner has",
@@ -275,7 +275,7 @@ TEST(read_stl, text_and_binary)
     for (const std::string name : {"any words", "solid name"}) {
         EXPECT_TRUE(expect_tetrahedron(mesh_format::stl, files::binary_stl(name)).notes.empty());
         const auto soup = expect_tetrahedron(mesh_format::stl, files::binary_stl(name) + "more");
-        EXPECT_EQ(soup.notes, std::vector<std::string>{"4 bytes after the last of 4 triangles are left aside"});
+        EXPECT_EQ(soup.notes, std::vector<std::string>{"4 bytes after the last of 4 triangles are ignored"});
     }
     EXPECT_EQ(io::read_mesh(mesh_format::stl, files::stl + files::stl).not_kept,
               std::vector<std::string>{"the division into 2 solids"});

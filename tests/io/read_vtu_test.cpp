@@ -242,8 +242,8 @@ TEST(read_vtu, refuses_compressed_numbers_that_are_damaged)
     };
     EXPECT_EQ(with(0, 2), "the array '' should have 96 bytes, it has 64");
     EXPECT_EQ(with(0, 4), "the array '' should have 96 bytes, it has 128");
-    EXPECT_EQ(with(0, std::uint64_t(1) << 60), "the blocks of the array '' are no blocks of vtkZLibDataCompressor");
-    EXPECT_EQ(with(16, 33), "the blocks of the array '' are no blocks of vtkZLibDataCompressor");
+    EXPECT_EQ(with(0, std::uint64_t(1) << 60), "the blocks of the array '' are not blocks of vtkZLibDataCompressor");
+    EXPECT_EQ(with(16, 33), "the blocks of the array '' are not blocks of vtkZLibDataCompressor");
     EXPECT_EQ(with(16, 8), "the array '' should have 96 bytes, it has 72");
     EXPECT_EQ(with(8, 31), "the array '' should have 96 bytes, it has 93");
     EXPECT_EQ(with(24, std::uint64_t(1) << 60), "the file ends in the array ''");
@@ -380,8 +380,8 @@ TEST(read_vtu, several_pieces_without_ids_stay_apart)
     EXPECT_EQ(soup.faces.vertices, (std::vector<std::size_t>{0, 1, 2, 3, 8, 6, 5, 9, 6, 7, 4, 5}));
     EXPECT_EQ(soup.attributes.faces[0].values, (std::vector<double>{7, 3, 9}));
     EXPECT_EQ(soup.notes,
-              (std::vector<std::string>{"its pieces have no GlobalPointIds for all vertices; vertices of different "
-                                        "pieces stay apart, also at the same place"}));
+              (std::vector<std::string>{"not all vertices of its pieces have GlobalPointIds; vertices of different "
+                                        "pieces are not joined, even if they coincide"}));
 }
 
 /// Two lines, a pentagon and a triangle, and a strip of three triangles.
@@ -622,7 +622,7 @@ TEST(read_vtu, refuses_what_it_does_not_read_and_says_what_to_do)
               "the array 'red' is of the type 'Text', which is not read");
     EXPECT_EQ(refusal(replaced(text, "0.000000 1.000000\n", "0.000000 nan\n")), "vertex 3 has no finite place");
     EXPECT_EQ(refusal("<VTKFile"), "the file ends inside of an element, which begins with '<VTKFile'");
-    EXPECT_EQ(refusal("OFF 3"), "a file of VTK begins with the element VTKFile, which is not there");
+    EXPECT_EQ(refusal("OFF 3"), "a file of VTK begins with the element VTKFile, which is missing");
     EXPECT_EQ(refusal(cells("3 6", "5 5", "0 1 2 1 4 2")),
               "cell 1 has a vertex that is not among the 4 vertices of the file");
     EXPECT_EQ(refusal(cells("3 6", "5 5", "0 1 2 1 -1 2")),
@@ -630,7 +630,7 @@ TEST(read_vtu, refuses_what_it_does_not_read_and_says_what_to_do)
     EXPECT_EQ(refusal(cells("6 3", "5 5")), "the offsets of the cells do not increase");
     EXPECT_EQ(refusal(cells("3 6", "5 9")), "cell 1 has 3 corners, not what its type has");
     EXPECT_EQ(refusal(cells("2 6", "7 5")), "cell 0 has 2 corners, not what its type has");
-    EXPECT_EQ(refusal(cells("3 6", "5 10")), "cell 1 is of type 10 of VTK, which is no face; take the surface alone");
+    EXPECT_EQ(refusal(cells("3 6", "5 10")), "cell 1 is of type 10 of VTK, which is not a face; save only the surface");
 }
 
 } // namespace

@@ -20,11 +20,11 @@ prints '^kith-mpi refine \[IN\] \[options\]$'
 prints '^  mpirun -n 64 kith-mpi refine '
 on 2
 exits 2
-says 'the verb is missing; there is refine, see `kith-mpi --help`'
+says 'the verb is missing; use refine, see `kith-mpi --help`'
 one_message
 on 2 info cube.off
 exits 2
-says "'info' is no verb; there is refine, see .kith-mpi --help."
+says "'info' is not a verb; use refine, see .kith-mpi --help."
 one_message
 
 on 3 refine cube.off -s loop -n 1 -o out.vtu
@@ -41,7 +41,7 @@ says '^kith-mpi: the output has no name; name a file with -o$'
 one_message
 on 2 refine cube.off -s catmull-clark -n 1 -o out.ply --cell-origin
 exits 2
-says '--cell-origin: out.ply would have no place for it; write .vtu or .pvtu'
+says '--cell-origin: out.ply cannot hold it; write .vtu or .pvtu'
 one_message
 on 3 refine cube.off -s catmull-clark -n 1 -o out.stl
 exits 2
@@ -74,11 +74,11 @@ says 'nowhere/out.vtu'
 one_message
 on 2 refine cube.off -s catmull-clark -n 15 -o nowhere/out.vtu --memory-per-rank 1G # more than 32 bits number
 exits 1
-says 'the largest tile needs .* the limit is 1073741824 \(1.0 GiB\); refine fewer times, for not even a tile for each face'
+says 'the largest tile needs .* the limit is 1073741824 \(1.0 GiB\); refine fewer times, since not even one tile per face'
 one_message
 on 2 refine cube.off -s catmull-clark -n 15 -o out.vtu
 exits 1
-says 'nine tenths of the memory that is available; refine fewer times'
+says '9/10 of the available memory; refine fewer times'
 one_message
 on 3 refine cube.off -s catmull-clark -n 15 -o out.ply
 exits 1
@@ -95,7 +95,7 @@ run refine cube.off -s linear -n 0 -o cube.obj
 (cat cube.obj; echo; echo 't hole 1/0/0 1') >holes.obj
 on 2 refine holes.obj -s catmull-clark -n 1 -o out.vtu
 exits 1
-says 'the file has holes, which are not left out of tiles'
+says 'the file has holes, which tiles cannot leave out'
 one_message
 # Coordinates that overflow, on whichever rank.
 sed '3,10s/1/1e308/g' cube.off >large.off

@@ -130,13 +130,13 @@ yes U | head -c 4000 | dd of=kept/surface bs=1 seek=3000 conv=notrunc status=non
 # Without being asked a job notices, and gives the surface no name.
 on 3 refine --journal kept
 exits 1
-says '^kith-mpi: .*kept/surface: is damaged, its bytes are not those that were written; call again with --verify'
+says '^kith-mpi: .*kept/surface: is damaged, its bytes differ from those that were written; run again with --verify'
 one_message
 check "no output" test ! -e out.vtu
 on 3 refine --journal kept --verify
 exits 0
 prints '^out.vtu: .*, checksum [0-9a-f]+, verified$'
-says '^kith-mpi: note: tile [0-6] is damaged, byte [0-9]+ of kept/surface is another one; it is written again$'
+says '^kith-mpi: note: tile [0-6] is damaged, byte [0-9]+ of kept/surface is wrong; the tile is written again$'
 check "only finished ones are looked after" test "$(grep -c '^kith-mpi: note: tile 7' "$results/err")" -eq 0
 same whole.vtu out.vtu
 rm out.vtu
@@ -179,13 +179,13 @@ failing 1:150:throw 2 refine $job $tiles --journal kept
 # shellcheck disable=SC2086
 on 2 refine ${job/-n 4/-n 3} --journal kept
 exits 1
-says "^kith-mpi: kept: is the journal of another refinement, its levels is '4', not '3'; finish that one"
+says "^kith-mpi: kept: is the journal of another refinement: its levels is '4', not '3'; finish that one"
 on 3 refine --journal nowhere
 exits 1
-says '^kith-mpi: nowhere: holds no recipe to go on with; name the mesh, and what to do with it$'
+says '^kith-mpi: nowhere: holds no recipe to resume; name the input mesh, the scheme and the other options$'
 on 2 refine --journal kept --tiles-per-rank 2
 exits 2
-says '--tiles-per-rank: without IN the journal says what is refined'
+says '--tiles-per-rank: without IN, the journal sets this option'
 on 2 refine --journal kept --verify
 exits 0
 prints '^.*out.vtu: .*, verified$'

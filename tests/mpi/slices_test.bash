@@ -61,7 +61,7 @@ same whole.ply slices.ply
 sed 's/comment word group 16 cell_15/comment word other 16 cell_15/' grid.control.ply >few.ply
 on 3 refine few.ply -s catmull-clark -n 1 -o out.vtu --slices
 exits 1
-says 'few.ply: face [0-9]*: group is a number for which the file has no word; read it on one rank'
+says 'few.ply: face [0-9]*: group is a number without a name in the file; read it on one rank'
 one_message
 
 # Faces of more than 255 corners, which corners of 300 triangles become: PLY counts them in wider numbers, and by ranks and
@@ -143,12 +143,12 @@ one_message
 rmdir folder.ply elsewhere
 on 3 refine quads.ply -s catmull-clark -n 1 -o out.vtu --slices --verify
 exits 2
-says '.-verify: needs the whole mesh on one rank; leave out this or --slices'
+says '.-verify: needs the whole mesh on one rank; leave out this option or --slices'
 one_message
 for option in --repair=split --weld; do
     on 3 refine quads.ply -s catmull-clark -n 1 -o out.vtu --slices $option
     exits 2
-    says ".${option%=*}: needs the whole mesh on one rank; leave out this or --slices"
+    says ".${option%=*}: needs the whole mesh on one rank; leave out this option or --slices"
     one_message
 done
 # What refine refuses --slices refuses, too, and what is not kept is named as there.

@@ -52,13 +52,13 @@ check "the colour is that of the vertex" awk '$1 == "v" { d = $5 - ($2 + $3) / 9
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3 4\n' >part.obj
 run refine part.obj -s catmull-clark -n 0 -o part.ply
 exits 0
-says 'part.obj: not kept: texture coordinates of faces that have not all of theirs'
+says 'part.obj: not kept: texture coordinates of faces where some corners have none'
 
 # What is made of a vertex that has no colour has none.
 printf 'COFF\n4 4 0\n0 0 0 200 10 10 255\n1 0 0\n0 1 0 10 200 10 255\n0 0 1 10 10 200 255\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' >gap.off
 run refine gap.off -s loop -n 1 -o out.ply
 exits 0
-says 'not kept: colours, around vertices that have none'
+says 'not kept: colours around vertices without a value'
 run refine gap.off -s loop -n 0 -o out.off
 exits 0
 says_nothing
@@ -111,7 +111,7 @@ for rule in 1 2; do
     for format in ply off vtu; do
         run refine ruled.obj -s catmull-clark -n 1 -o out.$format
         exits 0
-        check "what OBJ keeps is told" test "$(grep -c 'the rule of corners at the boundary' "$results/err")" -eq "$kept"
+        check "what OBJ keeps is told" test "$(grep -c 'the rule for boundary corners' "$results/err")" -eq "$kept"
     done
 done
 
@@ -268,7 +268,7 @@ exits 0
 same out.obj linear.obj
 run refine charts.obj -s doo-sabin -n 1 -o out.obj --uv none
 exits 2
-says '^kith: --uv: only catmull-clark and loop have rules for seams of texture coordinates; leave it out, or say all$'
+says '^kith: --uv: only catmull-clark and loop have rules for seams of texture coordinates; leave it out, or use all$'
 run refine charts.obj -s doo-sabin -n 1 -o out.obj --uv all
 exits 0
 run refine charts.obj -s loop -n 1 -o out.obj --uv round

@@ -36,15 +36,15 @@ for levels in 0 1; do
         # shellcheck disable=SC2086 # no word where it is empty
         run refine some.off -s loop -n $levels -o out.ply $kind
         exits 0
-        says "^kith: note: out.ply: this format has no word for none and has 0 for: the colours of $((2 * faces)) of $((4 * faces)) faces\$"
+        says "^kith: note: out.ply: this format cannot mark missing values; it has 0 for: the colours of $((2 * faces)) of $((4 * faces)) faces\$"
         check "one note" test "$(wc -l <"$results/err")" -eq 1
     done
     run refine some.off -s loop -n $levels -o tiles.ply --tiles 2 --binary
     exits 0
-    says 'tiles.ply: this format has no word for none and has 0 for: the colours of 2 of 4 faces$'
+    says 'tiles.ply: this format cannot mark missing values; it has 0 for: the colours of 2 of 4 faces$'
     same out.ply tiles.ply
     run refine some.off -s loop -n $levels -o out.vtu --tiles 2
-    says 'out.vtu: this format has no word for none and has 0 for: the colours of 2 of 4 faces$'
+    says 'out.vtu: this format cannot mark missing values; it has 0 for: the colours of 2 of 4 faces$'
 done
 printf 'v 0 0 0 1 .5 .25\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n' >dots.obj
 run refine dots.obj -s loop -n 0 -o out.ply
@@ -52,7 +52,7 @@ exits 0
 says 'the colours of 3 of 4 vertices$'
 check "no nan" test "$(grep -c nan out.ply)" -eq 0
 run refine dots.obj -s loop -n 1 -o out.ply
-says 'dots.obj: not kept: colours, around vertices that have none$'
+says 'dots.obj: not kept: colours around vertices without a value$'
 says 'has 0 for: the colours of [0-9] of 9 vertices$'
 check "no nan" test "$(grep -c nan out.ply)" -eq 0
 run refine dots.obj -s loop -n 1 -o serial.ply --binary
@@ -69,7 +69,7 @@ says 'has 0 for: the colours of 10 of 14 faces$'
 check "no nan" test "$(grep -c nan out.ply)" -eq 0
 run refine mixed.off -s doo-sabin -n 1 -o serial.ply --binary
 run refine mixed.off -s doo-sabin -n 1 -o tiles.ply --tiles 2
-says 'has 0 for: the values of faces that come from edges or vertices$'
+says 'has 0 for: the values of faces made at edges or vertices$'
 same serial.ply tiles.ply
 run refine mixed.off -s loop -n 1 -o tiles.ply --tiles 2
 says '^kith: note: tiles.ply is binary'
@@ -120,7 +120,7 @@ run refine materialise.stl -s loop -n 0 -o out.stl --binary
 says 'not kept: colours of faces beyond 32 shades of red, green and blue$'
 stl 'any words' '\1\0' '\2\0' '\3\0' '\4\0' >bytes.stl
 run refine bytes.stl -s loop -n 0 -o out.off
-says 'not kept: the two bytes behind each triangle$'
+says 'not kept: the two attribute bytes of each triangle$'
 
 # Binary STL rounds to floats: triangles that fall together are left out, which is told, and what is left can be read.
 far=16777216
@@ -131,7 +131,7 @@ far=16777216
 } >strip.off
 run refine strip.off -s loop -n 0 -o out.stl --binary
 exits 0
-says '^kith: note: out.stl: the floats of binary STL move coordinates by up to 0.5; 1 of 5 triangles falls together and is left out; '
+says '^kith: note: out.stl: the floats of binary STL move coordinates by up to 0.5; 1 of 5 triangles collapses and is left out; '
 run info out.stl
 exits 0
 prints '^faces +4$'
@@ -152,7 +152,7 @@ tetrahedron | awk 'NR > 2 && NR < 7 { $1 = 4500000.01 + $1 / 100; $2 = 5300000.0
 rm -f out.stl
 run refine utm.off -s loop -n 1 -o out.stl --binary
 exits 1
-says '^kith: out.stl: [0-9]+ of 16 triangles fall together in the floats of binary STL, and the others form no surface that can be read; write text, .off, .obj or .ply, or move the mesh to the origin$'
+says '^kith: out.stl: [0-9]+ of 16 triangles collapse in the floats of binary STL, and the others form no surface that can be read; write text, .off, .obj or .ply, or move the mesh to the origin$'
 check "nothing is written" test ! -e out.stl
 for format in stl ply off obj; do
     run refine utm.off -s loop -n 1 -o out.$format
@@ -188,7 +188,7 @@ done
 sed 's/ 9 8 7 255//; s/NSTOFF/NCOFF/; s/ 0 .5$/ 0 0 1/; s/STNOFF/NCOFF/' a.off >open.off
 run refine open.off -s loop -n 0 -o out.ply
 exits 0
-says '^kith: note: open.off: colours and normals of vertices may stand in either order; colours are read first, as MeshLab'
+says '^kith: note: open.off: the order of vertex colours and normals is ambiguous; colours are read first, as MeshLab'
 
 # OBJ: normals that the faces refer to and the file does not have.
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nf 1/1/1 2/2/2 3/1/3\nf 2/2/4 4/1/5 3/1/6\n' >bare.obj

@@ -205,10 +205,10 @@ good b.stl
 (cat a.stl; printf more) >b.stl
 run compare tetra.off b.stl --tolerance 0
 exits 0
-says '^kith: note: b.stl: 4 bytes after the last of 4 triangles are left aside$'
+says '^kith: note: b.stl: 4 bytes after the last of 4 triangles are ignored$'
 run refine b.stl -s loop -n 1 -o c.off
 exits 0
-says 'b.stl: 4 bytes after the last of 4 triangles are left aside'
+says 'b.stl: 4 bytes after the last of 4 triangles are ignored'
 
 # What editors and other programs make of the same files: a byte order mark, capitals, everything on one line.
 run refine tetra.off -s loop -n 0 -o a.stl

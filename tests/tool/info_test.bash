@@ -80,7 +80,7 @@ run info tagged.obj
 exits 0
 prints '^tags +1 sharp edge, 1 sharp vertex, 1 hole, 1 boundary rule, 1 crease method$'
 prints '^  edge 1-2: sharpness 1.5$'
-prints '^  vertex 4: sharp for ever$'
+prints '^  vertex 4: infinitely sharp$'
 prints '^  face 0: a hole$'
 prints '^  boundary: its corners are kept$'
 prints "^  creases: by Chaikin's rule$"

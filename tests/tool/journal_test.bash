@@ -40,7 +40,7 @@ written_from() { # written_from FILE WHOLE OFFSET: the first byte from there on 
         od -An -v -tu1 -w1 -j"$3" "$2" | awk -v at="$3" '{ print "has", at++, $1 }'
     } | awk '$1 == "differs" { differs[$2] } $1 == "has" && $3 != 0 && !($2 in differs) { print $2; exit }'
 }
-damage='is damaged, its bytes are not those that were written; call again with --verify, which writes damaged tiles'
+damage='is damaged, its bytes differ from those that were written; run again with --verify, which rewrites damaged tiles'
 size=$(stat -c %s whole.ply)
 for from in 302 20000 $((size - 17 * 1400)) $((size - 17 * 700)); do
     run refine cube.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept --only 0..4
@@ -95,7 +95,7 @@ for at in 20 "$at" "$((at + 5))" $(($(stat -c %s recipe) / 2)) $(($(stat -c %s r
     change kept/recipe "$at"
     run refine --journal kept
     exits 1
-    says '^kith: kept/recipe: .*; remove kept and begin again$'
+    says '^kith: kept/recipe: .*; remove kept and start again$'
     cp recipe kept/recipe
 done
 leaves cube.off kept recipe whole.ply whole.vtu
@@ -108,7 +108,7 @@ printf '\x55' | dd of=kept/surface bs=1 seek=302 conv=notrunc status=none
 run refine --journal kept --verify
 exits 0
 prints ', verified$'
-says '^kith: note: tile [0-4] is damaged, byte 302 of kept/surface is another one; it is written again$'
+says '^kith: note: tile [0-4] is damaged, byte 302 of kept/surface is wrong; the tile is written again$'
 same whole.ply out.ply
 rm out.ply
 # Every byte of a finished tile that is another one is found, here in a face, by a job that refines another tile.
@@ -123,7 +123,7 @@ prints '^kept: 2 of 6 tiles are finished, verified$'
 printf '\x77' | dd of=kept/surface bs=1 seek=$((written - 1)) conv=notrunc status=none
 run refine --journal kept --verify
 exits 0
-says "^kith: note: tile 0 is damaged, byte $((written - 1)) of kept/surface is another one; it is written again$"
+says "^kith: note: tile 0 is damaged, byte $((written - 1)) of kept/surface is wrong; the tile is written again$"
 same whole.ply out.ply
 rm out.ply
 # A piece that was cut off.
@@ -132,7 +132,7 @@ run refine cube.off -s catmull-clark -n 3 -o out.pvtu --tiles 3 --journal kept -
 truncate -s 100 kept/surface.pieces/1.vtu
 run refine --journal kept --verify
 exits 0
-says '^kith: note: tile 1 is damaged, the size of kept/surface.pieces/1.vtu is another one; it is written again$'
+says '^kith: note: tile 1 is damaged, the size of kept/surface.pieces/1.vtu is wrong; the tile is written again$'
 check "the same pieces" diff -r whole.pieces out.pieces
 rm -r out.p* whole.p*s whole.pvtu
 # A tile that overflows is not finished; nothing appears under the name of the output.
@@ -163,7 +163,7 @@ for begun in yes no; do
         wait "$job"
         code=$?
         # One that began after the end of the others finds no journal.
-        test $code -eq 1 && grep -q 'holds no recipe to go on with' "$results/err" && continue
+        test $code -eq 1 && grep -q 'holds no recipe to resume' "$results/err" && continue
         exits 0
     done
     same whole7.vtu out.vtu
@@ -307,12 +307,12 @@ for call in "" "--only 0"; do
     # shellcheck disable=SC2086 # several words
     run refine cube.off -s catmull-clark -n 2 -o kept/surface.pvtu --tiles 3 --journal kept $call
     exits 1
-    says 'kept/surface.pieces: is a name that the journal uses itself; name another output, or another directory'
+    says 'kept/surface.pieces: is a file of the journal itself; name another output, or another directory'
 done
 ln -s kept/surface linked.vtu
 run refine cube.off -s catmull-clark -n 2 -o linked.vtu --tiles 3 --journal ./kept
 exits 1
-says 'kept/surface: is a name that the journal uses itself'
+says 'kept/surface: is a file of the journal itself'
 rm linked.vtu
 leaves cube.off whole.ply whole.vtu
 mkdir kept
@@ -324,7 +324,7 @@ rm -r kept/*
 echo mine >kept/surface
 run refine cube.off -s catmull-clark -n 3 -o out.vtu --tiles 3 --journal kept
 exits 1
-says "kept/surface: is there without a recipe, so it may belong to another program; remove it, or name another directory"
+says "kept/surface: exists without a recipe, so it may belong to another program; remove it, or name another directory"
 check "it is untouched" test "$(cat kept/surface)" = mine
 leaves cube.off kept whole.ply whole.vtu
 rm -r kept
@@ -359,17 +359,17 @@ refused() { # refused MESSAGE ARGUMENTS...
     shift
     run "$@"
     exits 1
-    says "kept: is the journal of another refinement, $message; finish that one, or name another directory"
+    says "kept: is the journal of another refinement: $message; finish that one, or name another directory"
 }
 refused "its levels is '4', not '3'" refine cube.off -s catmull-clark -n 3 -o out.vtu --tiles 6 --journal kept
 refused "its scheme is 'catmull-clark', not 'doo-sabin'" refine cube.off -s doo-sabin -n 4 -o out.vtu --journal kept
 refused "its format is '.vtu', not '.ply'" refine cube.off -s catmull-clark -n 4 -o out.ply --journal kept
 refused "its boundary-corners is '', not 'smoothed'" \
     refine cube.off -s catmull-clark -n 4 -o out.vtu --journal kept --boundary-corners smoothed
-refused 'its control mesh, its creases or its attributes are others' \
+refused 'its control mesh, creases or attributes differ' \
     refine cube.off -s catmull-clark -n 4 -o out.vtu --journal kept --crease-angle 40
 sed '3s/.*/-1 -1 -1.5/' cube.off >moved.off
-refused 'its control mesh, its creases or its attributes are others' refine moved.off -s catmull-clark -n 4 -o out.vtu --journal kept
+refused 'its control mesh, creases or attributes differ' refine moved.off -s catmull-clark -n 4 -o out.vtu --journal kept
 rm moved.off
 run refine --journal kept
 exits 0
@@ -383,30 +383,30 @@ cp -r kept cut
 head -c 700 kept/recipe >cut/recipe
 run refine --journal cut
 exits 1
-says 'cut/recipe: .*remove cut and begin again'
+says 'cut/recipe: .*remove cut and start again'
 cp kept/recipe cut/recipe
 printf '\x55' | dd of=cut/recipe bs=1 seek=900 conv=notrunc status=none
 run refine --journal cut
 exits 1
-says 'cut/recipe: the recipe is damaged, its checksum is wrong; remove cut and begin again'
+says 'cut/recipe: the recipe is damaged, its checksum is wrong; remove cut and start again'
 rm -r cut
 run refine --journal nowhere
 exits 1
-says 'nowhere: holds no recipe to go on with; name the mesh, and what to do with it'
+says 'nowhere: holds no recipe to resume; name the input mesh, the scheme and the other options'
 run refine cube.off -s catmull-clark -n 2 -o out.vtu --only 1
 exits 2
-says 'name with --journal where the tiles are kept'
+says '--only: needs --journal; name the directory of the tiles as well'
 run refine --journal kept -s loop
 exits 2
-says '--scheme: without IN the journal says what is refined'
+says '--scheme: without IN, the journal sets this option'
 for range in 1..x 2..1 .. -1; do
     run refine --journal kept --only="$range"
     exits 2
-    says "'$range' are no tiles such as 100..199 or 7"
+    says "'$range' is not a range of tiles; write e.g. 100..199 or 7"
 done
 run refine --journal kept --only 2..3
 exits 2
-says 'there is no tile 3, there are 3, numbered from 0'
+says 'tile 3 does not exist, there are 3, numbered from 0'
 run refine cube.off -s catmull-clark -n 40 -o out.vtu --journal other
 exits 1
 check "nothing was begun" test ! -e other

@@ -111,7 +111,7 @@ if test -w /dev/full; then
     says 'cannot be written .No space left'
     run refine cube.off -s catmull-clark -n 1 -o full.ply --journal kept
     exits 1
-    says 'full.ply: is no file, which the end of a journal must be; name a file'
+    says 'full.ply: is not a regular file, but the output of a journal must be one; name a file'
     ln -s /dev/null null.ply
     run refine cube.off -s catmull-clark -n 1 -o null.ply --tiles 2
     exits 0

@@ -84,7 +84,7 @@ awk 'BEGIN {
 run plan torus.off -s catmull-clark -n 3 --ranks 2 --tiles-per-rank 2 --partitioner block
 exits 0
 says_nothing
-prints '^rings of shadows on level 0: 1$'
+prints '^rings of ghosts on level 0: 1$'
 # 24 faces, of which 12 are in a tile, which has 12 shadows; a quad becomes 64, of 24+8+1, 8+4+1 and 16 bytes in memory.
 for rank in 0 1; do prints "^ +$rank +2 +24 +24 +[0-9]+ +1536 +$((768 * 62)) +$((1536 * 74))\$"; done
 prints '^refining the largest tile needs [0-9]+ bytes at once$'
@@ -131,14 +131,14 @@ run refine cube.off -s linear -n 0 -o cube.obj
 (cat cube.obj; echo; echo 't hole 1/0/0 1') >holes.obj
 run plan creased.obj -s doo-sabin -n 2
 exits 1
-says 'doo-sabin has no rules for the creases, corners or holes of the file; catmull-clark and loop have'
+says 'doo-sabin has no rules for the creases, corners or holes of the file; only catmull-clark and loop have them; use one of these, or --ignore-tags'
 run plan creased.obj -s doo-sabin -n 2 --ignore-tags
 exits 0
 run plan holes.obj -s catmull-clark -n 2
 exits 0
 run plan holes.obj -s catmull-clark -n 2 --ranks 2
 exits 1
-says 'the file has holes, which are not left out of tiles'
+says 'the file has holes, which tiles cannot leave out'
 run plan cube.off -s catmull-clark -n 2 --ranks 0
 exits 2
 says '.-ranks: 0 ranks were asked for; ask for 1 or more'
@@ -150,7 +150,7 @@ exits 2
 says '.-tiles-per-rank: 4294967296 tiles per rank were asked for; ask for 1 or more, up to 4294967295'
 run plan cube.off -s catmull-clark -n 2 --tiles-per-rank 2
 exits 2
-says '--tiles-per-rank: say with --ranks how many there are'
+says '--tiles-per-rank: needs --ranks; name the number of ranks as well'
 
 # The program needs what is planned, and not much less: its peak in kilobytes beside what it has for the cube.
 if test -x /usr/bin/time; then

@@ -68,7 +68,7 @@ on_terminal "$kith" refine tinted.off -s catmull-clark -n 0 -o tinted.ply --bina
 exits 0
 shows '^reading \[#+\.*\] [0-9]+ %, '
 shares_grow reading
-shows '^kith: note: tinted.ply: this format has no word for none and has 0 for: the colours of 6291457 of 6291458 vertices$'
+shows '^kith: note: tinted.ply: this format cannot mark missing values; it has 0 for: the colours of 6291457 of 6291458 vertices$'
 leaves_no_bar
 rm -f tinted.off tinted.ply
 

@@ -175,7 +175,7 @@ run refine creased.obj -s catmull-clark -n 3 -o corner.off
 check "the vertex stays" at 4 corner.off -1 -1 -1
 run refine creased.obj -s doo-sabin -n 1 -o refused.off
 exits 1
-says 'doo-sabin has no rules for the creases, corners or holes of the file; catmull-clark and loop have'
+says 'doo-sabin has no rules for the creases, corners or holes of the file; only catmull-clark and loop have them; use one of these, or --ignore-tags'
 check "no output file" test ! -e refused.off
 run refine creased.obj -s doo-sabin -n 1 -o ignored.off --ignore-tags
 exits 0
@@ -201,7 +201,7 @@ check "the corner is smoothed" at 4 smoothed.off 0.125 0.125 0
 run refine quad.obj -s catmull-clark -n 1 -o kept.off --boundary-corners kept
 check "unless the command line says otherwise" at 4 kept.off 0 0 0
 run refine quad.obj -s catmull-clark -n 1 -o preset.off --preset opensubdiv
-says 'note: --preset opensubdiv decides on the corners of the boundary, .* add --boundary-corners smoothed$'
+says 'note: --preset opensubdiv overrides the rule of the file for boundary corners; .* add --boundary-corners smoothed$'
 run refine quad.obj -s catmull-clark -n 1 -o preset.off --preset opensubdiv --boundary-corners smoothed
 check "which goes before the preset" at 4 preset.off 0.125 0.125 0
 
@@ -231,9 +231,9 @@ run compare by_steps.off at_once.off --tolerance 1e-15
 exits 0
 run refine creased.obj -s catmull-clark -n 1 -o once.off
 exits 0
-says '^kith: note: creased.obj: not kept: the sharpness left to 5 edges and 1 vertex, which .obj holds$'
+says '^kith: note: creased.obj: not kept: the remaining sharpness of 5 edges and 1 vertex \(.obj can hold it\)$'
 run refine creased.obj -s catmull-clark -n 1 -o once.vtu --tiles 2
-says 'not kept: the sharpness left to 5 edges and 1 vertex'
+says 'not kept: the remaining sharpness of 5 edges and 1 vertex'
 run refine creased.obj -s catmull-clark -n 3 -o out.off --ignore-tags
 says_nothing
 
@@ -266,13 +266,13 @@ for output in once.off 'once.vtu --tiles 2'; do
         run refine open.off -s sqrt3 -n $levels -o $output
         exits 0
         test $levels = 2 && says_nothing
-        test $levels = 2 || says '^kith: note: open.off: not kept: that sqrt3 splits the boundary in the next step$'
+        test $levels = 2 || says '^kith: note: open.off: not kept: the parity of sqrt3 steps \(the next one splits the boundary\)$'
     done
     run refine tetra.off -s sqrt3 -n 1 -o $output # closed
     says_nothing
     run refine cube.off -s 4-8 -n 2 -o $output
     exits 0
-    says '^kith: note: cube.off: not kept: which edges 4-8 has marked to be split next$'
+    says '^kith: note: cube.off: not kept: the edges that 4-8 splits next$'
 done
 
 # What an output has no room for is named in a line; OBJ and PLY hold what OBJ has, and VTU all but texture coordinates.
@@ -310,14 +310,14 @@ rm -f wrong.obj out.obj
 for option in '--partitioner nonsense' --verify --checksum; do
     run refine cube.off -s catmull-clark -n 1 -o out.off $option
     exits 2
-    says "$(echo "$option" | cut -d ' ' -f 1): is for tiles; name --tiles as well"
+    says "$(echo "$option" | cut -d ' ' -f 1): applies to tiles only; name --tiles as well"
 done
 
 # Vertices without a face are kept as they are, behind the others.
 (cube | sed '2s/8/9/; 5s/^/7 8 9\n/' | awk 'NR > 11 { for (i = 2; i <= NF; ++i) if ($i > 1) ++$i } { print }') >point.off
 run refine point.off -s catmull-clark -n 1 -o out.off
 exits 0
-says '^kith: note: 1 vertex without a face is kept, behind the others; --drop-isolated leaves out such$'
+says '^kith: note: 1 vertex without a face is written after the others; --drop-isolated leaves out such vertices$'
 prints '^out.off: 27 vertices, 48 edges, 24 faces$'
 check "it is the last vertex" test "$(sed -n 30p out.off)" = '7 8 9'
 run refine cube.off -s catmull-clark -n 1 -o cube1.off
@@ -363,7 +363,7 @@ run refine holes.obj -s catmull-clark -n 0 -o native.off
 prints '8 vertices, 11 edges, 4 faces'
 run refine holes.obj -s catmull-clark -n 1 -o refused.vtu --tiles 2
 exits 1
-says 'the file has holes, which are not left out of tiles'
+says 'the file has holes, which tiles cannot leave out'
 run refine holes.obj -s linear -n 1 -o refused.off
 exits 1
 says 'linear has no rules for the creases, corners or holes'
@@ -521,7 +521,7 @@ says 'the limit is 10485760 \(10.0 MiB\); refine fewer times$'
 run refine cube.off -s catmull-clark -n 4 -o control.off
 run refine control.off -s catmull-clark -n 5 -o refused.off --memory-limit 40M
 exits 1
-says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or in tiles, to .vtu, .pvtu or .ply: --tiles [0-9]+( --threads 1)?$'
+says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or refine in tiles and write .vtu, .pvtu or .ply: --tiles [0-9]+( --threads 1)?$'
 # shellcheck disable=SC2046 # several words
 run refine control.off -s catmull-clark -n 5 -o tiles.vtu --memory-limit 40M $(grep -o -- '--tiles .*' "$results/err")
 exits 0

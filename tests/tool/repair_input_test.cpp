@@ -100,9 +100,9 @@ TEST(repair_input, what_belongs_to_a_face_that_is_left_out_goes_with_it)
               "face 2: left out, as it does not join the larger fan of faces at vertex 1\n"
               "vertex 4: left out, it belongs to no face\nvertex 5: left out, it belongs to no face");
     EXPECT_EQ(notes,
-              (texts{"1 crease goes with what is left out",
-                     "1 sharp vertex goes with what is left out",
-                     "1 hole goes with what is left out"}));
+              (texts{"1 crease is lost with the elements that the repair removes",
+                     "1 sharp vertex is lost with the elements that the repair removes",
+                     "1 hole is lost with the elements that the repair removes"}));
     EXPECT_EQ(values(fine.attributes.faces, "red"), std::vector<double>{1});
     EXPECT_EQ(values(fine.attributes.corners, "u"), (std::vector<double>{0, 1, 0}));
     EXPECT_EQ(sharp_edges(fine), (std::vector<std::array<double, 3>>{{1, 2, 3}}));
@@ -142,7 +142,7 @@ TEST(repair_input, a_seam_of_texture_coordinates_at_vertices_becomes_one_at_corn
     EXPECT_EQ(values(fine.attributes.corners, "v"), (std::vector<double>{0, 0, 1, 1, 0, 0, 1, 1}));
     ASSERT_EQ(fine.attributes.vertices.size(), 1U);
     EXPECT_EQ(values(fine.attributes.vertices, "red"), (std::vector<double>{1, 2, 3, 4, 6, 7}));
-    EXPECT_EQ(notes, texts{"colours: 1 joined vertex had others than the vertex that stays"});
+    EXPECT_EQ(notes, texts{"colours: 1 joined vertex had other values than the vertex that is kept"});
     // Without a seam they stay where they are.
     soup.attributes.vertices[0].values = {0, 1, 1, 0, 1, 2, 2, 1};
     EXPECT_EQ(mend(soup, "weld=0").soup.attributes.vertices.size(), 3U);
@@ -175,13 +175,13 @@ TEST(repair_input, cracks_are_found_and_the_options_named_that_mend_what_is_wron
     pinched.faces.push_back(std::array{0, 6, 7});
     EXPECT_EQ(
         kith::tool::remedies(pinched, kith::tool::report_of(pinched)),
-        (texts{"vertex 5 lies where vertex 4 does, one of 2 such vertices at the boundary; --weld joins such vertices, "
+        (texts{"vertex 5 coincides with vertex 4, one of 2 such vertices at the boundary; --weld joins such vertices, "
                "try it first",
-               "--repair changes such faces: split (gives each sheet its edge and each fan its vertex), drop "
-               "(leaves faces out)"}));
+               "--repair changes such faces: split (gives each sheet an edge of its own and each fan a vertex of its "
+               "own), drop (removes faces)"}));
     const auto bad = obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 2 3 4\n");
     EXPECT_EQ(
         kith::tool::remedies(bad, kith::tool::report_of(bad)),
-        texts{"--repair changes such faces: orient (turns faces round), split (gives each sheet its edge and each "
-              "fan its vertex), drop (leaves faces out)"});
+        texts{"--repair changes such faces: orient (reverses faces), split (gives each sheet an edge of its own and "
+              "each fan a vertex of its own), drop (removes faces)"});
 }

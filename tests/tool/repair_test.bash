@@ -57,8 +57,8 @@ endfacet
 endsolid r
 END
 refused rounded.stl 'vertex 0: its 3 faces form several fans' \
-    'vertex 3 lies where vertex 2 does, one of 3 such vertices at the boundary; --weld joins such vertices, try it first$'
-prints '^coinciding vertices +3 at the boundary lie where others do, 0 exactly, else within [0-9.e-]+: 3 at 2, 5 at 4, 6 at 1; --weld joins them$'
+    'vertex 3 coincides with vertex 2, one of 3 such vertices at the boundary; --weld joins such vertices, try it first$'
+prints '^coinciding vertices +3 at the boundary coincide with others, 0 exactly, the rest within [0-9.e-]+: 3 at 2, 5 at 4, 6 at 1; --weld joins them$'
 run info rounded.stl --json
 prints '"coinciding_vertices":\{"equal":0,"within_distance":3,"distance":1.7320508075688774e-06\}'
 for weld in '--weld' '--weld 1e-9' '--weld=1e-9' '--repair weld' '--repair weld=1e-9'; do
@@ -70,7 +70,7 @@ exits 0
 prints '^out.off: 10 vertices, 24 edges, 16 faces$'
 run refine --weld 0 rounded.stl -s linear -n 1 -o out.off
 exits 1
-says '^kith: rounded.stl, in the numbers after the repair:$'
+says '^kith: rounded.stl, numbered as after the repair:$'
 
 # Points that are doubled along seams: no problem, but told.
 cat >soup.obj <<'END'
@@ -93,7 +93,7 @@ t corner 1/1/0 7 2
 END
 run info soup.obj
 exits 0
-prints '^coinciding vertices +2 at the boundary lie where others do, exactly: 5 at 2, 8 at 3; --weld joins them$'
+prints '^coinciding vertices +2 at the boundary coincide with others, exactly: 5 at 2, 8 at 3; --weld joins them$'
 prints '^problems +none$'
 mended soup.obj '6 vertices, 7 edges, 2 faces' --weld 0
 run refine soup.obj -s catmull-clark -n 0 -o out.obj --weld
@@ -134,13 +134,13 @@ exits 0
 has out.obj '^f +1/1 2/2 3/3 4/4$'
 has out.obj '^vt 0 0$'
 check "the second face begins at the seam with other values" grep -qE '^f +2/5 5/6 6/7 3/8$' out.obj
-says "^kith: note: seam.ply: the property 'quality' of vertices: 2 joined vertices had others than the vertex that stays\$"
+says "^kith: note: seam.ply: the property 'quality' of vertices: 2 joined vertices had other values than the vertex that is kept\$"
 
 # A strip that is joined the wrong way round.
 (echo OFF; echo 6 3 0; echo 0 0 0; echo 1 0 0; echo 0 1 0; echo 0 0 1; echo 1 0 1; echo 0 1 1
     echo 4 0 1 4 3; echo 4 1 2 5 4; echo 4 2 3 0 5) >strip.off
 refused strip.off 'edge 0-3: faces 0 and 2 run through it in the same direction, and no turning of faces helps, as the surface is one-sided' \
-    '^ *--repair changes such faces: orient \(turns faces round\), split \(gives each sheet its edge and each fan its vertex\), drop \(leaves faces out\)$'
+    '^ *--repair changes such faces: orient \(reverses faces\), split \(gives each sheet an edge of its own and each fan a vertex of its own\), drop \(removes faces\)$'
 mended strip.off '8 vertices, 10 edges, 3 faces' --repair split
 says '^kith: note: strip.off: edge 0-3: cut, as faces 0 and 2 run through it in the same direction$'
 mended strip.off '8 vertices, 10 edges, 3 faces' --repair orient,split
@@ -187,7 +187,7 @@ END
 run info bad.obj
 exits 1
 prints '^  face 1: comes to vertex 2 twice; '
-prints '^  --repair changes such faces: drop \(leaves faces out\)$'
+prints '^  --repair changes such faces: drop \(removes faces\)$'
 sed -i '$d' bad.obj
 run refine bad.obj -s linear -n 0 -o out.obj --repair drop
 exits 0
@@ -229,7 +229,7 @@ check "the hole is left out" test "$(grep -c '^f ' out.obj)" -eq 2
 run refine tags.obj -s loop -n 0 -o out.obj --repair drop
 exits 0
 says '^kith: note: tags.obj: face 2: left out, as it does not join the larger fan of faces at vertex 1$'
-says '^kith: note: tags.obj: 1 crease goes with what is left out$'
+says '^kith: note: tags.obj: 1 crease is lost with the elements that the repair removes$'
 has out.obj '^usemtl red$'
 check "the blue face has gone" test "$(grep -c blue out.obj)" -eq 0
 
@@ -246,7 +246,7 @@ exits 1
 says "its repair is 'orient', not 'split,orient'"
 run refine --journal kept --repair orient
 exits 2
-says '--repair: without IN the journal says what is refined; name IN as well'
+says '--repair: without IN, the journal sets this option; leave it out or name IN'
 run refine --journal kept
 exits 0
 same whole.ply kept.ply
@@ -264,7 +264,7 @@ says '^kith: --repair: name one or more of drop, split, orient, weld$'
 for distance in -1 nan x; do
     run refine cube.off -s linear -n 0 -o out.off --weld=$distance
     exits 2
-    says "^kith: --weld: '$distance' is no distance; give a number of 0 or more$"
+    says "^kith: --weld: '$distance' is not a distance; give a number of 0 or more$"
 done
 # Good meshes stay as they are, without a word.
 run refine cube.off -s linear -n 0 -o out.off --repair drop,split,orient --weld

@@ -159,11 +159,11 @@ for output in out.ply out.vtu; do
     exits 0
     run refine charts.obj -s catmull-clark -n 3 -o $output --tiles 6 --journal kept
     exits 1
-    says "kept: is the journal of another refinement, its uv is 'none', not 'all'"
+    says "kept: is the journal of another refinement: its uv is 'none', not 'all'"
     sed '0,/^v /s/^\(v .* \)[0-9.]* \([0-9.]*\) \([0-9.]*\)$/\10.875 \2 \3/' charts.obj >other.obj
     run refine other.obj -s catmull-clark -n 3 -o $output --uv none --tiles 6 --journal kept
     exits 1
-    says "kept: is the journal of another refinement, its control mesh, its creases or its attributes are others"
+    says "kept: is the journal of another refinement: its control mesh, creases or attributes differ"
     run refine --journal kept --verify
     exits 0
     prints ', verified$'
@@ -179,7 +179,7 @@ at=$(($(grep -abo '^_' before | head -n 1 | cut -d: -f1) + 1 + offset + 8 + 8))
 printf '\x55' | dd of=kept/surface bs=1 seek=$at conv=notrunc status=none
 run refine --journal kept --verify
 exits 0
-says "^kith: note: tile [0-4] is damaged, byte $at of kept/surface is another one; it is written again$"
+says "^kith: note: tile [0-4] is damaged, byte $at of kept/surface is wrong; the tile is written again$"
 same out.vtu whole.vtu
 
 # They take memory, which is counted: a limit that is enough for the mesh alone is not for the attributes.

@@ -132,7 +132,7 @@ rm out.* stats
 # That all tiles are binary is said where a format has text, too.
 run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 2
 exits 0
-says '^kith: note: out.ply is binary, as tiles are written where every byte has its place$'
+says '^kith: note: out.ply is binary, since tiles are written at fixed byte positions$'
 run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 2 --binary
 exits 0
 says_nothing
@@ -143,12 +143,12 @@ export OMP_NUM_THREADS=1
 run refine cube.off -s catmull-clark -n 15 -o out.vtu --tiles 2
 exits 1
 says '^kith: catmull-clark: the largest tile needs [0-9]+ \([0-9.]+ [GT]iB\) bytes at once, the limit is '
-says 'nine tenths of the memory that is available; refine fewer times, (or in more tiles: --tiles [0-9]+|for not even)'
+says '9/10 of the available memory; refine fewer times, (or use more tiles: --tiles [0-9]+|since not even)'
 leaves cube.off tetra.off
 run refine cube.off -s catmull-clark -n 4 -o control.ply --binary
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2 --memory-limit 40M --threads 1
 exits 1
-says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or in more tiles: --tiles [0-9]+$'
+says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or use more tiles: --tiles [0-9]+$'
 more=$(sed -n 's/.*--tiles //p' "$results/err")
 check "it is a few" test "$more" -gt 2 -a "$more" -lt 40
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M
@@ -156,11 +156,11 @@ exits 0
 says_nothing
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles 2000 --memory-limit 200K
 exits 1
-says 'refine fewer times, for not even a tile for each face of the mesh would fit$'
+says 'refine fewer times, since not even one tile per face of the mesh would fit$'
 # Limits need more, and what a journal has kept is looked at like what is new.
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M --limit
 exits 1
-says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or in more tiles: --tiles [0-9]+$'
+says 'the limit is 41943040 \(40.0 MiB\); refine fewer times, or use more tiles: --tiles [0-9]+$'
 for_limit=$(sed -n 's/.*--tiles //p' "$results/err")
 check "it is more" test "$for_limit" -gt "$more"
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$for_limit" --memory-limit 40M --limit
@@ -177,7 +177,7 @@ unset OMP_NUM_THREADS
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M --threads "$more"
 exits 1
 says "^kith: catmull-clark: $more tiles, one per thread, need [0-9]+ \([0-9.]+ MiB\) bytes at once, the limit is 41943040 "
-says '; refine fewer times, or on fewer threads: --threads [0-9]+(, or in more tiles: --tiles [0-9]+)?$'
+says '; refine fewer times, or use fewer threads: --threads [0-9]+(, or use more tiles: --tiles [0-9]+)?$'
 threads=$(sed -n 's/.*--threads \([0-9]*\).*/\1/p' "$results/err")
 run refine control.ply -s catmull-clark -n 5 -o out.vtu --tiles "$more" --memory-limit 40M --threads "$threads"
 exits 0

@@ -49,7 +49,7 @@ refused a 'the extension decides'
 head -c 3000 /dev/zero >a.off
 refused a.off 'begins with the word OFF'
 head -c 3000 /dev/zero >a.obj
-refused a.obj 'is no statement'
+refused a.obj 'is not a statement'
 head -c 3000 /dev/zero >a.ply
 refused a.ply "begins with a line 'ply'"
 head -c 3000 /dev/zero | tr '\0' '\377' >a.stl
@@ -66,7 +66,7 @@ off() { # off SED-SCRIPT MESSAGE
 }
 off '1s/.*/offset/' "line 1: an OFF file begins with the word OFF, this one with 'offset'"
 off '1d' "line 1: an OFF file begins with the word OFF, this one with '8'"
-off '1s/.*/nOFF/' 'line 2: vertices have 8 coordinates, which is another number than three'
+off '1s/.*/nOFF/' 'line 2: vertices have 8 coordinates, but three are needed'
 off '1s/.*/OFF BINARY/' 'binary OFF is not read'
 off '2s/.*/8/' "line 2: the number of faces should be a whole number, it is ''"
 off '2s/.*/8 six 12/' "line 2: the number of faces should be a whole number, it is 'six'"
@@ -124,12 +124,12 @@ obj 'f 1 2 9223372036854775807' 'does not exist'
 obj 'f 1 2 three' "line 4: face 1: a vertex should be a whole number, it is 'three'"
 obj 'f 1 2 3.0' 'should be a whole number'
 obj 'f 1/1/x 2 3' 'a texture coordinate or normal should be a whole number'
-obj 'f 1 2 3\n1 2 3' "line 5: '1' is no statement"
+obj 'f 1 2 3\n1 2 3' "line 5: '1' is not a statement"
 obj 'f 1, 2, 3' "it is '1,'"
 obj 'v 1 1\nf 1 2 3' 'line 4: vertex 4 has 2 coordinates'
 obj 'v 1 1 up\nf 1 2 3' "line 4: vertex 4 should be a number, it is 'up'"
 obj 'v 1 1 nan\nf 1 2 3' 'not a finite number'
-obj 'F 1 2 3' "line 4: 'F' is no statement of an OBJ file"
+obj 'F 1 2 3' "line 4: 'F' is not a statement of an OBJ file"
 obj 't crease 2/1/0 0 1\nf 1 2 3' 'line 4: the tag has fewer arguments than it says'
 obj 't crease 2/1/0 0 1 2 3\nf 1 2 3' 'line 4: the tag has more arguments than it says'
 obj 't crease 2/1 0 1 2\nf 1 2 3' 'line 4: a tag gives the numbers of its arguments as in 2/1/0'
@@ -142,7 +142,7 @@ obj 't crease 999999999999/1/0 0 1 2\nf 1 2 3' 'line 4: .*argument'
 printf 'f 1 2 3\n' >a.obj
 refused a.obj 'vertex 3 does not exist, there are 0'
 printf 'hello, world\n' >a.obj
-refused a.obj "line 1: 'hello,' is no statement"
+refused a.obj "line 1: 'hello,' is not a statement"
 
 # PLY.
 ply() { # ply SED-SCRIPT MESSAGE
@@ -227,14 +227,14 @@ END
 }
 stl '9d' "the file ends where 'endsolid' should be"
 stl '8,$d' "the file ends where 'endfacet' should be"
-stl '6d' "line 6: 'vertex' should be here, it is 'endloop'"
-stl '6s/$/\nvertex 1 1 0/' "line 7: 'endloop' should be here, it is 'vertex'"
+stl '6d' "line 6: 'vertex' is expected here, not 'endloop'"
+stl '6s/$/\nvertex 1 1 0/' "line 7: 'endloop' is expected here, not 'vertex'"
 stl '5s/1/one/' "line 5: triangle 0 should be a number, it is 'one'"
 stl '5s/1/inf/' 'line 5: triangle 0 is .inf., which is not a finite number'
 stl '5s/ 0$//' "line 6: triangle 0 should be a number, it is 'vertex'"
-stl '9s/$/\nmore/' "line 10: 'solid' should be here, it is 'more'"
+stl '9s/$/\nmore/' "line 10: 'solid' is expected here, not 'more'"
 stl '2s/1$//; 3,$d; $s/$/\n/' 'the file ends where the normal of triangle 0 should be'
-stl '2s/facet/face/' "'facet' or 'endsolid' should be here, it is 'face'"
+stl '2s/facet/face/' "'facet' or 'endsolid' is expected here, not 'face'"
 binary_stl() { # binary_stl COUNT BYTES MESSAGE: a binary file with so many bytes after its count
     (head -c 80 /dev/zero; printf "$1"; head -c "$2" /dev/zero) >a.stl
     refused a.stl "$3"
@@ -355,7 +355,7 @@ printf 'OFF\n3 2 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n' >in.off
 back_to_back='vertex 0 lies between 2 faces only, the scheme needs three; remove these triangles, which are back to back'
 run info in.off
 exits 0
-prints '^between two faces +3, which dual schemes and schemes for triangles refuse$'
+prints '^between two faces +3; dual schemes and schemes for triangles refuse such vertices$'
 for scheme in loop sqrt3 butterfly linear-triangles; do
     for options in '--mesh native' '--mesh cgal' '--mesh openmesh' '--tiles 2'; do
         run refine in.off -s $scheme -n 1 -o out.ply $options
@@ -400,7 +400,7 @@ says 'in.part: the partition file gives face 2 part 4294967294, the mesh has 6 f
 printf '0 1 2 3 4 5\n' >in.part
 run refine in.off -s 4-8 -n 1 -o out.vtu --partitioner file:in.part
 exits 1
-says 'has 6 numbers, the mesh has 12 faces; give one number per face; faces are those that `kith plan` counts on level 0'
+says 'has 6 numbers, the mesh has 12 faces; give one number per face; these are the faces that `kith plan` counts on level 0'
 rm in.part
 only_input_left in.off
 

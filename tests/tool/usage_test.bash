@@ -43,13 +43,13 @@ run
 exits 2
 says 'refine'
 prints_nothing
-wrong 'no verb; there are refine, info, compare, plan, schemes' smooth cube.off
+wrong 'not a verb; the verbs are refine, info, compare, plan, schemes' smooth cube.off
 wrong 'IN is missing' refine -s loop -n 1 -o out.off
 wrong 'output is missing' refine cube.off -s catmull-clark -n 1
 wrong 'scheme is missing' refine cube.off -n 1 -o out.off
 wrong 'levels is missing' refine cube.off -s catmull-clark -o out.off
-wrong 'more operands' refine cube.off other.off -s catmull-clark -n 1 -o out.off
-wrong "'catmull' is no scheme; there are catmull-clark, loop, doo-sabin, sqrt3, " refine cube.off -s catmull -n 1 -o out.off
+wrong 'too many operands' refine cube.off other.off -s catmull-clark -n 1 -o out.off
+wrong "'catmull' is not a scheme; the schemes are catmull-clark, loop, doo-sabin, sqrt3, " refine cube.off -s catmull -n 1 -o out.off
 wrong 'ask for 0 or more' refine cube.off -s catmull-clark -n -1 -o out.off
 wrong '^kith: --levels: -1 levels were asked for; ask for 0 or more$' refine cube.off -s catmull-clark -n -1 -o out.off
 wrong 'levels' refine cube.off -s catmull-clark -n two -o out.off
@@ -58,23 +58,23 @@ wrong 'levels' refine cube.off -s catmull-clark -n 99999999999 -o out.off
 wrong 'once' refine cube.off -s catmull-clark -n 1 -n 2 -o out.off
 wrong "'maya' is not one of kith, cgal" refine cube.off -s catmull-clark -n 1 -o out.off --preset maya
 wrong 'does not have it' refine cube.off -s catmull-clark -n 1 -o out.off --preset libigl
-wrong 'catmull-clark has no such choice' refine cube.off -s catmull-clark -n 1 -o out.off --weights warren
-wrong 'sqrt3 has no such choice' refine cube.off -s sqrt3 -n 1 -o out.off --boundary-corners kept
-wrong 'loop has no such choice' refine cube.off -s loop -n 1 -o out.off --tension 1
+wrong 'catmull-clark has no such option' refine cube.off -s catmull-clark -n 1 -o out.off --weights warren
+wrong 'sqrt3 has no such option' refine cube.off -s sqrt3 -n 1 -o out.off --boundary-corners kept
+wrong 'loop has no such option' refine cube.off -s loop -n 1 -o out.off --tension 1
 wrong 'between 0 and 2.472' refine cube.off -s kobbelt -n 1 -o out.off --tension 2.5
 wrong 'between 0 and 2.472' refine cube.off -s kobbelt -n 1 -o out.off --tension nan
 wrong 'not between 1 and 9' refine cube.off -s unified -n 1 -o out.off --degree 10
 wrong 'degree' refine cube.off -s unified -n 1 -o out.off --degree three
-wrong 'kobbelt has no such choice' refine cube.off -s kobbelt -n 1 -o out.off --degree 3
+wrong 'kobbelt has no such option' refine cube.off -s kobbelt -n 1 -o out.off --degree 3
 wrong "'cosine' is not one of loop, warren" refine cube.off -s loop -n 1 -o out.off --weights cosine
 wrong "'round' is not one of kept, smoothed" refine cube.off -s loop -n 1 -o out.off --boundary-corners round
 wrong "'blender' is not one of native, cgal, openmesh" refine cube.off -s catmull-clark -n 1 -o out.off --mesh blender
-wrong 'doo-sabin has no creases' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
+wrong 'doo-sabin has no creases; only catmull-clark and loop have them' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
 wrong 'catmull-clark and loop have' refine cube.off -s doo-sabin -n 1 -o out.off --crease-angle 30
-wrong 'say with --crease-angle which edges' refine cube.off -s loop -n 1 -o out.off --crease-sharpness 2
+wrong 'needs --crease-angle, which selects the edges' refine cube.off -s loop -n 1 -o out.off --crease-sharpness 2
 wrong 'is not 0 or more' refine cube.off -s loop -n 1 -o out.off --crease-angle 30 --crease-sharpness -1
 wrong 'is not 0 or more' refine cube.off -s loop -n 1 -o out.off --crease-angle 30 --crease-sharpness nan
-wrong 'sqrt3 has no such choice' refine cube.off -s sqrt3 -n 1 -o out.off --crease-method chaikin
+wrong 'sqrt3 has no such option' refine cube.off -s sqrt3 -n 1 -o out.off --crease-method chaikin
 wrong "'soft' is not one of uniform, chaikin" refine cube.off -s loop -n 1 -o out.off --crease-method soft
 wrong 'not between 0 and 180' refine cube.off -s catmull-clark -n 1 -o out.off --crease-angle 181
 wrong 'not between 0 and 180' refine cube.off -s catmull-clark -n 1 -o out.off --crease-angle nan
@@ -86,13 +86,13 @@ wrong 'only PLY and STL' refine cube.off -s catmull-clark -n 1 -o out.off --bina
 wrong 'B is missing' compare cube.off --tolerance 1
 wrong 'tolerance is missing' compare cube.off cube.off
 wrong 'tolerance' compare cube.off cube.off --tolerance -1
-wrong '^kith: --tolerance: nan is no distance; give a number of 0 or more$' compare cube.off cube.off --tolerance nan
-wrong '^kith: --tolerance: inf is no distance' compare cube.off cube.off --tolerance inf
-wrong '^kith: --tolerance: -1 is no distance' compare cube.off cube.off --tolerance -1
+wrong '^kith: --tolerance: nan is not a distance; give a number of 0 or more$' compare cube.off cube.off --tolerance nan
+wrong '^kith: --tolerance: inf is not a distance' compare cube.off cube.off --tolerance inf
+wrong '^kith: --tolerance: -1 is not a distance' compare cube.off cube.off --tolerance -1
 wrong 'tolerance' compare cube.off cube.off --tolerance much
 wrong 'FILE is missing' info
 wrong 'levels is missing' plan cube.off -s loop
-wrong 'is no scheme' plan cube.off -s butter -n 1
+wrong 'is not a scheme' plan cube.off -s butter -n 1
 
 run schemes
 exits 0
