@@ -137,8 +137,8 @@ void note_rounding(const std::string& output, const written_mesh& what)
     std::cerr << "; text, .off, .obj and .ply keep doubles\n";
 }
 
-/// The bytes by which memory grows while the last level is made: by that level, or by all of them where they are meshes
-/// of their own.
+/// Returns the bytes by which memory grows while the last level is made: by that level, or by all of them if they are
+/// meshes of their own. Errors: mesh_error for levels that cannot be planned.
 double bytes_of_levels(const refine_request& request, const basic_mesh<>& control, mesh_kind mesh)
 {
     const auto planned = std::visit(
@@ -154,6 +154,17 @@ double bytes_of_levels(const refine_request& request, const basic_mesh<>& contro
                                    .corner_normals = request.corner_normals,
                                    .tags = request.with_tags,
                                    .attributes = request.counted}));
+}
+
+/// Measures a refinement by the memory that it fills. Levels that cannot be planned have no share: their refinement is
+/// refused, and says why.
+share_of_work share_of_refinement(const refine_request& request, const basic_mesh<>& control, mesh_kind mesh)
+{
+    try {
+        return share_of_memory(bytes_of_levels(request, control, mesh));
+    } catch (const mesh_error&) {
+        return {};
+    }
 }
 
 void set_threads([[maybe_unused]] const po::variables_map& values)
@@ -212,7 +223,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
         request.attributes = attribute_fields(control.attributes, control.mesh, linear);
         request.counted = count_of(control.attributes, linear);
         auto start = prepared(request.scheme, std::move(control.mesh), request.attributes);
-        const share_of_work share = share_of_memory(bytes_of_levels(request, start, mesh));
+        const share_of_work share = share_of_refinement(request, start, mesh);
         refined_mesh refined = shown("refining", share, [&] { return refine_on(mesh, std::move(start), request); });
         request.attributes = {};
         attributes = refined.attributes.at_level(control.attributes);

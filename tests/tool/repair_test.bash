@@ -15,7 +15,7 @@ refused() { # refused FILE MESSAGE REMEDY: refine and info say so, and name the 
 mended() { # mended FILE COUNTS OPTIONS...: refined with these options, to so many vertices, edges and faces
     local file=$1 counts=$2
     shift 2
-    run refine "$file" -s linear -n 0 -o out.off "$@"
+    run refine "$file" -s linear -n 0 -o out.off --ignore-tags "$@"
     exits 0
     prints "^out.off: $counts\$"
     run info "$file" "$@"
@@ -65,7 +65,7 @@ for weld in '--weld' '--weld 1e-9' '--weld=1e-9' '--repair weld' '--repair weld=
     mended rounded.stl '4 vertices, 6 edges, 4 faces' $weld
 done
 says '^kith: note: rounded.stl: vertex 3: joined with vertex 2$'
-run refine rounded.stl --weld -s linear -n 1 -o out.off
+run refine rounded.stl --weld -s linear-triangles -n 1 -o out.off
 exits 0
 prints '^out.off: 10 vertices, 24 edges, 16 faces$'
 run refine --weld 0 rounded.stl -s linear -n 1 -o out.off

@@ -73,7 +73,7 @@ off '2s/.*/8 six 12/' "line 2: the number of faces should be a whole number, it 
 off '2s/.*/-8 6 12/' 'the number of vertices'
 off '2s/.*/8 -6 12/' 'the number of faces'
 off '2s/.*/8.5 6 12/' 'the number of vertices'
-off '2s/.*/8 6 12 1/' 'line 2: more than'
+off '2s/.*/8 6 12 1/' 'line 2: this line holds more than'
 off '2s/.*/4000000000 6 12/' 'line 2: the file is too short for 4000000000 vertices'
 off '2s/.*/8 4000000000 12/' 'line 2: the file is too short for 8 vertices and 4000000000 faces'
 off '2s/.*/18446744073709551615 18446744073709551615 0/' 'too short'

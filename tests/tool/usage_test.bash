@@ -78,13 +78,13 @@ wrong 'sqrt3 has no such option' refine cube.off -s sqrt3 -n 1 -o out.off --crea
 wrong "'soft' is not one of uniform, chaikin" refine cube.off -s loop -n 1 -o out.off --crease-method soft
 wrong 'not between 0 and 180' refine cube.off -s catmull-clark -n 1 -o out.off --crease-angle 181
 wrong 'not between 0 and 180' refine cube.off -s catmull-clark -n 1 -o out.off --crease-angle nan
-wrong 'no number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit lots
-wrong 'no number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit -5
-wrong 'no number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit 5Q
-wrong 'no number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit 0
+wrong 'not a number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit lots
+wrong 'not a number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit -5
+wrong 'not a number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit 5Q
+wrong 'not a number of bytes' refine cube.off -s catmull-clark -n 1 -o out.off --memory-limit 0
 wrong 'only PLY and STL' refine cube.off -s catmull-clark -n 1 -o out.off --binary
 wrong 'B is missing' compare cube.off --tolerance 1
-wrong 'tolerance is missing' compare cube.off cube.off
+wrong '--tolerance or --bitwise is missing' compare cube.off cube.off
 wrong 'tolerance' compare cube.off cube.off --tolerance -1
 wrong '^kith: --tolerance: nan is not a distance; give a number of 0 or more$' compare cube.off cube.off --tolerance nan
 wrong '^kith: --tolerance: inf is not a distance' compare cube.off cube.off --tolerance inf
