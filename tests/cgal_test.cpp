@@ -93,8 +93,8 @@ TEST(cgal, faces_of_removed_vertices_are_refused)
     cube.remove_vertex(mesh::Vertex_index(7));
     EXPECT_EQ(refusal(cube),
               "face 1: one of its vertices has been removed; remove the face, too\n"
-              "face 2: one of its vertices has been removed; remove the face, too\n"
-              "face 3: one of its vertices has been removed; remove the face, too");
+              "face 4: one of its vertices has been removed; remove the face, too\n"
+              "face 5: one of its vertices has been removed; remove the face, too");
 }
 
 TEST(cgal, half_edges_that_lead_elsewhere_are_refused)

@@ -45,7 +45,7 @@ says '--cell-origin: out.ply cannot hold it; write .vtu or .pvtu'
 one_message
 on 3 refine cube.off -s catmull-clark -n 1 -o out.stl
 exits 2
-says 'tiles are written to .vtu or .ply'
+says 'tiles are written to .vtu, .ply or .pvtu'
 one_message
 on 3 refine cube.off -s unified -n 1 -o out.vtu
 exits 2

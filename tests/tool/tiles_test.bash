@@ -88,7 +88,7 @@ rm -r out.pvtu ./*.pieces
 # What tiles cannot do is refused, and nothing is left.
 run refine cube.off -s catmull-clark -n 1 -o out.off --tiles 2
 exits 2
-says 'tiles are written to .vtu or .ply'
+says 'tiles are written to .vtu, .ply or .pvtu'
 run refine cube.off -s catmull-clark -n 1 -o out.ply --tiles 0
 exits 2
 says '^kith: --tiles: 0 tiles were asked for; ask for 1 or more$'
