@@ -220,12 +220,16 @@ private:
         const auto [values, rounded] = numbers_.values(array, of_points ? points_ : cells_);
         if (rounded)
             throw file_error("the ids '" + shown(array.name) + "' are beyond 2^53; renumber the elements");
-        if (is_ids)
+        if (is_ids) {
+            auto& ids = of_points ? result_.point_ids : result_.cell_ids;
+            ids.clear(); // of several such arrays the last one counts
             for (const std::size_t element : elements)
-                (of_points ? result_.point_ids : result_.cell_ids).push_back(values[element]);
-        else if (not of_points)
+                ids.push_back(values[element]);
+        } else if (not of_points) {
+            result_.is_ghost.clear();
             for (const std::size_t element : elements)
                 result_.is_ghost.push_back((unsigned(values[element]) & duplicate_cell) != 0);
+        }
         return true;
     }
     /// Adds the attributes of the elements with these numbers.

@@ -205,6 +205,10 @@ TEST(damaged_files, vtu)
         "</DataArray></Strips></Piece></PolyData><AppendedData encoding=\"raw\">_" +
         block + zeros + "</AppendedData></VTKFile>";
     EXPECT_TRUE(reads(mesh_format::vtu, pieces));
+    std::string marked_twice = pieces;
+    marked_twice.insert(marked_twice.rfind("<DataArray type=\"Int8\" Name=\"group\""),
+                        "<DataArray type=\"UInt8\" Name=\"vtkGhostType\">0</DataArray>");
+    EXPECT_TRUE(reads(mesh_format::vtu, marked_twice));
     EXPECT_TRUE(reads(mesh_format::vtu, poly_data));
     damage(
         mesh_format::vtu,

@@ -259,7 +259,7 @@ TEST(write_stl, leaves_out_triangles_that_fall_together)
     const points sheets{{far, 0, 0}, {far, 9, 0}, {far, 0, 9}, {far + .1, 0, 0}, {far + .1, 9, 0}, {far + .1, 0, 9}};
     const basic_mesh<> two = make_mesh(sheets, std::vector<std::vector<int>>{{0, 1, 2}, {3, 4, 5}});
     EXPECT_EQ(refusal(mesh_format::stl, {.mesh = two, .binary = true}).substr(0, 40),
-              "0 of 2 triangles collapse in the fl");
+              "0 of 2 triangles collapse in the floats ");
     // Points that are equal in doubles, too, are as they were.
     const points touching{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
     const basic_mesh<> pinched = make_mesh(touching, std::vector<std::vector<int>>{{0, 1, 2}, {3, 4, 5}});
