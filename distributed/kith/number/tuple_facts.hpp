@@ -40,8 +40,8 @@ public:
 
     [[nodiscard]] const level_type& level() const { return level_; }
 
-    /// Returns whether an edge with one face, which a tuple gives birth to, is at the boundary of the whole mesh. Such an
-    /// edge lacks the face of an edge of the tuple that has one face, or else that of its vertex, which dual schemes
+    /// Returns whether an edge with one face, which a tuple gives birth to, is at the boundary of the whole mesh. Such
+    /// an edge lacks the face of an edge of the tuple that has one face, or else that of its vertex, which dual schemes
     /// give to vertices whose faces are all here.
     [[nodiscard]] bool is_at_true_boundary(tuple_kind kind, std::size_t tuple) const
     {
