@@ -132,7 +132,7 @@ using selected_loop = kith::selected<kith::loop>;
 auto make_selected()
 {
     auto levels = std::make_unique<kith::hierarchy<mesh3d, selected_loop>>(
-        native(shapes::shaken(shapes::tetrahedron())));
+        native(shapes::shaken(shapes::tetrahedron())), selected_loop());
     levels->refine_faces(std::array{kith::mesh_traits<mesh3d>::face{0}});
     levels->refine();
     levels->undo();
