@@ -51,14 +51,15 @@ says '^kith-mpi: rank 1: kept/surface: cannot be written \(No space left on devi
 one_message
 goes_on 1
 
-# A rank that is killed, and one that ends by what nobody foresaw: MPI ends the job.
+# A rank that is killed, whose job MPI ends, and one that throws no std::exception, which all ranks are told of.
 # shellcheck disable=SC2086
 failing 1:150:kill 2 refine $job $tiles --journal kept
 says 'signal 9'
 goes_on 4
 # shellcheck disable=SC2086
 failing 0:150:odd 2 refine $job $tiles --journal kept
-says '^kith: ended by an error that nobody caught$'
+exits 1
+says '^kith-mpi: an exception that is no std::exception$'
 # Now without MPI, by a part of an array of jobs and a last one; with another fault in between.
 run refine --journal kept --only 0..1
 exits 0
