@@ -218,9 +218,9 @@ void draw_step(picture& out, const mesh& control, const Scheme& scheme, std::opt
 void draw_tuples(const std::string& file)
 {
     picture out(file, 4, 3);
-    const auto V = [](const auto& level) { return level.vertices(); };
-    const auto E = [](const auto& level) { return level.edges(); };
-    const auto F = [](const auto& level) { return level.faces(); };
+    const auto vertices = [](const auto& level) { return level.vertices(); };
+    const auto edges = [](const auto& level) { return level.edges(); };
+    const auto faces = [](const auto& level) { return level.faces(); };
     const mesh quads = grid(3), triangles = grid(3, true);
     auto draw = [&, place = 0](const char* title,
                                const char* name,
@@ -233,18 +233,18 @@ void draw_tuples(const std::string& file)
         draw_step(out, control, scheme, tuple, elements);
         ++place;
     };
-    draw("(v) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::v, V);
-    draw("(e) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::e, V);
-    draw("(f) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::f, V);
-    draw("(v,f) → V", "Doo-Sabin", quads, kith::doo_sabin{}, kind::vf, V);
-    draw("(v,f) → E", "Loop", triangles, kith::loop{}, kind::vf, E);
-    draw("(v,e) → E", "Catmull-Clark", quads, kith::catmull_clark{}, kind::ve, E);
-    draw("(e) → F", "Doo-Sabin", quads, kith::doo_sabin{}, kind::e, F);
-    draw("(v,f) → F", "Catmull-Clark", quads, kith::catmull_clark{}, kind::vf, F);
-    draw("(v) → F", "Doo-Sabin", quads, kith::doo_sabin{}, kind::v, F);
-    draw("(e,f) → F", "√3", triangles, kith::sqrt3{}, kind::ef, F);
-    draw("(v,f,e) → E", "Nasri-Hasbini", quads, kith::nasri_hasbini{}, kind::vfe, E);
-    draw("(v,v) → V", "a diagonal", quads, diagonals{}, std::nullopt, V);
+    draw("(v) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::v, vertices);
+    draw("(e) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::e, vertices);
+    draw("(f) → V", "Catmull-Clark", quads, kith::catmull_clark{}, kind::f, vertices);
+    draw("(v,f) → V", "Doo-Sabin", quads, kith::doo_sabin{}, kind::vf, vertices);
+    draw("(v,f) → E", "Loop", triangles, kith::loop{}, kind::vf, edges);
+    draw("(v,e) → E", "Catmull-Clark", quads, kith::catmull_clark{}, kind::ve, edges);
+    draw("(e) → F", "Doo-Sabin", quads, kith::doo_sabin{}, kind::e, faces);
+    draw("(v,f) → F", "Catmull-Clark", quads, kith::catmull_clark{}, kind::vf, faces);
+    draw("(v) → F", "Doo-Sabin", quads, kith::doo_sabin{}, kind::v, faces);
+    draw("(e,f) → F", "√3", triangles, kith::sqrt3{}, kind::ef, faces);
+    draw("(v,f,e) → E", "Nasri-Hasbini", quads, kith::nasri_hasbini{}, kind::vfe, edges);
+    draw("(v,v) → V", "a diagonal", quads, diagonals{}, std::nullopt, vertices);
 }
 
 /// The new vertices that faces, edges and vertices make, with an arrow from each element to its vertex.

@@ -223,10 +223,10 @@ public:
     template <std::ranges::contiguous_range Values>
     [[nodiscard]] auto carry(int from, int to, const Values& values) const
     {
-        using T = std::ranges::range_value_t<Values>;
-        static_cast<void>(refused::point_without_affine<not affine_value<T>>());
-        if constexpr (affine_value<T>)
-            return carry(from, to, std::span<const T>(values));
+        using value = std::ranges::range_value_t<Values>;
+        static_cast<void>(refused::point_without_affine<not affine_value<value>>());
+        if constexpr (affine_value<value>)
+            return carry(from, to, std::span<const value>(values));
     }
 
     /// A field of level `from` carried to level `to` by its rule: once over the levels between. Errors: as above.
