@@ -38,7 +38,7 @@ bool has_no_face(const CGAL::Surface_mesh<Point>& m, typename CGAL::Surface_mesh
     return mesh_traits<CGAL::Surface_mesh<Point>>::is_boundary(m, h);
 }
 
-/// Whether no edge leads to a vertex.
+/// Returns whether no edge leads to a vertex.
 inline constexpr auto is_alone = []<class Graph>(const Graph& g, auto v) {
     return halfedge(v, g) == boost::graph_traits<Graph>::null_halfedge();
 };

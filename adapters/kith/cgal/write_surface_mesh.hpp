@@ -200,7 +200,7 @@ private:
     std::array<std::string, 3> maps_of_garbage_{"v:garbage-collection", "h:garbage-collection", "f:garbage-collection"};
 };
 
-/// The same without values. Cost: O(elements).
+/// Same as the above, but without values. Cost: O(elements).
 template <class Point>
 auto write_connectivity(CGAL::Surface_mesh<Point>& m, const connectivity<std::uint32_t>& t, bool keeps_vertices)
 {

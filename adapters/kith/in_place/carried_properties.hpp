@@ -50,7 +50,7 @@ public:
 
     /// To be taken to the last level.
     [[nodiscard]] values_type& values() { return values_; }
-    /// Whether there is anything to write.
+    /// Returns whether there is anything to write.
     [[nodiscard]] bool empty() const
     {
         return vertices_.empty() and corners_.empty() and edges_.empty() and faces_.empty();

@@ -60,7 +60,7 @@ struct properties_on {
         for (std::string& name : names)
             left_out.push_back({std::move(name), why});
     }
-    /// Whether a property goes by a rule.
+    /// Returns whether a property goes by a rule.
     [[nodiscard]] bool has_rule(const std::string& name, std::type_index type) const
     {
         return std::ranges::any_of(by_rule, [&](const auto& each) { return each.name == name and each.type == type; });
