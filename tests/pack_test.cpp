@@ -87,15 +87,15 @@ TEST(pack, notices_damage)
     for (std::size_t i = 0; i < good.size(); i += 97) {
         auto bad = good;
         bad[i] ^= std::byte(1);
-        EXPECT_EQ(refused(bad), "a message was damaged on its way; its checksum is wrong") << i;
+        EXPECT_EQ(refused(bad), "a message was damaged in transfer; its checksum is wrong") << i;
     }
     auto cut = good;
     cut.resize(good.size() / 2);
-    EXPECT_EQ(refused(cut), "a message was damaged on its way; its checksum is wrong");
+    EXPECT_EQ(refused(cut), "a message was damaged in transfer; its checksum is wrong");
     EXPECT_EQ(refused({}), "a message is too short");
     EXPECT_EQ(error_text<kith::pack_error>(
                   [&] { kith::unpack<std::array<float, 3>, std::uint32_t>(good, kith::catmull_clark{}); }),
-              "a message is of another program, version or kind of machine");
+              "a message comes from another program, version or kind of machine");
 }
 
 TEST(pack, refuses_a_tile_in_another_order)
@@ -125,31 +125,31 @@ TEST(pack, refuses_arrays_that_do_not_fit)
     job = a_job();
     job.part.root_of[0] = std::uint32_t(job.part.roots.size());
     EXPECT_EQ(refusal(job),
-              "a message holds a tile that points at elements that it does not have; its sender is at fault");
+              "a message holds a tile that refers to elements that it does not have; its sender is at fault");
 }
 
-TEST(pack, refuses_faces_whose_corners_do_not_follow_one_another)
+TEST(pack, refuses_faces_whose_corners_are_not_contiguous)
 {
     const auto good = a_mixed_job();
     ASSERT_EQ(good.part.mesh.topology().degree, 0);
     ASSERT_GE(good.part.mesh.face_count(), 3U);
     EXPECT_EQ(refusal(good), "no error");
-    const auto fault = refusal_because("has faces whose corners do not follow one another");
+    const auto fault = refusal_because("has faces whose corners are not contiguous");
     EXPECT_EQ(refusal_of_broken(good, [](auto& t) { std::swap(t.face_corner[1], t.face_corner[2]); }), fault);
     EXPECT_EQ(refusal_of_broken(good, [](auto& t) { t.face_corner[0] = 1; }), fault);
     EXPECT_EQ(refusal_of_broken(good, [](auto& t) { --t.face_corner[t.faces]; }), fault);
     EXPECT_EQ(refusal_of_broken(good, [](auto& t) { t.face_corner[1] = 2; }), fault);
 }
 
-TEST(pack, refuses_corners_that_do_not_know_their_faces)
+TEST(pack, refuses_corners_that_do_not_refer_to_their_faces)
 {
     EXPECT_EQ(refusal_of_broken(a_mixed_job(), [](auto& t) { t.corner_face[0] = 1; }),
-              refusal_because("has corners that do not know their faces"));
+              refusal_because("has corners that do not refer to their faces"));
 }
 
-TEST(pack, refuses_corners_and_sides_that_do_not_know_each_other)
+TEST(pack, refuses_corners_and_half_edges_that_do_not_refer_to_each_other)
 {
-    const auto fault = refusal_because("has corners and sides of edges that do not know each other");
+    const auto fault = refusal_because("has corners and half-edges that do not refer to each other");
     for (const auto& good : {a_job(), a_mixed_job()}) {
         EXPECT_EQ(refusal_of_broken(good, [](auto& t) { t.corner_halfedge[1] = t.corner_halfedge[0]; }), fault);
         EXPECT_EQ(refusal_of_broken(good, [](auto& t) { t.halfedge_corner[t.corner_halfedge[1]] = 0; }), fault);
@@ -174,10 +174,10 @@ TEST(pack, refuses_edges_without_a_first_side)
     };
     for (const auto& good : {a_job(), a_mixed_job()})
         EXPECT_EQ(refusal_of_broken(good, turn_cut_edges),
-                  refusal_because("has edges without a face on their first side"));
+                  refusal_because("has edges whose first half-edge has no face"));
 }
 
-TEST(pack, refuses_edges_that_join_other_vertices_on_each_side)
+TEST(pack, refuses_edges_whose_half_edges_join_different_vertices)
 {
     const auto change_sides = [](auto& t) {
         const auto first = t.corner_halfedge[0], second = t.corner_halfedge[1];
@@ -186,14 +186,14 @@ TEST(pack, refuses_edges_that_join_other_vertices_on_each_side)
     };
     for (const auto& good : {a_job(), a_mixed_job()})
         EXPECT_EQ(refusal_of_broken(good, change_sides),
-                  refusal_because("has edges that join other vertices on each of their sides"));
+                  refusal_because("has edges whose two half-edges join different vertices"));
 }
 
-TEST(pack, refuses_fans_that_start_at_another_vertex)
+TEST(pack, refuses_first_corners_of_another_vertex)
 {
     for (const auto& good : {a_job(), a_mixed_job()})
         EXPECT_EQ(refusal_of_broken(good, [](auto& t) { std::swap(t.vertex_corner[0], t.vertex_corner[1]); }),
-                  refusal_because("has vertices whose fans start at another vertex"));
+                  refusal_because("has vertices whose first corner belongs to another vertex"));
 }
 
 TEST(pack, takes_texts)

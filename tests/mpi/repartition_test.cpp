@@ -131,7 +131,7 @@ TEST(repartition, keeps_normals)
         const auto bytes = kith::pack(kith::tile_job<tile3d, kith::catmull_clark>{std::move(part), {}});
         EXPECT_EQ(error_text<kith::pack_error>(
                       [&] { kith::unpack<std::array<double, 3>, std::uint32_t>(bytes, kith::catmull_clark{}); }),
-                  "a message holds a tile that has normals of another number of vertices; its sender is at fault");
+                  "a message holds a tile that has not one normal per vertex; its sender is at fault");
     }
 }
 

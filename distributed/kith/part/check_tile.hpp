@@ -25,32 +25,32 @@ const char* fault_of_corners(const connectivity<Index>& t)
         for (std::size_t f = 0; f < t.faces; ++f)
             fits = fits and t.face_corner[f + 1] >= t.face_corner[f] + std::size_t(3);
         if (not fits)
-            return "has faces whose corners do not follow one another";
+            return "has faces whose corners are not contiguous";
         for (std::size_t f = 0; f < t.faces; ++f)
             for (std::size_t c = t.face_corner[f]; c < t.face_corner[f + 1]; ++c)
                 if (t.corner_face[c] != f)
-                    return "has corners that do not know their faces";
+                    return "has corners that do not refer to their faces";
     }
     if (t.corner_halfedge.empty())
         return nullptr;
 
     for (std::size_t c = 0; c < corners; ++c)
         if (t.halfedge_corner[t.corner_halfedge[c]] != c)
-            return "has corners and sides of edges that do not know each other";
+            return "has corners and half-edges that do not refer to each other";
     for (std::size_t side = 0; side < sides; ++side)
         if (const auto corner = t.halfedge_corner[side]; corner != t.none and t.corner_halfedge[corner] != side)
-            return "has corners and sides of edges that do not know each other";
+            return "has corners and half-edges that do not refer to each other";
     for (std::size_t first = 0; first < sides; first += 2) {
         const auto corner = t.halfedge_corner[first], across = t.halfedge_corner[first + 1];
         if (corner == t.none)
-            return "has edges without a face on their first side";
+            return "has edges whose first half-edge has no face";
         if (across != t.none and
             (t.corner_vertex[corner] != t.target(across) or t.target(corner) != t.corner_vertex[across]))
-            return "has edges that join other vertices on each of their sides";
+            return "has edges whose two half-edges join different vertices";
     }
     for (std::size_t v = 0; v < t.vertices; ++v)
         if (t.corner_vertex[t.vertex_corner[v]] != v)
-            return "has vertices whose fans start at another vertex";
+            return "has vertices whose first corner belongs to another vertex";
     return nullptr;
 }
 
@@ -86,7 +86,7 @@ const char* fault_of_tile(const connectivity<Index>& t, std::size_t points, cons
             below(t.halfedge_corner, corners, true) and below(t.vertex_corner, corners) and
             below(t.corner_face, faces) and below(t.face_corner, corners + 1) and
             below(part.root_of, part.roots.size())))
-        return "points at elements that it does not have";
+        return "refers to elements that it does not have";
     if (const char* fault = fault_of_corners(t); fault != nullptr)
         return fault;
 

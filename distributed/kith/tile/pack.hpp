@@ -100,7 +100,7 @@ private:
     std::span<const std::byte> take(std::size_t count, std::size_t size)
     {
         if (count > bytes_.size() / size)
-            throw pack_error("a message ends too early; it was cut or is of another version");
+            throw pack_error("a message is truncated or from another version");
         const auto result = bytes_.first(count * size);
         bytes_ = bytes_.subspan(count * size);
         return result;
@@ -242,19 +242,19 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
     std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
     bytes = bytes.first(bytes.size() - sizeof sum);
     if (sum != detail::checksum_of_bytes(bytes))
-        throw pack_error("a message was damaged on its way; its checksum is wrong");
+        throw pack_error("a message was damaged in transfer; its checksum is wrong");
     unpacker in(bytes);
     if (in.get<std::uint64_t>() != detail::kind_of_message<Point, Index>)
-        throw pack_error("a message is of another program, version or kind of machine");
+        throw pack_error("a message comes from another program, version or kind of machine");
     auto mesh = detail::unpack_mesh<Point, Index>(in);
     tile<Point, Index> part;
     detail::for_each_array_of_tile(part, [&]<class Array>(Array& array) { array = in.get_array<Array>(); });
     detail::unpack_state(in, scheme);
     if (not in.is_at_end())
-        throw pack_error("a message is longer than what it holds");
+        throw pack_error("a message is longer than its contents");
     const char* fault = detail::fault_of_tile(mesh.topology, mesh.points.size(), part);
     if (fault == nullptr and not part.normals.empty() and part.normals.size() != mesh.points.size())
-        fault = "has normals of another number of vertices";
+        fault = "has not one normal per vertex";
     if (fault != nullptr)
         throw pack_error(std::string("a message holds a tile that ") + fault + "; its sender is at fault");
     part.mesh = {std::move(mesh.points), std::move(mesh.topology), mesh.generation};
