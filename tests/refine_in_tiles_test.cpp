@@ -184,8 +184,8 @@ TEST(require_reach, names_what_is_different)
 {
     const auto text = error_text<kith::mesh_error>(
         [&] { kith::require_reach(native(shapes::shaken(shapes::torus(5, 6))), other_reach{0}); });
-    EXPECT_TRUE(text.starts_with("other reach: around face ")) << text;
-    EXPECT_NE(text.find("rings than in the whole mesh; a step reads more rings than traits().reach says"),
+    EXPECT_TRUE(text.starts_with("other reach: with ")) << text;
+    EXPECT_NE(text.find("differs from the whole mesh; a step reads more rings than traits().reach says"),
               std::string::npos)
         << text;
 }

@@ -43,7 +43,7 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
 class exchanging_refinement {
     static_assert(numbering_of<Scheme, Index>::has_edges,
                   "the edges of a tile need numbers in the whole mesh; let the scheme's columns declare new_edges");
-    static_assert(not needs_closed<Scheme>, "a tile has a rim, so a scheme for closed meshes cannot refine it");
+    static_assert(not needs_closed<Scheme>, "a tile has a boundary, so a scheme for closed meshes cannot refine it");
 
 public:
     using tile_type = tile<Point, Index>;
@@ -95,7 +95,7 @@ public:
                           const Scheme& scheme, int rings_per_step)
         : exchanging_refinement(comm, scheme, rings_per_step)
     {
-        static_assert(not marks_edges<Scheme>, "marks of edges are counted where tiles are cut");
+        static_assert(not marks_edges<Scheme>, "marked edges can be counted only on a whole mesh; cut it on one rank");
         tiles_ = std::move(tiles);
         in_agreement(comm, [&] {
             counts_.push_back(counts);
@@ -233,7 +233,7 @@ private:
         owned = comm_.sum(owned);
         in_agreement(comm_, [&] {
             if (owned != std::array{counts().vertices, counts().edges, counts().faces})
-                refuse("the tiles do not own each element once");
+                refuse("not every element is owned by exactly one tile");
         });
         field_exchange exchange(comm_, tiles(), element_kind::vertex);
         auto points = in_agreement(comm_, [&] {
@@ -247,8 +247,8 @@ private:
             for (std::size_t t = 0; t < tiles_.size(); ++t)
                 for (std::size_t v = 0; v < points[t].size(); ++v)
                     if (std::memcmp(&points[t][v], &tiles_[t].part.mesh.point(v), sizeof(Point)) != 0)
-                        refuse("tile " + std::to_string(tiles_[t].number) + " has vertex " +
-                               std::to_string(tiles_[t].part.vertex_ids[v]) + " elsewhere than its owner");
+                        refuse("tile " + std::to_string(tiles_[t].number) + " has other coordinates for vertex " +
+                               std::to_string(tiles_[t].part.vertex_ids[v]) + " than its owner");
         });
     }
 

@@ -171,9 +171,8 @@ public:
     {
         in_agreement(comm_, [&] {
             if (last_ != connect::everything)
-                throw mesh_error(
-                    "levels are handed over with their edges and their schemes, and without rings of shadows the "
-                    "last one has neither; give last_rings, 0 or more, to rank_refinement");
+                throw mesh_error("without last_rings the last level has neither edges nor a scheme, so it cannot be "
+                                 "handed over; give last_rings, 0 or more, to rank_refinement");
         });
         return refine(how, keep, most_at_once);
     }

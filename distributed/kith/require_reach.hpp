@@ -54,11 +54,11 @@ void require_reach(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, i
             for (std::size_t face = 0; face < tiles.tiles(); ++face)
                 if (const auto different = detail::difference_in_tile(tiles.refine(face, connect::everything), whole);
                     not different.empty())
-                    throw mesh_error(std::string(scheme_name<Scheme>()) + ": around face " + std::to_string(face) +
-                                     ", " + different + " of level " + std::to_string(level) + " is another one for " +
-                                     std::to_string(rings) +
-                                     " rings than in the whole mesh; a step reads more rings than traits().reach says, "
-                                     "or asks for numbers of elements");
+                    throw mesh_error(std::string(scheme_name<Scheme>()) + ": with " + std::to_string(rings) +
+                                     " rings around face " + std::to_string(face) + ", " + different + " of level " +
+                                     std::to_string(level) +
+                                     " differs from the whole mesh; a step reads more rings than traits().reach says, "
+                                     "or uses the numbers of elements");
         }
     }
 }

@@ -175,7 +175,7 @@ TEST(field_exchange, refuses_values_of_other_sizes_on_all_ranks)
     };
     EXPECT_EQ(text(0, false), "no error");
     EXPECT_NE(text(0, true).find("; this rank has "), std::string::npos) << text(0, true);
-    EXPECT_NE(text(2, false).find(" elements of this kind, shadows included"), std::string::npos) << text(2, false);
+    EXPECT_NE(text(2, false).find(" elements of this kind, ghosts included"), std::string::npos) << text(2, false);
     std::vector<std::vector<double>> fields;
     for (const auto& [number, part] : tiles)
         fields.emplace_back(part.mesh.vertex_count(), 1.);

@@ -126,10 +126,9 @@ TEST(held_tiles, kept_levels_are_refined_further)
     };
     expect_same(further(1), kith::refine(torus, scheme, 3));
     const std::string text = error_text<kith::mpi::phase_error>([&] { (void)further(0); });
-    EXPECT_NE(
-        text.find(" has no complete ring of shadows, and more are fetched at the rim of the first; cut or read the "
-                  "tiles with a ring, or more"),
-        std::string::npos)
+    EXPECT_NE(text.find(" has no complete ring of ghosts, from which more can be fetched; cut or read the tiles with "
+                        "at least one ring"),
+              std::string::npos)
         << text;
 }
 
@@ -151,8 +150,8 @@ TEST(held_tiles, state_that_cannot_be_joined_needs_all_rings)
     const auto parts = in_blocks(torus, 3);
     expect_same(refined_from(torus, without_add_part{}, 2, parts, 3), kith::refine(torus, without_add_part{}, 2));
     EXPECT_EQ(error_text<kith::mpi::phase_error>([&] { refined_from(torus, without_add_part{}, 2, parts, 1); }),
-              "tile 0 has 1 complete rings of shadows and needs 3; cut or read tiles with 3 rings (ring_schedule), or "
-              "give the state of the scheme add_part, by which they are fetched");
+              "tile 0 has 1 complete rings of ghosts and needs 3; cut or read tiles with 3 rings (ring_schedule), or "
+              "add add_part to the state of the scheme, so that rings can be fetched");
 }
 
 TEST(rank_refinement, refuses_what_differs_between_ranks)

@@ -287,7 +287,7 @@ TEST(read_tiles, says_why_a_file_cannot_be_read_and_on_which_rank)
     EXPECT_EQ(text(".", 1), ".: is a directory, not a file");
     const shared_file file([](std::ostream& out) { write_ply<double>(out, shapes::torus(5, 7)); });
     EXPECT_EQ(text(shared_file::path(), 0),
-              shared_file::path() + ": tiles with 0 rings of shadows were asked for; ask for 1 or more");
+              shared_file::path() + ": tiles with 0 rings of ghosts were asked for; ask for 1 or more");
     const int last = world().size() - 1;
     const std::string some = text(world().rank() == last ? "missing.ply" : shared_file::path(), 1);
     EXPECT_TRUE(some.starts_with("missing.ply: cannot be opened: No such file or directory")) << some;

@@ -214,9 +214,9 @@ TEST(rank_refinement, uses_up_tiles_that_lay_on_their_ranks)
             [&] { refinement.refine(kith::mpi::sharing::spmd, numbers, [](std::uint64_t, tile3d&&) {}); });
     };
     EXPECT_EQ(text({0, 3}), "no error");
-    EXPECT_EQ(text({1, 3, 4}), "tile 3 lay on its rank and is used up; give its level 0 to another rank_refinement");
+    EXPECT_EQ(text({1, 3, 4}), "tile 3 was already used on this rank; give its level 0 to another rank_refinement");
     EXPECT_EQ(text({1, 2, 4}), "no error");
-    EXPECT_NE(text({1}).find("tile 1 lay on its rank"), std::string::npos);
+    EXPECT_NE(text({1}).find("tile 1 was already used"), std::string::npos);
 }
 
 TEST(gather, refuses_what_is_too_large_or_not_all)

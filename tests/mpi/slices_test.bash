@@ -108,11 +108,11 @@ says "strips.ply: has strips of triangles \('tristrips'\), which are read as a w
 one_message
 on 3 refine open.ply -s doo-sabin -n 1 -o out.vtu --slices
 exits 1
-says 'doo-sabin: its numbers depend on the boundary, and the mesh has one; cut it on one rank'
+says 'doo-sabin: its element numbers depend on the boundary, and the mesh has one; cut it on one rank'
 one_message
 on 3 refine triangles.ply -s 4-8 -n 1 -o out.vtu --slices
 exits 1
-says '4-8: its marked edges are counted where a whole mesh is cut'
+says '4-8: marked edges can be counted only on a whole mesh'
 one_message
 on 3 refine quads.ply -s loop -n 1 -o out.vtu --slices
 exits 1

@@ -68,7 +68,7 @@ control_runs control_runs_of(const basic_mesh<Point, Index>& mesh)
 template <scheme Scheme, tile_like Tile>
 control_runs control_runs_of(const Tile& part)
 {
-    static_assert(not marks_edges<Scheme>, "marks of edges are counted where tiles are cut");
+    static_assert(not marks_edges<Scheme>, "marked edges can be counted only on a whole mesh; cut it on one rank");
     control_runs result;
     run_builder faces, vertices;
     for (std::size_t f = 0; f < part.mesh.face_count(); ++f)

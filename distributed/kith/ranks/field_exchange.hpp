@@ -27,7 +27,7 @@ namespace kith::mpi {
 class field_exchange {
 public:
     /// Collective. `tiles` are those that lie on this rank, none or several, of one level; each has its edges
-    /// (connect::everything). Errors: phase_error when nobody owns an element that a tile sees, so that tiles are
+    /// (connect::everything). Errors: phase_error when no tile owns an element that a tile sees, so that tiles are
     /// missing.
     /// Cost: four messages at most to each rank; O(tiles) work, messages and memory of what lies near the cuts.
     template <tile_like Tile>
@@ -72,8 +72,8 @@ public:
                     const auto& [rank, there] = owners[directory][i];
                     const slot here = asking[directory][i];
                     if (rank == nobody)
-                        throw mesh_error("an element that tile " + std::to_string(tiles[here.tile].number) +
-                                         " sees has no owner on any rank; give all tiles of the level, each once");
+                        throw mesh_error("tile " + std::to_string(tiles[here.tile].number) +
+                                         " has a ghost without an owner; give all tiles of the level, each once");
                     wanted[rank].push_back({there, tiles[here.tile].number, here.element});
                     receive_[rank].push_back(here);
                 }
@@ -226,7 +226,7 @@ private:
                 if (std::size(fields[t]) != sizes_[t].second)
                     throw mesh_error("tile " + std::to_string(sizes_[t].first) + " was given " +
                                      std::to_string(std::size(fields[t])) + " values; it has " +
-                                     std::to_string(sizes_[t].second) + " elements of this kind, shadows included");
+                                     std::to_string(sizes_[t].second) + " elements of this kind, ghosts included");
         }
     }
     template <class T, class Fields, class To, class From, class Value>

@@ -256,8 +256,8 @@ void grow_shadows(communicator& comm, std::span<numbered_tile<tile<Point, Index>
         for (std::size_t t = 0; t < tiles.size(); ++t)
             if (rings_of[t] == 0)
                 throw mesh_error("tile " + std::to_string(tiles[t].number) +
-                                 " has no complete ring of shadows, and more are fetched at the rim of the first; cut "
-                                 "or read the tiles with a ring, or more");
+                                 " has no complete ring of ghosts, from which more can be fetched; cut or read the "
+                                 "tiles with at least one ring");
     });
     detail::faces_at_vertices directory(comm, all_tiles, rings + 1);
     for (int ring = fewest + 1; ring <= rings; ++ring) {

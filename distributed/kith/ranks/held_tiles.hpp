@@ -95,10 +95,10 @@ public:
                 for (std::size_t t = 0; t < tiles_.size(); ++t)
                     if (of_tile[t] < rings)
                         throw mesh_error("tile " + std::to_string(tiles_[t].number) + " has " +
-                                         std::to_string(of_tile[t]) + " complete rings of shadows and needs " +
+                                         std::to_string(of_tile[t]) + " complete rings of ghosts and needs " +
                                          std::to_string(rings) + "; cut or read tiles with " + std::to_string(rings) +
-                                         " rings (ring_schedule), or give the state of the scheme add_part, by which "
-                                         "they are fetched");
+                                         " rings (ring_schedule), or add add_part to the state of the scheme, so that "
+                                         "rings can be fetched");
             });
         }
     }
@@ -118,7 +118,7 @@ public:
         for (const std::size_t i : among(numbers))
             if (is_taken_[i] != 0)
                 throw mesh_error("tile " + std::to_string(tiles_[i].number) +
-                                 " lay on its rank and is used up; give its level 0 to another rank_refinement");
+                                 " was already used on this rank; give its level 0 to another rank_refinement");
     }
     /// Takes the i-th tile and its scheme out. Local.
     [[nodiscard]] job_type take(std::size_t i, const Scheme& scheme)
@@ -155,10 +155,10 @@ private:
         in_agreement(comm, [&] {
             const std::string name(scheme_name<Scheme>());
             if constexpr (marks_edges<Scheme>)
-                throw mesh_error(name + ": its marked edges are counted where a whole mesh is cut; cut it on one rank");
+                throw mesh_error(name + ": marked edges can be counted only on a whole mesh; cut it on one rank");
             if (numbers_boundary<Scheme> and counts.corners != 2 * counts.edges)
-                throw mesh_error(name +
-                                 ": its numbers depend on the boundary, and the mesh has one; cut it on one rank");
+                throw mesh_error(
+                    name + ": its element numbers depend on the boundary, and the mesh has one; cut it on one rank");
             require_tiles(tiles_, scheme);
             if constexpr (not marks_edges<Scheme>)
                 for (const auto& [number, part] : tiles_)

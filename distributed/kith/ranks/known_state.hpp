@@ -122,7 +122,7 @@ void add_state(Scheme& scheme, const Scheme& of_part, const part_numbers<Index>&
         static_assert(
             joins,
             "the state that a scheme names in its traits() needs add_part(const T&, const part_numbers<Index>&), the "
-            "inverse of of_part, to be gathered on one rank and to be refined with shadows that are fetched; give it "
+            "inverse of of_part, to be gathered on one rank and to be refined with ghosts that are fetched; give it "
             "that, or "
             "use rank_refinement");
         if constexpr (joins)

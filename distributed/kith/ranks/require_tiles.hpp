@@ -28,7 +28,7 @@ namespace kith {
 template <scheme Scheme, tile_like Tile>
 void require_tiles(const std::vector<numbered_tile<Tile>>& tiles, const Scheme& scheme)
 {
-    static_assert(not needs_closed<Scheme>, "a tile has a rim, so a scheme for closed meshes cannot refine it");
+    static_assert(not needs_closed<Scheme>, "a tile has a boundary, so a scheme for closed meshes cannot refine it");
     for (const auto& [number, part] : tiles)
         try {
             if (part.mesh.face_count() != 0 and part.mesh.topology().faces_only())

@@ -119,7 +119,7 @@ sliced_mesh<std::array<double, 3>, Index> read_tiles(communicator& comm, const s
     const auto ranges = in_agreement(comm, [&] {
         if (rings < 1)
             throw mesh_error(path + ": tiles with " + std::to_string(rings) +
-                             " rings of shadows were asked for; ask for 1 or more");
+                             " rings of ghosts were asked for; ask for 1 or more");
         sliced_ply file(path);
         slice_ranges all(file.vertices(), file.faces(), file.degree(), comm.size());
         const auto r = std::size_t(comm.rank());
