@@ -143,7 +143,7 @@ TEST(hierarchy, refuses_tuples_under_which_nothing_was_made)
     const std::string nothing = ": the scheme made nothing under this tuple";
     EXPECT_EQ(ask(0, handles::vertex{0}, handles::vertex{9}), "level 0" + nothing); // not neighbours
     EXPECT_EQ(ask(0, handles::vertex{0}, handles::face{0}), "level 0" + nothing);   // no such column
-    EXPECT_EQ(ask(2, handles::vertex{0}), "level 2 is the last, nothing belongs to its elements yet; refine() first");
+    EXPECT_EQ(ask(2, handles::vertex{0}), "level 2 is the last, so its elements have no children yet; refine() first");
 }
 
 TEST(hierarchy, refuses_levels_that_are_not_there)
@@ -152,7 +152,7 @@ TEST(hierarchy, refuses_levels_that_are_not_there)
     const auto fault = [](const auto& f) { return error_text<kith::mesh_error>(f); };
     const auto no_level = [](int level) {
         return "level " + std::to_string(level) +
-               " was asked for, there are 0 to 2; ask for one of them, or refine() first";
+               " does not exist, there are 0 to 2; ask for one of them, or refine() first";
     };
     const auto points = h.levels[1].points();
     for (const int level : {-1, 3, 1000}) {
@@ -167,8 +167,8 @@ TEST(hierarchy, refuses_levels_that_are_not_there)
         EXPECT_EQ(fault([&] { static_cast<void>(h.levels.matrix(level, 1)); }), no_level(level));
     }
     EXPECT_EQ(fault([&] { static_cast<void>(h.levels.carry(1, 0, points)); }),
-              "values were to be carried from level 1 to level 0; they are carried to the same level or a finer one");
-    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.matrix(2, 1)); }).find("values were to be carried"), 0U);
+              "values cannot be carried from level 1 to level 0; carry them to the same level or a finer one");
+    EXPECT_EQ(fault([&] { static_cast<void>(h.levels.matrix(2, 1)); }).find("values cannot be carried"), 0U);
     for (const auto& why : {fault([&] { static_cast<void>(h.levels.origin(0, handles::vertex{0})); }),
                             fault([&] { static_cast<void>(h.levels.origin(0, handles::edge{0})); }),
                             fault([&] { static_cast<void>(h.levels.origin(0, handles::face{0})); })})
@@ -368,7 +368,7 @@ TEST(hierarchy, says_which_level_was_dropped)
     EXPECT_EQ(error_text<kith::mesh_error>([&] { h.levels.move_points(0, zero); }), expected);
     EXPECT_TRUE(same_bits(h.levels[0], h.control)) << "nothing was moved";
     EXPECT_EQ(error_text<kith::mesh_error>([&] { h.levels.restore(3); }),
-              "level 3 was asked for, there are 0 to 2; ask for one of them, or refine() first");
+              "level 3 does not exist, there are 0 to 2; ask for one of them, or refine() first");
 }
 
 TEST(hierarchy, does_not_drop_what_no_rule_makes_again)

@@ -75,10 +75,9 @@ TEST(ring_schedule, has_an_entry_per_level)
     EXPECT_EQ(kith::ring_schedule(scheme, 2, 3).back(), 3);
     for (const int levels : {1001, 2147483647})
         EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::ring_schedule(scheme, levels); }),
-                  "catmull-clark: " + std::to_string(levels) +
-                      " levels were asked for; no surface has so many, ask for at most 1000");
+                  "catmull-clark: " + std::to_string(levels) + " levels are too many; ask for at most 1000");
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::ring_schedule(scheme, -1); }),
-              "catmull-clark: levels and rings are counted from 0");
+              "catmull-clark: negative levels or rings were asked for; ask for 0 or more");
 }
 
 TEST(tiled_refinement, needs_the_edges_of_the_control_mesh)
@@ -94,8 +93,7 @@ TEST(tiled_refinement, refuses_levels_that_no_surface_has)
 {
     const auto cube = native(shapes::cube());
     EXPECT_EQ(refusal(cube, 1000), "the whole mesh has more elements than 64 bits can number; refine fewer times");
-    EXPECT_EQ(refusal(cube, 2147483647),
-              "catmull-clark: 2147483647 levels were asked for; no surface has so many, ask for at most 1000");
+    EXPECT_EQ(refusal(cube, 2147483647), "catmull-clark: 2147483647 levels are too many; ask for at most 1000");
 }
 
 TEST(tiled_refinement, gives_the_same_bits_on_several_threads)

@@ -136,8 +136,10 @@ TEST(selected_levels, are_undone_and_redone)
     levels.redo();
     for (int level = 0; level <= 4; ++level)
         EXPECT_TRUE(same_bits(levels[level], before[level]));
-    EXPECT_EQ(error_text<kith::mesh_error>([&] { levels.redo(); }), "1 levels were to be made again, there are 0");
-    EXPECT_EQ(error_text<kith::mesh_error>([&] { levels.undo(5); }), "5 levels were to be taken back, there are 4");
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { levels.redo(); }),
+              "1 levels cannot be made again, there are 0; ask for 0 to 0");
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { levels.undo(5); }),
+              "5 levels cannot be taken back, there are 4; ask for 0 to 4");
 }
 
 TEST(selected_levels, another_selection_gives_up_what_was_undone)

@@ -116,15 +116,15 @@ TEST(whole_lineage, refuses_levels_and_elements_that_are_not_there)
     const auto text = [](const auto& call) { return error_text<kith::mesh_error>(call); };
     using enum kith::element_kind;
     EXPECT_EQ(text([&] { return lineage.ancestor(2, {face, 560}, 0); }),
-              "level 2 has 560 faces, face 560 was asked for; take numbers from tiles of level 2");
+              "face 560 does not exist on level 2, which has 560 faces; take numbers from tiles of level 2");
     EXPECT_EQ(text([&] { return lineage.descendants(0, {vertex, 35}, 1); }),
-              "level 0 has 35 vertices, vertex 35 was asked for; take numbers from tiles of level 0");
+              "vertex 35 does not exist on level 0, which has 35 vertices; take numbers from tiles of level 0");
     EXPECT_EQ(text([&] { return lineage.ancestor(3, {face, 0}, 0); }),
-              "level 3 was asked for, there are 0 to 2; ask for one of them");
+              "level 3 does not exist, there are 0 to 2; ask for one of them");
     EXPECT_EQ(text([&] { return lineage.ancestor(1, {edge, 0}, 2); }),
               "level 1 was given as the finer, level 2 as the coarser one; give them the other way round");
     EXPECT_NE(text([&] { return lineage.origin(0, {edge, 0}); }).find("level 0 is the control mesh"),
               std::string::npos);
     EXPECT_EQ(text([&] { return lineage.counts(-1); }),
-              "level -1 was asked for, there are 0 to 2; ask for one of them");
+              "level -1 does not exist, there are 0 to 2; ask for one of them");
 }

@@ -144,7 +144,7 @@ public:
         in_agreement(comm_, [&] {
             for (const std::uint64_t number : numbers)
                 if (number >= tiles())
-                    throw mesh_error("tile " + std::to_string(number) + " was asked for; there are " +
+                    throw mesh_error("tile " + std::to_string(number) + " does not exist; there are " +
                                      std::to_string(tiles()) + ", numbered from 0");
             if (held_)
                 held_->require_there(numbers);

@@ -121,7 +121,7 @@ private:
     void require_level(int level) const
     {
         if (level < 0 or level > depth())
-            throw mesh_error("level " + std::to_string(level) + " was asked for, there are 0 to " +
+            throw mesh_error("level " + std::to_string(level) + " does not exist, there are 0 to " +
                              std::to_string(depth()) + "; ask for one of them");
     }
     void require(int level, const numbered_element& x) const
@@ -132,9 +132,9 @@ private:
                                       : x.kind == element_kind::edge ? std::tuple(here.edges, "edge", " edges")
                                                                      : std::tuple(here.faces, "face", " faces");
         if (x.number >= all)
-            throw mesh_error("level " + std::to_string(level) + " has " + std::to_string(all) + many + ", " + one +
-                             " " + std::to_string(x.number) + " was asked for; take numbers from tiles of level " +
-                             std::to_string(level));
+            throw mesh_error(one + (" " + std::to_string(x.number)) + " does not exist on level " +
+                             std::to_string(level) + ", which has " + std::to_string(all) + many +
+                             "; take numbers from tiles of level " + std::to_string(level));
     }
     void require_finer(int finer, int coarser) const
     {

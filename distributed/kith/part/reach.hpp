@@ -19,11 +19,12 @@ template <reaching_scheme S>
 std::vector<int> ring_schedule(const S& scheme, int levels, int last = 0)
 {
     if (levels < 0 or last < 0)
-        throw mesh_error(std::string(scheme_name<S>()) + ": levels and rings are counted from 0");
+        throw mesh_error(std::string(scheme_name<S>()) +
+                         ": negative levels or rings were asked for; ask for 0 or more");
     constexpr int most = 1000; // far beyond what 64 bits can number, and little to allocate
     if (levels > most)
         throw mesh_error(std::string(scheme_name<S>()) + ": " + std::to_string(levels) +
-                         " levels were asked for; no surface has so many, ask for at most " + std::to_string(most));
+                         " levels are too many; ask for at most " + std::to_string(most));
     std::vector<int> rings(std::size_t(levels) + 1);
     rings.back() = last;
     for (std::size_t level = rings.size() - 1; level > 0; --level)

@@ -26,7 +26,8 @@ namespace detail {
 inline void require_between(int n, int there_are, const char* done)
 {
     if (n < 0 or n > there_are)
-        throw mesh_error(std::to_string(n) + " levels were to be " + done + ", there are " + std::to_string(there_are));
+        throw mesh_error(std::to_string(n) + " levels cannot be " + done + ", there are " + std::to_string(there_are) +
+                         "; ask for 0 to " + std::to_string(there_are));
 }
 
 } // namespace detail
@@ -197,7 +198,7 @@ public:
     [[nodiscard]] const entry& entry_at(int level) const
     {
         if (level < 0 or level > depth())
-            throw mesh_error("level " + std::to_string(level) + " was asked for, there are 0 to " +
+            throw mesh_error("level " + std::to_string(level) + " does not exist, there are 0 to " +
                              std::to_string(depth()) + "; ask for one of them, or refine() first");
         return *levels_[std::size_t(level)];
     }

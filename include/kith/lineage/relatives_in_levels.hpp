@@ -22,8 +22,8 @@ void require_order(const level_store<M, Scheme>& levels, int from, int to)
     static_cast<void>(levels.at(from));
     static_cast<void>(levels.at(to));
     if (from > to)
-        throw mesh_error("values were to be carried from level " + std::to_string(from) + " to level " +
-                         std::to_string(to) + "; they are carried to the same level or a finer one");
+        throw mesh_error("values cannot be carried from level " + std::to_string(from) + " to level " +
+                         std::to_string(to) + "; carry them to the same level or a finer one");
 }
 /// The same, given the other way round.
 template <mesh M, scheme Scheme>
@@ -41,7 +41,7 @@ auto child_of(const level_store<M, Scheme>& levels, int level, Target to, const 
 {
     if (level == levels.depth())
         throw association_error("level " + std::to_string(level) +
-                                " is the last, nothing belongs to its elements yet; refine() first");
+                                " is the last, so its elements have no children yet; refine() first");
     const auto found = retrieve(levels.elements(level), levels.at(level).ids, levels.elements(level + 1), to, x...);
     if (not found)
         throw association_error("level " + std::to_string(level) + ": the scheme made nothing under this tuple");
