@@ -157,7 +157,7 @@ TEST(association_errors, faces_that_form_no_manifold)
         for (auto f : coarse.faces())
             assoc(f, F) = polygon(assoc(coarse.faces()[0].vertices(), V));
     });
-    EXPECT_TRUE(text.starts_with("the faces that the scheme made are no manifold:\nedge 0-1: 6 faces")) << text;
+    EXPECT_TRUE(text.starts_with("the faces that the scheme made do not form a manifold:\nedge 0-1: 6 faces")) << text;
 }
 
 TEST(association_errors, a_face_of_less_than_three_vertices)

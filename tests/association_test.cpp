@@ -221,10 +221,9 @@ mesh3d refined_in_a_loop(const mesh3d& mesh, const mesh3d& other)
     return fine;
 }
 
-constexpr auto of_a_face =
-    "assoc(f 0) -> V is in no column and is written inside for_each or in_blocks, whose order is "
-    "not promised; declare per_face among the new vertices, or write it in a plain loop: for "
-    "(auto f : coarse.faces())";
+constexpr auto of_a_face = "assoc(f 0) -> V is in no column and is written inside for_each or in_blocks, whose order "
+                           "is undefined; declare per_face among the new vertices, or write it in a plain loop: for "
+                           "(auto f : coarse.faces())";
 
 /// What a text says that is run for every vertex of a cube by for_each.
 template <class Text>
@@ -282,8 +281,8 @@ TEST(association, the_dictionary_names_what_can_be_done_about_each_tuple)
     EXPECT_EQ(fault_in_a_loop([](auto v, const auto& coarse, const auto& assoc) {
                   assoc(coarse.vertices()[0], coarse.vertices()[6], V).refers_to(assoc(v, V));
               }),
-              "assoc(v 0, v 6) -> V is in no column and is written inside for_each or in_blocks, whose order is not "
-              "promised; write it in a plain loop: for (auto v : coarse.vertices())");
+              "assoc(v 0, v 6) -> V is in no column and is written inside for_each or in_blocks, whose order is "
+              "undefined; write it in a plain loop: for (auto v : coarse.vertices())");
 }
 
 TEST(association, the_dictionary_of_a_pass_and_the_pass_itself_are_not_changed_in_loops)
@@ -293,13 +292,11 @@ TEST(association, the_dictionary_of_a_pass_and_the_pass_itself_are_not_changed_i
                   pass(v, V) = v;
               }).find(" -> V is in no column"),
               std::string::npos);
-    EXPECT_EQ(
-        fault([](const auto& coarse, const auto& assoc) {
-            const auto pass = assoc.pass(new_vertices(kith::per_edge));
-            for_each(coarse.vertices(), [&](auto) { pass.again(); });
-        }),
-        "a pass is to be written again inside for_each or in_blocks, where others may be reading it; call again() "
-        "outside");
+    EXPECT_EQ(fault([](const auto& coarse, const auto& assoc) {
+                  const auto pass = assoc.pass(new_vertices(kith::per_edge));
+                  for_each(coarse.vertices(), [&](auto) { pass.again(); });
+              }),
+              "again() is called inside for_each or in_blocks, where other threads may read the pass; call it outside");
 }
 
 TEST(association, the_dictionary_may_be_read_in_any_loop)

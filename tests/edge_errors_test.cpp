@@ -115,7 +115,7 @@ TEST(edge_errors, sides_of_one_edge_that_do_not_join_the_same_vertices)
                                 return assoc(c.v(), V) >> assoc(e, E).along(e);
                             });
                     }),
-              "assoc(e 0) -> E: its two sides do not join the same vertices");
+              "assoc(e 0) -> E: its two half-edges join different vertices");
 }
 
 TEST(edge_errors, a_fan_that_starts_at_a_corner_or_a_side_that_is_not_its_own)
@@ -133,7 +133,7 @@ TEST(edge_errors, a_fan_that_starts_at_a_corner_or_a_side_that_is_not_its_own)
     };
     constexpr auto next = [](const auto& c) { return c.next_edge(); };
     constexpr auto previous = [](const auto& c) { return c.prev_edge(); };
-    const std::string text = "assoc(v 3) -> V starts at a corner that is not its own, or at another side there";
+    const std::string text = "assoc(v 3) -> V has a wrong start: the corner or the half-edge does not belong to it";
     EXPECT_EQ(start(0, next), "no error");
     EXPECT_EQ(start(1, next), text);
     EXPECT_EQ(start(100'000, next), text); // where there is no corner
@@ -159,9 +159,13 @@ TEST(edge_errors, lines_with_elements_of_a_pass)
     constexpr auto of_pass = [](const auto&, const auto& pass) -> const auto& { return pass; };
     EXPECT_EQ(fault(shapes::cube(), new_edges(kith::per_edge), lines(of_step, of_step)), "no error");
     const std::string vertex = fault(shapes::cube(), new_edges(kith::per_edge), lines(of_pass, of_step));
-    EXPECT_TRUE(vertex.ends_with("does not exist, there are 8; vertices of a pass are on no level")) << vertex;
+    EXPECT_TRUE(vertex.ends_with(
+        "does not exist, there are 8; vertices of a pass are not part of a level; use one of the new level"))
+        << vertex;
     const std::string edge = fault(shapes::cube(), new_edges(kith::per_edge), lines(of_step, of_pass));
-    EXPECT_TRUE(edge.ends_with("does not exist, there are 12; edges of a pass are on no level")) << edge;
+    EXPECT_TRUE(edge.ends_with(
+        "does not exist, there are 12; edges of a pass are not part of a level; use one of the new level"))
+        << edge;
 }
 
 TEST(edge_errors, edges_that_should_join_faces_and_do_not)
@@ -175,5 +179,6 @@ TEST(edge_errors, edges_that_should_join_faces_and_do_not)
                                 return assoc(c.v(), V) >> assoc(c.next_edge(), f, E).left();
                             });
                     }),
-              "assoc(v 0) -> V is in 3 faces, of which only 1 follow one another at their edges");
+              "assoc(v 0) -> V is in 3 faces, but a walk across edges reaches only 1; let adjacent faces name the same "
+              "new edge");
 }

@@ -93,7 +93,7 @@ inline std::string column_for(const tuple_elements& tuple)
     const auto [letter, index] = tuple.front();
     const std::string of = letter == 'v' ? "vertices" : letter == 'e' ? "edges" : "faces";
     refuse(tuple,
-           " -> V is in no column and is written inside for_each or in_blocks, whose order is not promised; " +
+           " -> V is in no column and is written inside for_each or in_blocks, whose order is undefined; " +
                column_for(tuple) + "write it in a plain loop: for (auto " + letter + " : coarse." + of + "())");
 }
 
@@ -112,7 +112,7 @@ template <level Level>
     if (vertex >= vertices)
         refuse(list_tuple(level, kind, tuple),
                " -> F: new vertex " + std::to_string(vertex) + " does not exist, there are " +
-                   std::to_string(vertices) + "; vertices of a pass are on no level");
+                   std::to_string(vertices) + "; vertices of a pass are not part of a level; use one of the new level");
 }
 /// And a side of a new edge that no other face has.
 template <level Level, std::unsigned_integral Index>
@@ -128,7 +128,8 @@ template <level Level, std::unsigned_integral Index>
     if (halfedge >= fine.halfedge_corner.size())
         refuse(list_tuple(level, kind, tuple),
                " -> F: new edge " + std::to_string(halfedge / 2) + " does not exist, there are " +
-                   std::to_string(fine.edges()) + "; edges of a pass are on no level");
+                   std::to_string(fine.edges()) +
+                   "; edges of a pass are not part of a level; use one of the new level");
     if (fine.halfedge_corner[halfedge] != connectivity<Index>::none)
         refuse(list_tuple(level, kind, tuple),
                " -> F: side " + std::to_string(halfedge % 2) + " of new edge " + std::to_string(halfedge / 2) +

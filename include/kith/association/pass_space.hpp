@@ -38,8 +38,8 @@ public:
     const pass_space& again() const
     {
         if (detail::in_loop_body)
-            throw association_error("a pass is to be written again inside for_each or in_blocks, where others may be "
-                                    "reading it; call again() outside");
+            throw association_error("again() is called inside for_each or in_blocks, where other threads may read the "
+                                    "pass; call it outside");
         space::forget_what_is_set();
         return *this;
     }

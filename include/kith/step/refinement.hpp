@@ -172,7 +172,7 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
         if (right != fine.none and
             (fine.corner_vertex[left] != fine.target(right) or fine.corner_vertex[right] != fine.target(left))) {
             const auto [kind, index] = ids.edges.origin(e);
-            faults::refuse(coarse, kind, index, " -> E: its two sides do not join the same vertices");
+            faults::refuse(coarse, kind, index, " -> E: its two half-edges join different vertices");
         }
     }
     if (fine.vertex_corner.empty())
@@ -183,7 +183,7 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
             (c >= fine.corners() or fine.corner_vertex[c] != v or fine.corner_halfedge[c] != made.starts()[v])) {
             const auto [kind, index] = ids.vertices.origin(v);
             faults::refuse(
-                coarse, kind, index, " -> V starts at a corner that is not its own, or at another side there");
+                coarse, kind, index, " -> V has a wrong start: the corner or the half-edge does not belong to it");
         }
     for (std::size_t c = 0; c < fine.corners(); ++c) // vertices for which the scheme named no start
         if (Index& start = fine.vertex_corner[fine.corner_vertex[c]]; start == fine.none)
@@ -212,8 +212,8 @@ void check_fans(const Level& coarse, const Numbering& ids, const connectivity<In
         if (met != faces[v]) {
             const auto [kind, index] = ids.vertices.origin(v);
             faults::refuse(list_tuple(coarse, kind, index),
-                           " -> V is in " + std::to_string(faces[v]) + " faces, of which only " + std::to_string(met) +
-                               " follow one another at their edges");
+                           " -> V is in " + std::to_string(faces[v]) + " faces, but a walk across edges reaches only " +
+                               std::to_string(met) + "; let adjacent faces name the same new edge");
         }
     }
 }
@@ -263,7 +263,7 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
             mesh_report report;
             match(fine, report);
             if (not report)
-                throw association_error("the faces that the scheme made are no manifold:\n" + report.text());
+                throw association_error("the faces that the scheme made do not form a manifold:\n" + report.text());
         }
     }
     return fine;
