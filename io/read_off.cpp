@@ -311,11 +311,12 @@ private:
         }
         if (keyword_.homogeneous) {
             if (p[3] == 0)
-                text_.refuse(what() + " lies at infinity, its fourth coordinate is 0; give it a place");
+                text_.refuse(what() + " lies at infinity, its fourth coordinate is 0; give finite coordinates");
             for (int i = 0; i < 3; ++i)
                 p[std::size_t(i)] /= p[3];
             if (not(std::isfinite(p[0]) and std::isfinite(p[1]) and std::isfinite(p[2])))
-                text_.refuse(what() + " has no finite place, its fourth coordinate is too small; give it a place");
+                text_.refuse(what() +
+                             " does not have finite coordinates, its fourth one is too small; give finite coordinates");
         }
         return {p[0], p[1], p[2]};
     }

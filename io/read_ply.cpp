@@ -88,7 +88,7 @@ public:
             return double(whole(type, what));
         const double result = value(type, what);
         if (not std::isfinite(result))
-            refuse(what() + " is not a finite number; give it a place");
+            refuse(what() + " is not a finite number; give finite coordinates");
         return result;
     }
     template <std::invocable What>

@@ -118,7 +118,7 @@ polygon_soup read_binary(std::string_view bytes)
                 p[i] = load<float>(bytes, binary_size(f) + 4 * (3 + 3 * corner + i));
             if (not(std::isfinite(p[0]) and std::isfinite(p[1]) and std::isfinite(p[2])))
                 throw file_error("triangle " + std::to_string(f) +
-                                 ": a coordinate is not a finite number; give it a place");
+                                 ": a coordinate is not a finite number; give finite coordinates");
             points.add(p);
         }
         bits.push_back(load<std::uint16_t>(bytes, binary_size(f + 1) - 2));

@@ -79,7 +79,8 @@ private:
         for (std::size_t v = 0; v < points_; ++v) {
             const std::array<double, 3> point{values[3 * v], values[3 * v + 1], values[3 * v + 2]};
             if (not std::ranges::all_of(point, [](double x) { return std::isfinite(x); }))
-                throw file_error("vertex " + std::to_string(v) + " has no finite place");
+                throw file_error("vertex " + std::to_string(v) +
+                                 " has a coordinate that is not a finite number; give finite coordinates");
             soup().points.push_back(point);
         }
     }

@@ -46,7 +46,7 @@ void require_writable(mesh_format format, const written_mesh& what)
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
         if (not is_finite(mesh.point(v)))
             throw file_error("vertex " + std::to_string(v) +
-                             " would have no finite place; the coordinates of the input are too large");
+                             " would not have finite coordinates; the coordinates of the input are too large");
         if (in_floats and not fits_float(mesh.point(v)))
             throw file_error("vertex " + std::to_string(v) +
                              " is too far away for the floats of binary STL; write text, or .off, .obj or .ply");

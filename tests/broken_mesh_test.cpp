@@ -109,7 +109,7 @@ struct no_mask {
     }
 };
 
-const std::string open_face = ": its half-edges do not lead back to the first; join them anew or remove the face";
+const std::string open_face = ": its half-edges do not lead back to the first; relink them or remove the face";
 
 } // namespace
 
@@ -246,7 +246,7 @@ TEST(broken_mesh, points_that_are_not_finite)
     auto theirs = cgal(shapes::tetrahedron());
     theirs.point(vertex(2)) = kernel::Point_3(0, std::nan(""), 0);
     const auto told = refusals_of(theirs);
-    const std::string text = "vertex 2: a coordinate is not a finite number; give it a place";
+    const std::string text = "vertex 2: a coordinate is not a finite number; give finite coordinates";
     EXPECT_EQ(told.refine, text);
     EXPECT_EQ(told.report, text);
     EXPECT_EQ(told.hierarchy, text);
@@ -304,7 +304,7 @@ TEST(broken_mesh, a_vertex_that_starts_at_no_half_edge_of_the_mesh)
     EXPECT_NE(told.hierarchy.find("vertex 2: "), std::string::npos) << told.hierarchy;
     EXPECT_NE(told.dialect.find("vertex 2: "), std::string::npos) << told.dialect;
     EXPECT_EQ(refusal([&] { kith::creases_by_angle(mesh, 30); }),
-              "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
+              "vertex 2: its half-edge leads to none of its faces; give it one that leaves it and has a face");
 }
 
 TEST(broken_mesh, a_vertex_that_starts_at_a_half_edge_of_another)
@@ -314,7 +314,7 @@ TEST(broken_mesh, a_vertex_that_starts_at_a_half_edge_of_another)
     for (const auto& shape : {shapes::tetrahedron(), open}) {
         const auto says = [](std::size_t h, std::size_t of) {
             return "vertex 2: its half-edge " + std::to_string(h) + " leaves vertex " + std::to_string(of) +
-                   "; give it one that leaves it in a face";
+                   "; give it one that leaves it and has a face";
         };
         for (const int other : {0, 1, 3}) {
             auto ours = openmesh(shape);
@@ -333,12 +333,11 @@ TEST(broken_mesh, a_vertex_that_starts_at_a_half_edge_of_another)
     auto ours = openmesh(open); // at the boundary, too
     ours.set_halfedge_handle(OpenMesh::VertexHandle(2), OpenMesh::HalfedgeHandle(40));
     expect_all(refusals_of(ours),
-               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
+               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it and has a face");
 }
 
-const std::string unjoined =
-    ": its half-edges do not all name it as their face and come before their next; join them anew or "
-    "remove the face";
+const std::string unjoined = ": its half-edges name another face, or contradict each other about the next and the "
+                             "previous one; relink them or remove the face";
 
 TEST(broken_mesh, a_half_edge_that_names_another_face)
 {
@@ -408,8 +407,8 @@ namespace {
 std::string lost_side(std::size_t halfedge, std::size_t of)
 {
     return "half-edge " + std::to_string(halfedge) + ": names face " + std::to_string(of) +
-           ", which has been removed or does not come to it; let it have no face, as the library's own function that "
-           "removes a face does";
+           ", which has been removed or does not contain it; reset its face, as the mesh library does when it removes "
+           "a face";
 }
 
 } // namespace

@@ -211,7 +211,7 @@ TEST(cgal, points_that_are_not_finite_are_refused)
 {
     auto m = make(shapes::cube());
     m.point(mesh::Vertex_index(6)) = point(0, std::nan(""), 0);
-    EXPECT_EQ(refusal(m), "vertex 6: a coordinate is not a finite number; give it a place");
+    EXPECT_EQ(refusal(m), "vertex 6: a coordinate is not a finite number; give finite coordinates");
 }
 
 TEST(cgal, edges_without_a_face_are_refused)

@@ -114,14 +114,14 @@ TEST(make_mesh, refuses_an_edge_with_three_faces)
 TEST(make_mesh, refuses_neighbours_of_different_orientation)
 {
     EXPECT_EQ(refusal(4, {{0, 1, 2}, {0, 1, 3}}),
-              "edge 0-1: faces 0 and 1 run through it in the same direction; turn one of them round");
+              "edge 0-1: faces 0 and 1 run through it in the same direction; reverse one of them");
 }
 
 TEST(make_mesh, refuses_a_moebius_strip)
 {
     const std::string text = refusal(6, {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 3, 0, 5}});
     EXPECT_EQ(text,
-              "edge 0-3: faces 0 and 2 run through it in the same direction, and no turning of faces helps, as the "
+              "edge 0-3: faces 0 and 2 run through it in the same direction, and reversing faces does not help, as the "
               "surface is one-sided (not orientable); cut it along edges from boundary to boundary");
 }
 
@@ -129,8 +129,8 @@ TEST(make_mesh, tells_a_turned_face_beside_a_one_sided_surface)
 {
     // The strip, and two triangles of which one is turned.
     const std::string text = refusal(10, {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 3, 0, 5}, {6, 7, 8}, {6, 7, 9}});
-    EXPECT_NE(text.find("edge 0-3: faces 0 and 2 run through it in the same direction, and no turning"), text.npos);
-    EXPECT_NE(text.find("edge 6-7: faces 3 and 4 run through it in the same direction; turn one of them round"),
+    EXPECT_NE(text.find("edge 0-3: faces 0 and 2 run through it in the same direction, and reversing"), text.npos);
+    EXPECT_NE(text.find("edge 6-7: faces 3 and 4 run through it in the same direction; reverse one of them"),
               text.npos);
 }
 
@@ -176,7 +176,7 @@ TEST(make_mesh, refuses_faces_without_area)
 
 TEST(make_mesh, refuses_repeated_corners)
 {
-    EXPECT_EQ(refusal(4, {{0, 1, 2, 1}}), "face 0: comes to vertex 1 twice; remove the repeated corner or the face");
+    EXPECT_EQ(refusal(4, {{0, 1, 2, 1}}), "face 0: contains vertex 1 twice; remove the repeated corner or the face");
 }
 
 TEST(make_mesh, refuses_vertices_without_faces)
@@ -186,7 +186,7 @@ TEST(make_mesh, refuses_vertices_without_faces)
 
 TEST(make_mesh, refuses_coordinates_that_are_not_numbers)
 {
-    const std::string text = "vertex 5: a coordinate is not a finite number; give it a place";
+    const std::string text = "vertex 5: a coordinate is not a finite number; give finite coordinates";
     EXPECT_EQ(refusal_of_coordinate(std::nan("")), text);
     EXPECT_EQ(refusal_of_coordinate(std::numeric_limits<double>::infinity()), text);
     EXPECT_EQ(refusal_of_coordinate(-std::numeric_limits<double>::infinity()), text);
@@ -209,7 +209,7 @@ TEST(make_mesh, refuses_vertices_that_do_not_exist)
 TEST(make_mesh, tells_all_problems_at_once)
 {
     const std::string text = refusal(4, {{0, 1, 2}, {0, 1, 2, 2}, {0, 9, 1}, {3}});
-    EXPECT_NE(text.find("face 1: comes to vertex 2 twice"), std::string::npos);
+    EXPECT_NE(text.find("face 1: contains vertex 2 twice"), std::string::npos);
     EXPECT_NE(text.find("face 2: vertex 9 does not exist"), std::string::npos);
     EXPECT_NE(text.find("face 3: has 1 corner;"), std::string::npos);
 }

@@ -239,7 +239,7 @@ TEST(refine, refuses_points_that_are_not_finite)
     auto mesh = native(shapes::cube());
     mesh.points()[3][1] = INFINITY;
     EXPECT_EQ(refusal(mesh, kith::catmull_clark(), 1),
-              "vertex 3: a coordinate is not a finite number; give it a place");
+              "vertex 3: a coordinate is not a finite number; give finite coordinates");
 }
 
 TEST(refine, refuses_more_memory_than_allowed_before_it_starts)

@@ -143,7 +143,7 @@ TEST(repair, a_moebius_strip_stays_one_sided_when_faces_may_only_be_turned)
 {
     const auto r = mend(6, moebius, {.orient = true});
     EXPECT_EQ(refusal(r),
-              "edge 0-3: faces 0 and 2 run through it in the same direction, and no turning of faces helps, as the "
+              "edge 0-3: faces 0 and 2 run through it in the same direction, and reversing faces does not help, as the "
               "surface is one-sided (not orientable); cut it along edges from boundary to boundary");
 }
 
@@ -303,7 +303,7 @@ TEST(repair, repeated_corners_are_left_out)
     EXPECT_EQ(r.report.text(), "face 0: its repeated corner at vertex 1 is left out");
     EXPECT_EQ(faces_of(mended(4, {{0, 1, 1, 2, 3}}, {.weld = 0})), (polygons{{0, 1, 2, 3}}));
     EXPECT_EQ(faces_of(mended(4, {{0, 1, 1, 2, 3}}, {.split = true})), (polygons{{0, 1, 2, 3}}));
-    EXPECT_NE(refusal(mend(4, {{0, 1, 1, 2, 3}}, {.orient = true})).find("comes to vertex 1 twice"), std::string::npos);
+    EXPECT_NE(refusal(mend(4, {{0, 1, 1, 2, 3}}, {.orient = true})).find("contains vertex 1 twice"), std::string::npos);
 }
 
 TEST(repair, degenerate_faces_are_left_out)
@@ -312,7 +312,7 @@ TEST(repair, degenerate_faces_are_left_out)
     EXPECT_EQ(faces_of(r), (polygons{{0, 1, 2}}));
     EXPECT_EQ(r.report.text(),
               "face 0: left out, as it has 2 corners\nface 1: left out, as it has 0 corners\n"
-              "face 2: left out, as it has 1 corner\nface 4: left out, as it comes to vertex 3 twice\n"
+              "face 2: left out, as it has 1 corner\nface 4: left out, as it contains vertex 3 twice\n"
               "vertex 3: left out, it belongs to no face");
     EXPECT_EQ(r.vertex_at[0], r.none);
     EXPECT_EQ(refusal(mend(3, {{0, 1}}, {.drop = true})), "the mesh has no faces; nothing can be refined");
@@ -326,7 +326,7 @@ TEST(repair, a_face_that_comes_to_an_edge_twice_is_cut_there_or_left_out)
     const polygons keyhole{{0, 1, 2, 3, 0, 4, 5, 6, 4}};
     const auto r = mended(7, keyhole, {.split = true});
     EXPECT_EQ(faces_of(r), (polygons{{0, 1, 2, 3, 7, 4, 5, 6, 8}}));
-    EXPECT_EQ(r.report.lines()[0], "edge 0-4: cut, as face 0 comes to it twice");
+    EXPECT_EQ(r.report.lines()[0], "edge 0-4: cut, as face 0 contains it twice");
     EXPECT_EQ(mend(7, keyhole, {.drop = true}).faces.size(), 0U);
 }
 

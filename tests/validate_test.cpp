@@ -36,7 +36,7 @@ TEST(validate, finds_points_that_are_not_finite)
     mesh.points()[2][0] = std::nan("");
     const auto report = kith::validate(mesh);
     EXPECT_EQ(report.count(kith::problem::not_finite), 1U);
-    EXPECT_EQ(report.text(), "vertex 2: a coordinate is not a finite number; give it a place");
+    EXPECT_EQ(report.text(), "vertex 2: a coordinate is not a finite number; give finite coordinates");
 }
 
 namespace {
@@ -71,10 +71,10 @@ TEST(validate, finds_vertices_that_start_elsewhere)
             expect_refusal(with_start(v, corner),
                            "vertex " + std::to_string(v) + ": its half-edge " +
                                std::to_string(good.topology().corner_halfedge[corner]) + " leaves vertex " +
-                               std::to_string(other) + "; give it one that leaves it in a face");
+                               std::to_string(other) + "; give it one that leaves it and has a face");
         }
         expect_refusal(with_start(2, 24),
-                       "vertex 2: its half-edge leads to none of its faces; give it one that leaves it in a face");
+                       "vertex 2: its half-edge leads to none of its faces; give it one that leaves it and has a face");
         expect_refusal(with_start(2, kith::connectivity<std::uint32_t>::none),
                        "vertex 2: belongs to no face; remove it or give it a face");
     }
@@ -96,7 +96,7 @@ TEST(validate, finds_vertices_at_the_boundary_that_start_within_their_fan)
         expect_refusal(mesh3d(kith::storage<shapes::point>(good.points()), std::move(topology)),
                        "vertex " + std::to_string(v) + ": its half-edge " + std::to_string(t.corner_halfedge[c]) +
                            " has faces on both sides, half-edge " + std::to_string(t.corner_halfedge[start]) +
-                           " lies at the boundary; give it that one");
+                           " lies on the boundary; give it that one");
         ++found;
     }
     EXPECT_EQ(found, 4U);

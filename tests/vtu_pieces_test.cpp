@@ -246,7 +246,7 @@ TEST(stitched_file, refuses_vertices_without_a_finite_place)
         const auto expect_refusal = [&](const kith::stitched_file& layout) {
             EXPECT_EQ(error_text<kith::mesh_error>([&] { layout.write_tile(file, part, {1, 0}); }),
                       "vertex " + std::to_string(part.vertex_ids[3]) +
-                          " would have no finite place; the coordinates of the input are too large");
+                          " would not have finite coordinates; the coordinates of the input are too large");
         };
         expect_refusal(kith::vtu_file(counts, 1, false));
         expect_refusal(kith::ply_file(counts));

@@ -620,7 +620,8 @@ TEST(read_vtu, refuses_what_it_does_not_read_and_says_what_to_do)
     EXPECT_EQ(refusal(replaced(text, " 255", " 25.5")), "number 2 of the array 'red' should be whole");
     EXPECT_EQ(refusal(replaced(text, "type=\"UInt8\" Name=\"red\"", "type=\"Text\" Name=\"red\"")),
               "the array 'red' is of the type 'Text', which is not read");
-    EXPECT_EQ(refusal(replaced(text, "0.000000 1.000000\n", "0.000000 nan\n")), "vertex 3 has no finite place");
+    EXPECT_EQ(refusal(replaced(text, "0.000000 1.000000\n", "0.000000 nan\n")),
+              "vertex 3 has a coordinate that is not a finite number; give finite coordinates");
     EXPECT_EQ(refusal("<VTKFile"), "the file ends inside of an element, which begins with '<VTKFile'");
     EXPECT_EQ(refusal("OFF 3"), "a file of VTK begins with the element VTKFile, which is missing");
     EXPECT_EQ(refusal(cells("3 6", "5 5", "0 1 2 1 4 2")),

@@ -110,7 +110,7 @@ TEST(write_mesh_file, what_is_refused_leaves_the_file_as_it_was)
     const std::string before = vtu_files::bytes_of(path);
     mesh.points()[2][1] = std::numeric_limits<double>::infinity();
     EXPECT_EQ(error_text<io::file_error>([&] { io::write_mesh_file(path, {.mesh = mesh}); }),
-              path + ": vertex 2 would have no finite place; the coordinates of the input are too large");
+              path + ": vertex 2 would not have finite coordinates; the coordinates of the input are too large");
     EXPECT_EQ(vtu_files::bytes_of(path), before);
     for (const std::string name : {"mesh.vtu", "mesh.txt"})
         EXPECT_EQ(error_text<io::file_error>([&] { io::write_mesh_file(name, {.mesh = mesh}); }),
@@ -219,7 +219,7 @@ TEST(write_mesh, what_is_not_finite_is_refused)
     mesh.points()[3][0] = infinity;
     for (const auto format : {mesh_format::off, mesh_format::obj, mesh_format::ply, mesh_format::stl})
         EXPECT_EQ(refusal(format, {.mesh = mesh}),
-                  "vertex 3 would have no finite place; the coordinates of the input are too large");
+                  "vertex 3 would not have finite coordinates; the coordinates of the input are too large");
 }
 
 TEST(write_stl, leaves_out_triangles_that_fall_together)

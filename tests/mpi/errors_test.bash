@@ -102,7 +102,7 @@ sed '3,10s/1/1e308/g' cube.off >large.off
 for output in out.vtu out.ply out.pvtu; do
     on 3 refine large.off -s catmull-clark -n 2 -o $output
     exits 1
-    says "^kith-mpi: (rank [12]: )?$output: vertex [0-9]+ would have no finite place; the coordinates of the input are too large\$"
+    says "^kith-mpi: (rank [12]: )?$output: vertex [0-9]+ would not have finite coordinates; the coordinates of the input are too large\$"
     one_message
 done
 check "no output is left" test -z "$(ls | grep -E 'out|incomplete')"

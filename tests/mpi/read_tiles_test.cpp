@@ -198,13 +198,13 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     std::ranges::reverse(cube.faces[3]);
     const std::string file = shared_file::path() + ": ";
     EXPECT_TRUE(error_of(ply).starts_with(file + "edge ")) << error_of(ply);
-    EXPECT_NE(error_of(ply).find("in the same direction; turn one of them round"), std::string::npos) << error_of(ply);
+    EXPECT_NE(error_of(ply).find("in the same direction; reverse one of them"), std::string::npos) << error_of(ply);
     cube = shapes::cube();
     cube.points.push_back({9, 9, 9});
     EXPECT_EQ(error_of(ply), file + "vertex 8: belongs to no face; remove it or give it a face");
     cube = shapes::cube();
     cube.faces[4][1] = cube.faces[4][0];
-    EXPECT_EQ(error_of(ply), file + "face 4 comes to a vertex twice; remove the repeated corner or the face");
+    EXPECT_EQ(error_of(ply), file + "face 4 contains a vertex twice; remove the repeated corner or the face");
     cube = shapes::cube();
     cube.faces[5][2] = 77;
     EXPECT_EQ(error_of(ply), file + "has face 5 at vertex 77 of 8");

@@ -133,7 +133,7 @@ check "a bad mesh has no boundary loops to count" test -z "$(grep 'boundary loop
 (cube | sed '$d'; echo '4 7 4 0 3') >bad.off
 bad 'edge 0-3'
 (cube | sed 's/^4 3 2 1 0/4 3 2 1 2/') >bad.off
-bad 'face 0: comes to vertex 2 twice'
+bad 'face 0: contains vertex 2 twice'
 (cube | sed 's/^8 6/8 7/'; echo '2 0 1') >bad.off
 bad 'face 6: has 2 corners'
 cat >bad.off <<'END'

@@ -139,7 +139,7 @@ rm -r out.p* whole.p*s whole.pvtu
 sed '3,10s/1/1e308/g' cube.off >large.off
 run refine large.off -s catmull-clark -n 4 -o out.ply --tiles 6 --journal kept
 exits 1
-says 'out.ply: vertex [0-9]+ would have no finite place'
+says 'out.ply: vertex [0-9]+ would not have finite coordinates'
 leaves cube.off kept large.off whole.ply whole.vtu
 rm -r kept large.off
 

@@ -139,7 +139,7 @@ says "^kith: note: seam.ply: the property 'quality' of vertices: 2 joined vertic
 # A strip that is joined the wrong way round.
 (echo OFF; echo 6 3 0; echo 0 0 0; echo 1 0 0; echo 0 1 0; echo 0 0 1; echo 1 0 1; echo 0 1 1
     echo 4 0 1 4 3; echo 4 1 2 5 4; echo 4 2 3 0 5) >strip.off
-refused strip.off 'edge 0-3: faces 0 and 2 run through it in the same direction, and no turning of faces helps, as the surface is one-sided' \
+refused strip.off 'edge 0-3: faces 0 and 2 run through it in the same direction, and reversing faces does not help, as the surface is one-sided' \
     '^ *--repair changes such faces: orient \(reverses faces\), split \(gives each sheet an edge of its own and each fan a vertex of its own\), drop \(removes faces\)$'
 mended strip.off '8 vertices, 10 edges, 3 faces' --repair split
 says '^kith: note: strip.off: edge 0-3: cut, as faces 0 and 2 run through it in the same direction$'
@@ -148,7 +148,7 @@ says '^kith: note: strip.off: vertex 0: split into 2 vertices, one for each fan 
 mended strip.off '6 vertices, 7 edges, 2 faces' --repair drop
 run refine strip.off -s linear -n 1 -o out.off --repair orient
 exits 1
-says 'no turning of faces helps'
+says 'reversing faces does not help'
 
 # A vertex with two fans, three sheets at an edge, faces against each other.
 (echo OFF; echo 5 2 0; echo 0 0 0; echo 1 0 0; echo 0 1 0; echo -1 0 0; echo 0 -1 0; echo 3 0 1 2; echo 3 0 3 4) >pinch.off
@@ -163,7 +163,7 @@ mended book.off '4 vertices, 5 edges, 2 faces' --repair drop
 says '^kith: note: book.off: face 2: left out, as edge 0-1 has 3 faces$'
 says '^kith: note: book.off: vertex 4: left out, it belongs to no face$'
 cube | sed '11s/.*/4 0 1 2 3/' >turned.off
-refused turned.off 'run through it in the same direction; turn one of them round' '--repair changes such faces: orient'
+refused turned.off 'run through it in the same direction; reverse one of them' '--repair changes such faces: orient'
 mended turned.off '8 vertices, 12 edges, 6 faces' --repair orient
 says '^kith: note: turned.off: face 0: turned round$'
 cube >cube.off
@@ -186,7 +186,7 @@ f 1 2
 END
 run info bad.obj
 exits 1
-prints '^  face 1: comes to vertex 2 twice; '
+prints '^  face 1: contains vertex 2 twice; '
 prints '^  --repair changes such faces: drop \(removes faces\)$'
 sed -i '$d' bad.obj
 run refine bad.obj -s linear -n 0 -o out.obj --repair drop

@@ -113,7 +113,7 @@ sed '3,10s/1/1e308/g' cube.off >large.off
 for output in out.vtu out.ply out.pvtu; do
     run refine large.off -s catmull-clark -n 2 -o $output --tiles 3
     exits 1
-    says "^kith: $output: vertex [0-9]+ would have no finite place; the coordinates of the input are too large\$"
+    says "^kith: $output: vertex [0-9]+ would not have finite coordinates; the coordinates of the input are too large\$"
     leaves cube.off large.off tetra.off
 done
 rm large.off

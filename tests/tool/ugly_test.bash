@@ -86,7 +86,7 @@ off '5s/.*/1 1/' 'line 5: vertex 2 has 2 coordinates'
 off '5s/.*/1 1 x/' "line 5: vertex 2 should be a number, it is 'x'"
 off '5s/.*/1 1 1x/' "line 5: vertex 2 should be a number, it is '1x'"
 off '5s/.*/1 1 1,5/' "line 5: vertex 2 should be a number"
-off '5s/.*/1 1 nan/' "line 5: vertex 2 is 'nan', which is not a finite number; give it a place"
+off '5s/.*/1 1 nan/' "line 5: vertex 2 is 'nan', which is not a finite number; correct it"
 off '5s/.*/1 -inf 1/' "line 5: vertex 2 is '-inf', which is not a finite number"
 off '5s/.*/1 1e999 1/' "line 5: vertex 2 is '1e999', which is not a finite number"
 off '5s/.*/1 0x10 1/' "line 5: vertex 2 should be a number, it is '0x10'"
@@ -264,7 +264,7 @@ not_refined 'edge 0-3.*turn'
 (cube | sed '2s/8 6/8 7/'; echo '4 3 2 1 0') >in.off
 not_refined 'edge'
 cube | sed '11s/.*/4 3 2 1 2/' >in.off
-not_refined 'face 0: comes to vertex 2 twice; remove'
+not_refined 'face 0: contains vertex 2 twice; remove'
 (cube | sed '2s/6/7/'; echo '2 0 1') >in.off
 not_refined 'face 6: has 2 corners; remove it'
 (cube | sed '2s/6/7/'; echo 0) >in.off
@@ -293,13 +293,13 @@ not_refined 'edge 0-1.*|edge 1-8|edge 0-9'
 cube | sed '2s/8/9/; 10s/$/\n5 5 5/; 12s/.*/4 4 5 6 4/' >in.off
 run refine in.off -s catmull-clark -n 1 -o out.off
 exits 1
-says 'face 1: comes to vertex 4 twice'
+says 'face 1: contains vertex 4 twice'
 rm in.off
 # An OBJ file counts from 1, and so do the words about its mesh.
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 3\n' >in.obj
 run refine in.obj -s catmull-clark -n 1 -o out.off
 exits 1
-says 'face 2: comes to vertex 3 twice'
+says 'face 2: contains vertex 3 twice'
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 2 3 4\n' >in.obj
 run info in.obj
 exits 1
@@ -310,7 +310,7 @@ rm in.obj
 cube | sed '3,10s/1/1e308/g' >in.off
 run refine in.off -s catmull-clark -n 1 -o out.off
 exits 1
-says '^kith: out.off: vertex 0 would have no finite place'
+says '^kith: out.off: vertex 0 would not have finite coordinates'
 only_input_left in.off
 run_from in.off refine - -s no-such-scheme -n 1 -o out.off
 exits 2

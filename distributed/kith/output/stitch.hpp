@@ -68,7 +68,7 @@ inline void require_finite(const tile<std::array<double, 3>>& part)
     for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
         if (not std::ranges::all_of(part.mesh.point(v), [](double x) { return std::isfinite(x); }))
             throw mesh_error("vertex " + std::to_string(part.vertex_ids[v]) +
-                             " would have no finite place; the coordinates of the input are too large");
+                             " would not have finite coordinates; the coordinates of the input are too large");
 }
 
 inline constexpr const char* vtu_normals = "type=\"Float64\" Name=\"Normals\" NumberOfComponents=\"3\"";

@@ -195,7 +195,7 @@ private:
             if (end - i == 2 and first.is_forward == at(order[i + 1]).is_forward)
                 refuse(name() + ": faces " + std::to_string(first.corner / degree_) + " and " +
                        std::to_string(at(order[i + 1]).corner / degree_) +
-                       " run through it in the same direction; turn one of them round");
+                       " run through it in the same direction; reverse one of them");
             for (std::size_t j = i; j < end; ++j) // side 0 leaves the smaller vertex, or is the only side there is
                 answers[order[j].first][order[j].second] = {
                     2 * edges + (end - i == 2 and at(order[j]).is_forward == 0 ? 1 : 0), end - i == 2};

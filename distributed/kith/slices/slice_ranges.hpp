@@ -46,7 +46,7 @@ private:
 };
 
 /// Rotates each face to start at its smallest vertex, as make_mesh does. Local. Errors: mesh_error for a face that
-/// comes to a vertex twice, and for coordinates that are no finite numbers.
+/// contains a vertex twice, and for coordinates that are no finite numbers.
 template <class Point>
 void start_at_smallest(mesh_slice<Point>& slice)
 {
@@ -59,12 +59,12 @@ void start_at_smallest(mesh_slice<Point>& slice)
             throw mesh_error(
                 "face " +
                 std::to_string(slice.first_face + global_id(face - slice.corners.begin()) / global_id(degree)) +
-                " comes to a vertex twice; remove the repeated corner or the face");
+                " contains a vertex twice; remove the repeated corner or the face");
     }
     for (std::size_t v = 0; v < slice.points.size(); ++v)
         if (not std::ranges::all_of(slice.points[v], [](double x) { return std::isfinite(x); }))
             throw mesh_error("vertex " + std::to_string(slice.first_vertex + v) +
-                             ": a coordinate is not a finite number; give it a place");
+                             ": a coordinate is not a finite number; give finite coordinates");
 }
 
 } // namespace kith::mpi

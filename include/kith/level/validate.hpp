@@ -192,7 +192,7 @@ template <mesh M>
 [[noreturn, gnu::cold]] void refuse_mesh(const M& mesh)
 {
     validate(mesh).require_ok();
-    throw mesh_error("the half-edges of the mesh do not join faces at edges; make the mesh anew from its faces");
+    throw mesh_error("the half-edges of the mesh do not pair its faces at edges; rebuild the mesh from its faces");
 }
 
 } // namespace detail

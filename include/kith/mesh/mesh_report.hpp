@@ -139,7 +139,7 @@ KITH_IN_LIBRARY void mesh_report::add_no_faces()
 KITH_IN_LIBRARY void mesh_report::add_not_finite(std::size_t vertex)
 {
     add(problem::not_finite,
-        [&] { return named("vertex", vertex) + "a coordinate is not a finite number; give it a place"; });
+        [&] { return named("vertex", vertex) + "a coordinate is not a finite number; give finite coordinates"; });
 }
 KITH_IN_LIBRARY void mesh_report::add_isolated(std::size_t vertex)
 {
@@ -161,36 +161,36 @@ KITH_IN_LIBRARY void mesh_report::add_face_faults(std::size_t face, std::vector<
 KITH_IN_LIBRARY void mesh_report::add_open_face(std::size_t face)
 {
     add(problem::degenerate_face, [&] {
-        return named("face", face) + "its half-edges do not lead back to the first; join them anew or remove the face";
+        return named("face", face) + "its half-edges do not lead back to the first; relink them or remove the face";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_unjoined_face(std::size_t face)
 {
     add(problem::degenerate_face, [&] {
-        return named("face", face) + "its half-edges do not all name it as their face and come before their next; join "
-                                     "them anew or remove the face";
+        return named("face", face) + "its half-edges name another face, or contradict each other about the next and "
+                                     "the previous one; relink them or remove the face";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_lost_side(std::size_t halfedge, std::size_t face)
 {
     add(problem::degenerate_face, [&] {
         return named("half-edge", halfedge) + "names face " + number(face) +
-               ", which has been removed or does not come to it; let it have no face, as the library's own function "
-               "that removes a face does";
+               ", which has been removed or does not contain it; reset its face, as the mesh library does when it "
+               "removes a face";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_lost_fan(std::size_t vertex)
 {
     add(problem::nonmanifold_vertex, [&] {
         return named("vertex", vertex) +
-               "its half-edge leads to none of its faces; give it one that leaves it in a face";
+               "its half-edge leads to none of its faces; give it one that leaves it and has a face";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_foreign_start(std::size_t vertex, std::size_t halfedge, std::size_t other)
 {
     add(problem::nonmanifold_vertex, [&] {
         return named("vertex", vertex) + "its half-edge " + std::to_string(halfedge) + " leaves vertex " +
-               number(other) + "; give it one that leaves it in a face";
+               number(other) + "; give it one that leaves it and has a face";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_late_start(std::size_t vertex, std::size_t halfedge, std::size_t first)
@@ -198,7 +198,7 @@ KITH_IN_LIBRARY void mesh_report::add_late_start(std::size_t vertex, std::size_t
     add(problem::nonmanifold_vertex, [&] {
         return named("vertex", vertex) + "its half-edge " + std::to_string(halfedge) +
                " has faces on both sides, half-edge " + std::to_string(first) +
-               " lies at the boundary; give it that one";
+               " lies on the boundary; give it that one";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_several_fans(std::size_t vertex, std::size_t faces)
@@ -218,7 +218,7 @@ KITH_IN_LIBRARY void mesh_report::add_few_corners(std::size_t face, std::size_t 
 KITH_IN_LIBRARY void mesh_report::add_repeated_corner(std::size_t face, std::size_t vertex)
 {
     add(problem::degenerate_face, [&] {
-        return named("face", face) + "comes to vertex " + number(vertex) +
+        return named("face", face) + "contains vertex " + number(vertex) +
                " twice; remove the repeated corner or the face";
     });
 }
@@ -238,9 +238,10 @@ KITH_IN_LIBRARY void mesh_report::add_turned_face(std::size_t low, std::size_t h
     add(problem::turned_face, [&] {
         return "edge " + number(low) + "-" + number(high) + ": faces " + number(face) + " and " + number(other) +
                " run through it in the same direction" +
-               (is_one_sided ? ", and no turning of faces helps, as the surface is one-sided (not orientable); cut it "
-                               "along edges from boundary to boundary"
-                             : "; turn one of them round");
+               (is_one_sided
+                    ? ", and reversing faces does not help, as the surface is one-sided (not orientable); cut it "
+                      "along edges from boundary to boundary"
+                    : "; reverse one of them");
     });
 }
 KITH_IN_LIBRARY void mesh_report::require_ok() const

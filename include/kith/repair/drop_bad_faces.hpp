@@ -26,7 +26,7 @@ inline bool stays_unfolded(mended_soup& s, std::size_t face, const std::vector<s
     if (twice == sorted.end())
         return true;
     s.report.add_dropped_face(s.from_face[face],
-                              [&] { return "as it comes to vertex " + s.number(*twice) + " twice"; });
+                              [&] { return "as it contains vertex " + s.number(*twice) + " twice"; });
     return false;
 }
 

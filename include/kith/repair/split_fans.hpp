@@ -44,7 +44,7 @@ inline void report_cut(mended_soup& s, const sides_by_edge& sides, std::span<con
         if (at.size() > 2)
             return "as it has " + std::to_string(at.size()) + " faces";
         if (face(0) == face(1))
-            return "as face " + face(0) + " comes to it twice";
+            return "as face " + face(0) + " contains it twice";
         return "as faces " + face(0) + " and " + face(1) + " run through it in the same direction" +
                (s.options.orient ? " and the surface is one-sided" : "");
     });

@@ -226,7 +226,7 @@ private:
             refuse(what() + " should be a number, it is '" + shown(word) + "'");
         const double wide = nearest_double(digits); // tells what is too small from what is too large
         if (not std::isfinite(wide))
-            refuse(what() + " is '" + shown(word) + "', which is not a finite number; give it a place");
+            refuse(what() + " is '" + shown(word) + "', which is not a finite number; correct it");
         if (not std::isfinite(Number(wide)))
             refuse(what() + " is too large for the type float; declare it double");
         return Number(wide);
