@@ -129,16 +129,17 @@ KITH_HAS_MEMBER(traits)
 
 #define KITH_REFUSE_NEXT(holds, where)                                                                                 \
     static_assert(holds,                                                                                               \
-                  where " next, which nobody looks at; counts of the next level follow from its columns, where each "  \
-                        "condition says how many tuples it picks: per_vertex.on_boundary(keep, how_many)")
+                  where                                                                                                \
+                  " next, which kith does not read; counts of the next level follow from its columns, where each "     \
+                  "condition says how many tuples it picks: per_vertex.on_boundary(keep, how_many)")
 
-/// Refuses members by which schemes said what they now say in traits(): nobody would look at them.
+/// Refuses former members of schemes, which traits() has replaced and kith no longer reads.
 template <class S>
 consteval void refuse_former_members()
 {
 #define KITH_SAY(word, how)                                                                                            \
     static_assert(not has_##word<S>(),                                                                                 \
-                  "a scheme has a member " #word ", which nobody looks at; say " how " in its traits()")
+                  "a scheme has a member " #word ", which kith does not read; say " how " in its traits()")
     KITH_SAY(name, ".name = \"...\"");
     KITH_SAY(triangles_only, ".faces = kith::face_shape::triangles");
     KITH_SAY(quads_only, ".faces = kith::face_shape::quads");

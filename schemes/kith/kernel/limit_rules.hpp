@@ -84,8 +84,9 @@ protected:
 /// them has its limits found by refining (limit_surface). Precondition: specialised before limits are asked for.
 template <scheme Scheme>
 struct limit_rules : limit_defaults {
-    static_assert(not detail::has_limit_position<Scheme>(),
-                  "a scheme has a member limit_position, which nobody looks at; specialise kith::limit_rules for it");
+    static_assert(
+        not detail::has_limit_position<Scheme>(),
+        "a scheme has a member limit_position, which kith does not read; specialise kith::limit_rules for it");
 };
 
 /// With fields beside it a scheme has the limits that it has without.
