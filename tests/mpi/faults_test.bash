@@ -59,7 +59,7 @@ goes_on 4
 # shellcheck disable=SC2086
 failing 0:150:odd 2 refine $job $tiles --journal kept
 exits 1
-says '^kith-mpi: an exception that is no std::exception$'
+says '^kith-mpi: an exception not derived from std::exception$'
 # Now without MPI, by a part of an array of jobs and a last one; with another fault in between.
 run refine --journal kept --only 0..1
 exits 0

@@ -164,7 +164,7 @@ TEST(rank_refinement, refuses_what_differs_between_ranks)
         return error_text<kith::mpi::phase_error>(
             [&] { kith::mpi::rank_refinement(world(), torus, scheme, levels, parts, last_rings); });
     };
-    const std::string remedy = " on rank 1 is not that of rank 0; give all ranks the same";
+    const std::string remedy = " on rank 1 differs from rank 0; give all ranks the same";
     EXPECT_EQ(text({}, 2, 1), "no error");
     EXPECT_EQ(text({}, other_on_root(2, 3), 1), "the number of levels" + remedy);
     EXPECT_EQ(text({}, 2, other_on_root(std::optional<int>(), std::optional(1))), "last_rings" + remedy);
@@ -198,7 +198,7 @@ TEST(rank_refinement, an_exception_of_one_callback_ends_all_ranks_alike)
             });
         };
         EXPECT_EQ(text(std::runtime_error("the disk is full")), "the disk is full");
-        EXPECT_EQ(text(42), "an exception that is no std::exception");
+        EXPECT_EQ(text(42), "an exception not derived from std::exception");
         EXPECT_EQ(text(std::bad_alloc()), "there is not enough memory for a tile; use more tiles or fewer levels");
     }
 }

@@ -45,7 +45,8 @@ int steps_of(const Np& np)
     const auto steps = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1);
     using limits = std::numeric_limits<int>;
     if (const auto n = static_cast<long double>(steps); not(n >= limits::min() and n <= limits::max()))
-        throw mesh_error(std::to_string(steps) + " iterations were asked for, more than anything can hold");
+        throw mesh_error(std::to_string(steps) + (n < 0 ? " iterations were asked for; ask for 0 or more"
+                                                        : " iterations are too many; ask for fewer"));
     return int(steps);
 }
 

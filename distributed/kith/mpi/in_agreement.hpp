@@ -33,7 +33,7 @@ std::string problem_of(const Phase& phase, const char* lack_of_memory = "there i
             const std::string text = failure.what();
             return text.empty() ? "an exception without a text" : text;
         } catch (...) {
-            return "an exception that is no std::exception";
+            return "an exception not derived from std::exception";
         }
     } catch (const std::bad_alloc&) {
         return "no memory"; // fits into a string without memory of its own
@@ -64,7 +64,7 @@ inline void require_same_on_ranks(communicator& comm, std::uint64_t number, cons
     in_agreement(comm, [&] {
         if (number != on_root)
             throw mesh_error((path.empty() ? path : path + ": ") + what + " on rank " + std::to_string(comm.rank()) +
-                             " is not that of rank 0; give all ranks the same");
+                             " differs from rank 0; give all ranks the same");
     });
 }
 

@@ -21,7 +21,7 @@ public:
         if (provided < MPI_THREAD_FUNNELED)
             abort("kith: this MPI does not allow threads beside the one that calls it");
         std::set_terminate([] {
-            std::fputs(("kith: ended by an error that nobody caught" + reason() + "\n").c_str(), stderr);
+            std::fputs(("kith: ended by an uncaught error" + reason() + "\n").c_str(), stderr);
             MPI_Abort(MPI_COMM_WORLD, failure_code);
         });
     }
