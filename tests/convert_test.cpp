@@ -179,8 +179,8 @@ TEST(convert, what_is_left_out_is_named_with_the_reason)
     control.add_property_map<vertex, int>("v:status", 1);
     const auto taken = kith::convert<poly_mesh, label>(control).report.left_out;
     ASSERT_EQ(taken.size(), 3U);
-    EXPECT_NE(taken[0].why.find("keeps that name"), std::string::npos);
-    EXPECT_EQ(taken[1].why, "another property has become 'v:colors'");
+    EXPECT_NE(taken[0].why.find("reserves that name"), std::string::npos);
+    EXPECT_EQ(taken[1].why, "another property is now named 'v:colors'");
     EXPECT_EQ(taken[2].why, "the new mesh has 'v:status' in another type");
 }
 
@@ -282,7 +282,7 @@ TEST(convert, properties_of_one_name_and_several_types_all_go)
     const auto native = kith::convert<kith::property_mesh<>>(control).report; // has one per name
     EXPECT_EQ(native.carried, std::vector<std::string>{"v:x"});
     ASSERT_EQ(native.left_out.size(), 1U);
-    EXPECT_EQ(native.left_out[0].why, "another property has become 'v:x'");
+    EXPECT_EQ(native.left_out[0].why, "another property is now named 'v:x'");
 }
 
 namespace {

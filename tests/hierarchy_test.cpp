@@ -320,7 +320,7 @@ TEST(hierarchy, drops_levels_that_are_there_when_it_is_told)
     h.levels.keep_last(2);
     EXPECT_EQ(held(h.levels), "1011");
     EXPECT_EQ(error_text<kith::mesh_error>([&] { h.levels.keep_last(0); }),
-              "0 levels were to be kept; keep at least the last one");
+              "0 levels cannot be kept; keep at least the last one");
 }
 
 TEST(hierarchy, restored_levels_know_their_relations)

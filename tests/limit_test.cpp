@@ -302,6 +302,6 @@ TEST(limit, what_grows_beyond_all_numbers_has_none)
 {
     const auto mesh = native(shapes::shaken(shapes::cube()));
     const auto text = error_text<kith::mesh_error>([&] { static_cast<void>(limit_surface_of(mesh, growing())); });
-    EXPECT_NE(text.find("growing: what lies around vertex"), std::string::npos) << text;
+    EXPECT_NE(text.find("growing: the faces around vertex"), std::string::npos) << text;
     EXPECT_NE(text.find("so it has no limit"), std::string::npos) << text;
 }

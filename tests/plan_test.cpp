@@ -149,7 +149,7 @@ TEST(plan, refuses_what_64_bits_cannot_count)
     };
     const std::string text = by(1000);
     const std::string most = text.substr(text.find("refine at most ") + 15);
-    EXPECT_NE(text.find("whose bytes 64 bits cannot count"), std::string::npos);
+    EXPECT_NE(text.find("whose size in bytes exceeds 64 bits"), std::string::npos);
     EXPECT_EQ(by(std::stoi(most)), "no error");
 }
 

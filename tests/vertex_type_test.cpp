@@ -169,7 +169,7 @@ TEST_F(vertex_types_of_a_grid, what_lies_inside_is_not_of_the_boundary)
 
 TEST_F(vertex_types_of_a_grid, edges_have_to_be_its_own)
 {
-    const std::string not_its_own = " is no inner edge of it or comes twice; give other edges";
+    const std::string not_its_own = " is not an inner edge of this vertex or is given twice; give other edges";
     EXPECT_EQ(refusal(12, vertex_type::crease, {edge(7, 12), edge(6, 7)}),
               "vertex 12: edge " + std::to_string(edge(6, 7).index()) + not_its_own);
     EXPECT_EQ(refusal(12, vertex_type::crease, {edge(7, 12), edge(7, 12)}),

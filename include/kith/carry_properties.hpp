@@ -120,11 +120,11 @@ struct told_property {
 };
 
 inline constexpr const char* unknown_type = "kith does not know its type; name the type: carry_properties<type>(...)";
-inline constexpr const char* no_name = "it has no name of its own, and this one may stand for anything in another mesh";
-inline constexpr const char* made_of_points = "it follows from the points; let the library make it anew";
+inline constexpr const char* no_name = "it has a default name, which may mean anything in another mesh; give it a name";
+inline constexpr const char* made_of_points = "it follows from the points; compute it again by the mesh library";
 inline constexpr const char* edges_unknown =
     "the scheme does not tell which new edges lie along old ones; declare its new_edges";
-inline constexpr const char* absent = "by_rule names it and there is none of that name; check the name";
+inline constexpr const char* absent = "by_rule names it, but no property has that name; check the name";
 inline constexpr const char* other_type = "by_rule names it with a type that it does not have; name its own type";
 
 /// The reason for which values of this name are not carried by their type.
@@ -206,7 +206,7 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
         return std::array{traits::vertex_bound(mesh), traits::edge_bound(mesh), traits::face_bound(mesh)};
     };
     if (count(fine) != count(levels[to]))
-        throw mesh_error("the mesh that is to have the properties is not level " + std::to_string(to) +
+        throw mesh_error("the mesh that receives the properties is not level " + std::to_string(to) +
                          " of the hierarchy; give a copy of that level");
     std::vector<detail::told_property> carried, left_out;
     const auto tell =

@@ -107,7 +107,7 @@ public:
     void keep_last(int count)
     {
         if (count < 1)
-            throw mesh_error(std::to_string(count) + " levels were to be kept; keep at least the last one");
+            throw mesh_error(std::to_string(count) + " levels cannot be kept; keep at least the last one");
         levels_.keep_last(count);
     }
     /// Whether a level is in memory. Errors: mesh_error for levels that do not exist.

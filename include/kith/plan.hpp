@@ -173,7 +173,7 @@ KITH_IN_LIBRARY bool add_level(partial_plan& plan, const counts& next, int degre
     if (index_bytes < 8 and std::max(next.vertices, 2 * next.edges) >= (std::uint64_t(1) << (8 * index_bytes)) - 1)
         plan.problem = level + "more than a " + std::to_string(8 * index_bytes) + "-bit index can number";
     else if (double(next.vertices) * double(point_bytes) + indices * double(index_bytes) >= 0x1p63)
-        plan.problem = level + "whose bytes 64 bits cannot count";
+        plan.problem = level + "whose size in bytes exceeds 64 bits";
     else
         plan.levels.push_back(plan_level(next, degree, point_bytes, index_bytes));
     return plan.problem.empty();

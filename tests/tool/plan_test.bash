@@ -108,7 +108,7 @@ prints '^ +0 +1 +3 +[0-9]+ +[0-9]+ +13510798882111488 +[0-9]+ +[0-9]+$'
 check "columns of one width" test "$(sed -n '2,4p' "$results/out" | awk '{ print length }' | sort -u | wc -l)" -eq 1
 run plan cube.off -s catmull-clark -n 27 --ranks 2
 exits 1
-says 'level 27 has 108086391056891906 vertices and 216172782113783808 edges, whose bytes 64 bits cannot count'
+says 'level 27 has 108086391056891906 vertices and 216172782113783808 edges, whose size in bytes exceeds 64 bits'
 run plan cube.off -s catmull-clark -n 20 --ranks 2
 exits 0
 prints '^ +1 +1 +3 +[0-9]+ +[0-9]+ +3298534883328 +[0-9]+ +[0-9]+$'

@@ -385,7 +385,7 @@ for mesh in native cgal openmesh; do
 done
 run refine in.off -s catmull-clark -n 2147483647 -o out.vtu --tiles 2
 exits 1
-says '^kith: catmull-clark: level 27 has [0-9]{18} vertices and [0-9]{18} edges, whose bytes 64 bits cannot count; refine at most 26 times$'
+says '^kith: catmull-clark: level 27 has [0-9]{18} vertices and [0-9]{18} edges, whose size in bytes exceeds 64 bits; refine at most 26 times$'
 only_input_left in.off
 for partitioner in metis block; do
     run refine in.off -s catmull-clark -n 1 -o out.vtu --tiles 4294967295 --partitioner $partitioner

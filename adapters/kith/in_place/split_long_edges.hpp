@@ -33,7 +33,7 @@ public:
     long_edge_splitter(const native_mesh<Point>& control, double length) : control_(&control), most_(length * length)
     {
         if (not(length > 0))
-            throw mesh_error("no edge is shorter than the longest one allowed; give a length above 0");
+            throw mesh_error("the longest edge allowed has no length; give a length above 0");
         const auto& t = control.topology();
         points_.assign(control.points().begin(), control.points().end());
         for (std::size_t v = 0; v < points_.size(); ++v)
@@ -139,7 +139,7 @@ private:
         const edge_type edge = edges_.at(ends);
         edges_.erase(ends);
         if (points_.size() >= none / 8)
-            throw mesh_error("edges of this length are more than can be numbered; allow longer ones");
+            throw mesh_error("edges of this length would be more than can be numbered; allow longer ones");
         const auto middle = index(points_.size());
         Point p = points_[a];
         for (std::size_t i = 0; i < 3; ++i)

@@ -84,8 +84,8 @@ public:
             for (std::size_t left = copied.size(); left < properties; ++left)
                 leave_out(*name,
                           is_unnamed<From>(*name)
-                              ? "it has no name of its own, and this one may stand for anything in the new mesh"
-                              : "its type is none of those that are looked for; name it, convert<mesh, type>(...)");
+                              ? "it has a default name, which may mean anything in the new mesh; give it a name"
+                              : "kith does not know its type; name the type: convert<mesh, type>(...)");
         }
     }
 
@@ -185,9 +185,9 @@ private:
                                requires { requires to_access::types_share_names; };
         std::string why;
         if (to_access::is_reserved(to_name))
-            why = "the new mesh keeps that name for itself";
+            why = "the new mesh reserves that name";
         else if (made != made_.end() and not is_shared)
-            why = "another property has become '" + to_name + "'";
+            why = "another property is now named '" + to_name + "'";
         else if (std::ranges::find(there, to_name) != there.end() and not is_there_in_its_type and not is_shared)
             why = "the new mesh has '" + to_name + "' in another type";
         if (not why.empty()) {
@@ -236,10 +236,10 @@ void copy_properties(const From& from, To& to, conversion_report& report)
     if constexpr (requires { property_access<From>::names_of_whole(from); }) {
         if constexpr (std::same_as<From, To>) {
             for (const std::string& name : property_access<From>::copy_of_whole(from, to, report.carried))
-                report.left_out.push_back({name, "its type is none of those that are looked for"});
+                report.left_out.push_back({name, "kith does not know its type; name the type"});
         } else {
             for (const std::string& name : property_access<From>::names_of_whole(from))
-                report.left_out.push_back({name, "it is of the mesh as a whole, and the new mesh is of another type"});
+                report.left_out.push_back({name, "it belongs to the whole mesh, and the new mesh has another type"});
         }
     }
 }

@@ -78,7 +78,8 @@ void set_type(creases& sharp, const vertex<Level>& v, vertex_type type, std::ini
         refuse("is a boundary corner, which is kept; refine with boundary_corner::smoothed");
     for (auto e = along.begin(); e != along.end(); ++e)
         if (e->is_boundary() or not(e->org() == v or e->dst() == v) or std::find(along.begin(), e, *e) != e)
-            refuse("edge " + std::to_string(e->index()) + " is no inner edge of it or comes twice; give other edges");
+            refuse("edge " + std::to_string(e->index()) +
+                   " is not an inner edge of this vertex or is given twice; give other edges");
     const bool fits = type == vertex_type::crease            ? along.size() == 2
                       : type == vertex_type::boundary_crease ? along.size() > 0
                                                              : along.size() == 0;

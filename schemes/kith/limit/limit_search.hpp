@@ -70,9 +70,9 @@ public:
             if (not left.empty() and not rings.is_bounded() and not is_part)
                 left = search(back_to_start(left, vertices), {scheme_, 10 * few_steps}, 10 * few_steps, limits);
             if (not left.empty())
-                throw mesh_error(std::string(scheme_name<Scheme>()) + ": what lies around vertex " +
+                throw mesh_error(std::string(scheme_name<Scheme>()) + ": the faces around vertex " +
                                  std::to_string(vertices[left[0].place]) +
-                                 " does not come together in one point, so it has no limit");
+                                 " do not converge to one point, so it has no limit");
             for (std::size_t i = 0; i < vertices.size(); ++i)
                 keep(vertices[i], limits[i]);
         }

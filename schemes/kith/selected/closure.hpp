@@ -127,9 +127,10 @@ public:
             is_of_level = again.red_ == red_ and again.cut_ == cut_;
         }
         if (not is_of_level)
-            throw mesh_error("the selected faces and the green ones beside them are those of another level than this "
-                             "one with " +
-                             std::to_string(level.face_count()) + " faces; select faces of this level");
+            throw mesh_error(
+                "the selected faces and the green ones beside them belong to another level; select faces of "
+                "this level, which has " +
+                std::to_string(level.face_count()));
     }
 
     /// That of the next level: its green faces; all faces are chosen.
