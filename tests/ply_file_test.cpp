@@ -220,7 +220,7 @@ TEST(ply_file, refuses_what_the_format_has_no_room_for)
     const auto is_taken = [&](const std::string& name, kith::field_on on) {
         const auto said = text(
             {{"heat", vertices, "Float32", 1, 4}, {"a b", faces, "Float32", 1, 4}, {name, on, "Float32", 1, 4}});
-        return said.find("\"" + name + "\", a name that is empty, or") != std::string::npos;
+        return said.find("\"" + name + "\": the name is empty, or") != std::string::npos;
     };
     for (const std::string name : {"", "x", "z", "heat"})
         EXPECT_TRUE(is_taken(name, vertices)) << name;

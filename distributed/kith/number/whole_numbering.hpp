@@ -144,9 +144,9 @@ consteval void require_closed_form(const column<Kind, Where, Degree>*)
                   "new faces of unknown degree need a face or a vertex that tells it");
     static_assert(not of_many_degrees or not picks_at_boundary<Where> or Kind == tuple_kind::v,
                   "only vertices may both leave tuples out and tell the degree of new faces");
-    static_assert(not of_many_degrees or Kind == tuple_kind::f or not std::same_as<Where, all_or_none>,
-                  "vertices that tell the degree of new faces do so in every step; in tiles a step in between would "
-                  "make others of them");
+    static_assert(
+        not of_many_degrees or Kind == tuple_kind::f or not std::same_as<Where, all_or_none>,
+        "vertices that tell the degree of new faces must do so in every step; in tiles another step would change them");
 }
 
 } // namespace detail

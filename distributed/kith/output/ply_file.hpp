@@ -154,8 +154,8 @@ private:
         {
             const std::string name = ply_name(array.name);
             if (name.empty() or not(array.on == field_on::vertices ? of_vertices : of_faces).insert(name).second)
-                throw mesh_error("a field was to be called \"" + array.name +
-                                 "\", a name that is empty, or that another property of the file has; give it another "
+                throw mesh_error("a field cannot be named \"" + array.name +
+                                 "\": the name is empty, or another property of the file has it; give it another "
                                  "one");
         }
     };

@@ -59,9 +59,8 @@ public:
         std::set<std::pair<field_on, std::string_view>> names;
         for (const file_array& array : arrays_)
             if (not is_free(array.name) or not names.insert({array.on, array.name}).second)
-                throw mesh_error(
-                    "a field was to be called \"" + array.name +
-                    "\", a name that is empty, or that another array of the file has; give it another one");
+                throw mesh_error("a field cannot be named \"" + array.name +
+                                 "\": the name is empty, or another array of the file has it; give it another one");
     }
 
     [[nodiscard]] const std::vector<file_array>& list() const { return arrays_; }

@@ -35,8 +35,8 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, s
             if (not is_meant(tile))
                 continue;
             if (tile.number >= all_tiles)
-                throw mesh_error("tile " + std::to_string(tile.number) + " is not one of " + std::to_string(all_tiles) +
-                                 "; give the number of all tiles");
+                throw mesh_error("tile " + std::to_string(tile.number) + " does not exist among " +
+                                 std::to_string(all_tiles) + "; give the number of all tiles");
             ++seen[tile.number];
             faces[tile.number] += owned_count(tile.part.face_marks);
         }
@@ -45,7 +45,7 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, s
     in_agreement(comm, [&] {
         for (std::uint64_t t = 0; t < all_tiles; ++t)
             if (seen[t] != 1)
-                throw mesh_error("tile " + std::to_string(t) + " is there " + std::to_string(seen[t]) +
+                throw mesh_error("tile " + std::to_string(t) + " is given " + std::to_string(seen[t]) +
                                  " times; give all tiles of the level, each once");
     });
     return comm.sum(std::move(faces));

@@ -32,7 +32,7 @@ void require_tiles(const std::vector<numbered_tile<Tile>>& tiles, const Scheme& 
     for (const auto& [number, part] : tiles)
         try {
             if (part.mesh.face_count() != 0 and part.mesh.topology().faces_only())
-                throw mesh_error("has no edges; keep them by last_rings, 0 or more, where it is made");
+                throw mesh_error("has no edges; refine it with last_rings, 0 or more");
             require_input(scheme, level_of<std::remove_cvref_t<decltype(part.mesh)>>(part.mesh));
         } catch (const mesh_error& error) {
             throw mesh_error("tile " + std::to_string(number) + ": " + error.what() +
@@ -53,7 +53,7 @@ std::uint64_t require_all_tiles(communicator& comm, const std::vector<numbered_t
         held.resize(count, 0);
         for (const auto& [number, part] : tiles) {
             if (number >= count)
-                throw mesh_error("tile " + std::to_string(number) + " is one of " + std::to_string(count) +
+                throw mesh_error("tile " + std::to_string(number) + " does not exist among " + std::to_string(count) +
                                  "; number them from 0 to " + std::to_string(count - 1));
             ++held[number];
         }
