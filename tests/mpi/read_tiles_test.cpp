@@ -192,7 +192,7 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     auto cube = shapes::cube();
     const auto ply = [&](std::ostream& out) { write_ply<float>(out, cube); };
     EXPECT_EQ(error_of(ply), "no error");
-    EXPECT_NE(error_of([](std::ostream& out) { out << "OFF\n"; }).find("is no PLY file"), std::string::npos);
+    EXPECT_NE(error_of([](std::ostream& out) { out << "OFF\n"; }).find("is not a PLY file"), std::string::npos);
     EXPECT_NE(error_of([](std::ostream& out) { out << "ply\nformat ascii 1.0\n"; }).find("'end_header' should be"),
               std::string::npos);
     std::ranges::reverse(cube.faces[3]);
@@ -207,9 +207,9 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     EXPECT_EQ(error_of(ply), file + "face 4 contains a vertex twice; remove the repeated corner or the face");
     cube = shapes::cube();
     cube.faces[5][2] = 77;
-    EXPECT_EQ(error_of(ply), file + "has face 5 at vertex 77 of 8");
+    EXPECT_EQ(error_of(ply), file + "face 5: vertex 77 does not exist, there are 8; correct the index");
     cube.faces[5][2] = std::size_t(-1);
-    EXPECT_EQ(error_of(ply), file + "has face 5 at vertex -1 of 8");
+    EXPECT_EQ(error_of(ply), file + "face 5: vertex -1 does not exist, there are 8; correct the index");
     cube = shapes::cube();
     cube.faces[2].push_back(0);
     EXPECT_NE(error_of(ply).find("face 2 of another degree than face 0"), std::string::npos) << error_of(ply);
@@ -234,7 +234,7 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     EXPECT_NE(with("list uchar int", "list int int"), "no error");
     EXPECT_EQ(with("end_header", "element tristrips 0\nproperty list int int vertex_indices\nend_header"), "no error");
     expect(with("end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header"),
-           "has strips of triangles ('tristrips'), which are read as a whole only; read it on one rank");
+           "has strips of triangles ('tristrips'), which cannot be read in slices; read it on one rank");
     for (const char* list : {"list uchar float", "uint"})
         expect(with("list uchar int", list), "the faces have no list 'vertex_indices' of whole numbers");
     for (const char* name : {"corners", "vertex_indices_2"})
@@ -275,7 +275,7 @@ TEST(read_tiles, says_what_is_wrong_with_a_file)
     expect(with_tail("element edge 2\nproperty short a\n", "abcde"), "goes on for 1 byte after its last element");
     EXPECT_EQ(with_tail("element edge 2\nproperty list char short a\n", std::string("\1ab\0", 4)), "no error");
     expect(with_tail("element edge 2\nproperty list char short a\n", "\1ab\1a"), "ends within its elements 'edge'");
-    expect(with_tail("element edge 1\nproperty list char short a\n", "\377"), "has a list of less than no entries");
+    expect(with_tail("element edge 1\nproperty list char short a\n", "\377"), "has a list of negative length");
 }
 
 TEST(read_tiles, says_why_a_file_cannot_be_read_and_on_which_rank)

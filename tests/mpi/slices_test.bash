@@ -104,7 +104,7 @@ same whole.ply slices.ply
 sed 's/end_header/element tristrips 1\nproperty list int int vertex_indices\nend_header/' triangles.ply >strips.ply
 on 3 refine strips.ply -s loop -n 1 -o out.vtu --slices
 exits 1
-says "strips.ply: has strips of triangles \('tristrips'\), which are read as a whole only; read it on one rank"
+says "strips.ply: has strips of triangles \('tristrips'\), which cannot be read in slices; read it on one rank"
 one_message
 on 3 refine open.ply -s doo-sabin -n 1 -o out.vtu --slices
 exits 1
@@ -120,7 +120,7 @@ says 'loop: face 0 has 4 vertices; triangulate the mesh first'
 one_message
 on 3 refine cube.off -s catmull-clark -n 1 -o out.vtu --slices
 exits 1
-says 'cube.off: is no PLY file'
+says 'cube.off: is not a PLY file'
 one_message
 # A file that a rank cannot read: the reason, and the rank if others can.
 on 3 refine missing.ply -s catmull-clark -n 1 -o out.vtu --slices

@@ -82,8 +82,8 @@ public:
             for (int k = 0; k < degree_; ++k) {
                 const std::int64_t v = list.value.whole(record + list.count.bytes + list.value.bytes * std::size_t(k));
                 if (v < 0 or global_id(v) >= vertices())
-                    refuse("has face " + std::to_string(f) + " at vertex " + std::to_string(v) + " of " +
-                           std::to_string(vertices()));
+                    refuse("face " + std::to_string(f) + ": vertex " + std::to_string(v) +
+                           " does not exist, there are " + std::to_string(vertices()) + "; correct the index");
                 result.corners.push_back(global_id(v));
             }
         }
@@ -95,8 +95,8 @@ public:
             for (std::size_t x = 0; x < 3; ++x) {
                 point[x] = places_[x].type.value(record + places_[x].at);
                 if (not std::isfinite(point[x]))
-                    refuse("has vertex " + std::to_string(first_vertex + i) +
-                           " at a coordinate that is not a finite number; give it a place");
+                    refuse("vertex " + std::to_string(first_vertex + i) +
+                           ": a coordinate is not a finite number; give finite coordinates");
             }
         }
         return result;
@@ -187,7 +187,7 @@ private:
     {
         const std::string first = first_bytes();
         const std::size_t mark = first.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
-        require(std::string_view(first).substr(mark).starts_with("ply"), "is no PLY file that can be read");
+        require(std::string_view(first).substr(mark).starts_with("ply"), "is not a PLY file that can be read");
         try {
             header_ = read_ply_header(std::string_view(first).substr(mark));
         } catch (const mesh_error& error) {
@@ -197,7 +197,7 @@ private:
                 "is not binary_little_endian; only such files are read in slices");
         const auto& elements = header_.elements;
         require(std::ranges::none_of(elements, [](const auto& e) { return e.is_strips() and e.count != 0; }),
-                "has strips of triangles ('tristrips'), which are read as a whole only; read it on one rank");
+                "has strips of triangles ('tristrips'), which cannot be read in slices; read it on one rank");
         require(elements[0].is_vertex() and elements[1].is_face(),
                 "has element " + (elements[0].is_vertex() ? elements[1] : elements[0]).name +
                     " out of place; vertices come first, then faces, then others");
@@ -213,7 +213,7 @@ private:
         for (std::size_t p = 0; p < elements[0].properties.size(); ++p) {
             const ply_number& type = elements[0].properties[p].value;
             if (const auto x = std::ranges::find(place_of, p); x != place_of.end()) {
-                require(type.floating, "has places that are no floating-point numbers; read it on one rank");
+                require(type.floating, "has coordinates that are not floating-point numbers; read it on one rank");
                 places_[std::size_t(x - place_of.begin())] = {vertex_bytes_, type};
             }
             vertex_bytes_ += type.bytes;
@@ -287,7 +287,7 @@ private:
                     length = 0;
                     in_.read(reinterpret_cast<char*>(&length), std::streamsize(property.count.bytes));
                     require(not property.count.is_signed or length >> (8 * property.count.bytes - 1) == 0,
-                            "has a list of less than no entries in element '" + element.name + "'");
+                            "has a list of negative length in element '" + element.name + "'");
                 }
                 take(length * property.value.bytes);
                 in_.ignore(std::streamsize(length * property.value.bytes));
