@@ -131,10 +131,10 @@ TEST(cgal, errors_count_removed_elements)
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(cube, kith::loop(), 1); }),
               "loop: face 4 has 4 vertices; triangulate the mesh first");
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::make_creases(cube, [](auto) { return -1; }); }),
-              "edge 6: its sharpness is -1.000000; give 0 or more, infinitely_sharp for ever");
+              "edge 6: its sharpness is -1.000000; give 0 or more, or infinitely_sharp");
     EXPECT_EQ(error_text<kith::mesh_error>(
                   [&] { kith::make_creases(cube, [](auto) { return false; }, [](auto) { return -1; }); }),
-              "vertex 4: its sharpness is -1.000000; give 0 or more, infinitely_sharp for ever");
+              "vertex 4: its sharpness is -1.000000; give 0 or more, or infinitely_sharp");
 
     auto open_cube = cube;
     CGAL::Euler::remove_face(open_cube.halfedge(mesh::Face_index(4)), open_cube);
@@ -173,8 +173,7 @@ TEST(cgal, what_the_options_of_a_scheme_refuse_has_the_numbers_of_handles)
         CGAL::Euler::remove_face(beside_removed.halfedge(mesh::Face_index(f)), beside_removed);
     const kith::unified even{.degree = 2};
     const std::string text =
-        "unified: vertex 9 lies between 2 faces only, the scheme needs three; join its edges to one "
-        "first";
+        "unified: vertex 9 lies between 2 faces only, the scheme needs three; merge its two edges into one first";
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(beside_removed, even, 1); }), text);
     EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::hierarchy(beside_removed, even); }), text);
     EXPECT_NO_THROW(kith::hierarchy(beside_removed, kith::unified{.degree = 3}));

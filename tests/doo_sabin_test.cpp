@@ -142,9 +142,9 @@ TEST(doo_sabin, boundary_vertices_with_three_faces_get_a_face_unless_dropped)
 
 TEST(doo_sabin, refuses_an_inner_vertex_between_two_faces)
 {
-    EXPECT_EQ(error_text<kith::mesh_error>([] { kith::refine(exact(shapes::valence_two()), doo_sabin(), 1); }),
-              "doo-sabin: vertex 3 lies between 2 faces only, the scheme needs three; join its "
-              "edges to one first");
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([] { kith::refine(exact(shapes::valence_two()), doo_sabin(), 1); }),
+        "doo-sabin: vertex 3 lies between 2 faces only, the scheme needs three; merge its two edges into one first");
 }
 
 TEST(doo_sabin, follows_the_boundary_of_cgal)
@@ -157,6 +157,7 @@ TEST(doo_sabin, follows_the_boundary_of_cgal)
 TEST(doo_sabin, refuses_such_a_vertex_that_another_scheme_left)
 {
     const auto mesh = kith::refine(exact(shapes::valence_two()), kith::linear(), 1);
-    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(mesh, doo_sabin(), 1); }),
-              "doo-sabin: vertex 3 lies between 2 faces only, the scheme needs three; join its edges to one first");
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([&] { kith::refine(mesh, doo_sabin(), 1); }),
+        "doo-sabin: vertex 3 lies between 2 faces only, the scheme needs three; merge its two edges into one first");
 }

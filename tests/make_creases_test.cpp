@@ -97,7 +97,7 @@ TEST(make_creases, a_whole_number_is_no_mark)
 TEST(make_creases, negative_sharpness_is_refused)
 {
     EXPECT_EQ(error_text<kith::mesh_error>([] { make_creases(cube, [](auto e) { return e.value == 5 ? -1. : 0.; }); }),
-              "edge 5: its sharpness is -1.000000; give 0 or more, infinitely_sharp for ever");
+              "edge 5: its sharpness is -1.000000; give 0 or more, or infinitely_sharp");
 }
 
 TEST(make_creases, sharpness_that_is_no_number_is_refused)
@@ -105,7 +105,7 @@ TEST(make_creases, sharpness_that_is_no_number_is_refused)
     const auto none = [](auto) { return false; };
     const auto nan = [](auto v) { return v.value == 2 ? std::nan("") : 0.; };
     EXPECT_EQ(error_text<kith::mesh_error>([&] { make_creases(cube, none, nan); }),
-              "vertex 2: its sharpness is nan; give 0 or more, infinitely_sharp for ever");
+              "vertex 2: its sharpness is nan; give 0 or more, or infinitely_sharp");
 }
 
 TEST(make_creases, angles_find_them)

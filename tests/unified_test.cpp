@@ -234,9 +234,9 @@ TEST(unified, refuses_degrees_for_which_nothing_is_proved)
 TEST(unified, refuses_to_make_a_face_of_two_corners)
 {
     const shapes::shape pillow{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}, {3, 2, 1, 0}}};
-    EXPECT_EQ(error_text<kith::mesh_error>([&] { kith::refine(native(pillow), unified{.degree = 2}, 1); }),
-              "unified: vertex 0 lies between 2 faces only, the scheme needs three; join its edges "
-              "to one first");
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([&] { kith::refine(native(pillow), unified{.degree = 2}, 1); }),
+        "unified: vertex 0 lies between 2 faces only, the scheme needs three; merge its two edges into one first");
     EXPECT_EQ(kith::refine(native(pillow), unified{.degree = 3}, 1).point(0), (shapes::point{0.25, 0.25, 0}));
 }
 

@@ -33,7 +33,7 @@ double sharpness_from(const Source& source, const Handle& x, std::size_t number,
         const double sharpness = double(given);
         if (not(sharpness >= 0))
             throw mesh_error(std::string(kind) + " " + std::to_string(number) + ": its sharpness is " +
-                             std::to_string(sharpness) + "; give 0 or more, infinitely_sharp for ever");
+                             std::to_string(sharpness) + "; give 0 or more, or infinitely_sharp");
         return sharpness;
     } else {
         return bool(map_value(source, x)) ? infinitely_sharp : 0.;

@@ -141,9 +141,10 @@ private:
             const auto [a, b] = std::minmax(q.vertices[i], q.vertices[i + 2]);
             return std::to_string(a) + "-" + std::to_string(b);
         };
-        throw mesh_error("4-8: face " + std::to_string(q.face) + " cannot be cut along a diagonal, since " + pair(0) +
-                         " and " + pair(1) +
-                         " are, or have to be, edges elsewhere; refine the mesh once by the linear scheme first");
+        throw mesh_error(
+            "4-8: face " + std::to_string(q.face) + " cannot be cut along a diagonal, since " + pair(0) + " and " +
+            pair(1) +
+            " are edges already or diagonals of other faces; refine the mesh once by the linear scheme first");
     }
 
     std::vector<quad> quads_;

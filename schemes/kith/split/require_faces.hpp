@@ -27,7 +27,7 @@ void require_three_faces(const Level& coarse)
         throw mesh_error(std::string(scheme_name<Scheme>()) + ": vertex " + std::to_string(number_in_mesh(coarse, v)) +
                          " lies between 2 faces only, the scheme needs three; " +
                          (triangles ? "remove these triangles, which are back to back, or put a vertex into one of them"
-                                    : "join its edges to one first"));
+                                    : "merge its two edges into one first"));
     });
 }
 
