@@ -212,7 +212,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     io::mesh_attributes attributes;
     refined_mesh result = timed(seconds[phase::refine], [&] {
         give_creases(request.scheme, control, words);
-        if (not request.limit) // from where nobody goes on
+        if (not request.limit) // points on the limit are not refined further
             tell_next_step(control, request.scheme, request.levels);
         request.holes = holes_of(control.tags, control.mesh);
         settle_attributes(control, format, {request.scheme, request.levels, request.limit, binary});

@@ -61,7 +61,7 @@ public:
     [[nodiscard]] base* empty_clone() const override { return clone(); }
     [[nodiscard]] const std::type_info& type() const override { return *sought_.type; }
 
-    // Of later versions of CGAL, which override these then.
+    // Virtual functions of the base class in later versions of CGAL, which these then override.
     virtual std::size_t grow_by(std::size_t) { return 0; }
     virtual void pop_back() {}
     [[nodiscard]] virtual std::size_t capacity() const { return 0; }

@@ -28,7 +28,7 @@ struct refine_options {
     connect last_level = connect::everything;
     /// In bytes; a refinement whose native levels would need more is refused before they are made. Meshes of other
     /// libraries that are copied or built are not counted, nor are the levels of a scheme that is no countable_scheme:
-    /// whose edges are matched or whose columns pick tuples in a way that nobody counts.
+    /// one with matched edges, or with a column condition that does not say how many tuples it picks.
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
 };
 

@@ -148,7 +148,7 @@ private:
             return false;
         if constexpr (orderable_scheme<Scheme, Index>)
             if (is_worth_ordering(mesh.topology(), scheme, plan_->begin + int(plan_->bases.size())) and
-                plan_->bases.size() > 1) { // else the numbers take memory that nobody has foreseen
+                plan_->bases.size() > 1) { // else the numbers take memory that no plan counts
                 auto ordered = in_surface_order(mesh);
                 Scheme of_level = scheme;
                 refine_ordered(ordered, of_level, plan_->begin);

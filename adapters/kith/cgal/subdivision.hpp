@@ -56,7 +56,8 @@ inline constexpr bool has_sharp_elements = is_given<Np, CGAL::internal_np::edge_
                                            is_given<Np, parameters::edge_sharpness_t> or
                                            is_given<Np, parameters::vertex_sharpness_t>;
 
-/// Whether a map is asked by elements of this type. If not, says so in one sentence; a map without a key type fits.
+/// Returns true if elements of this type are keys of the map, which a map without a key type always accepts. Else the
+/// program does not compile.
 template <class Map, class Element>
 constexpr bool has_key()
 {
@@ -177,7 +178,7 @@ void put_point(Graph& g, const VertexPointMap& points, Vertex v, const Point& p)
 }
 
 /// Overwrites the graph with a refined mesh; point_of(i) is the point of vertex i. Returns its elements in that order.
-/// What fails does so before a Surface_mesh is changed, but for maps of the user's own.
+/// Errors occur before a Surface_mesh is changed, except errors of maps that the caller passes.
 template <class Graph, class VertexPointMap, class Point, class Carried, class PointOf>
 auto write(Graph& g, VertexPointMap points, const in_place::refined<Point>& fine, Carried& carried,
            const PointOf& point_of)

@@ -196,7 +196,7 @@ private:
     std::size_t bound_ = 0;
     typename mesh::template Property_map<face, bool> odd_;
     std::optional<detail::taken_back_elements<Point>> taken_back_;
-    /// What CGAL calls its maps meanwhile, which it leaves where it fails.
+    /// Names of the maps that CGAL adds during a garbage collection and leaves behind if it fails.
     std::array<std::string, 3> maps_of_garbage_{"v:garbage-collection", "h:garbage-collection", "f:garbage-collection"};
 };
 

@@ -27,7 +27,7 @@ public:
                 received_[r].resize(sizes[r]);
         requests_.reserve(2 * sizes.size());
     }
-    under_way(under_way&&) noexcept = default; // a list that was moved from is empty, so nobody waits twice
+    under_way(under_way&&) noexcept = default; // a list that was moved from is empty, so there is no second wait
     under_way& operator=(under_way&&) = delete;
     ~under_way() { MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
 
@@ -43,7 +43,7 @@ public:
                 if (r != self)
                     comm.start_send(sent_[r], int(r), requests_);
         } catch (...) {
-            // Nobody may wait for what others will never send; what has begun still writes to its buffers, which stay
+            // This rank must not wait for what others will never send; what has begun still writes to its buffers, which stay
             // until the job ends.
             static_cast<void>(new std::pair(std::move(sent_), std::move(received_)));
             requests_.clear();

@@ -21,7 +21,7 @@ struct control_numbers {
     sums_before corners_of_faces, faces_at_vertices, marked_edges;
 };
 
-/// The runs that it is made of, as far as somebody knows them.
+/// The runs of control_numbers, as far as they are known.
 struct control_runs {
     std::vector<equal_run> corners_of_faces, faces_at_vertices, marked_edges;
 

@@ -17,7 +17,7 @@
 
 namespace kith {
 
-/// Who descends from whom in a whole mesh that nobody holds, over any number of levels, by the numbers of elements
+/// Ancestors and descendants in a whole mesh that no rank holds, over any number of levels, by the numbers of elements
 /// alone: the answers of `hierarchy`. It holds no element, so it is the same on all ranks and for all tiles, wherever
 /// they lie. Local.
 /// Errors of all functions: mesh_error for levels and elements that are not there.

@@ -35,7 +35,7 @@ global_id last_where(global_id begin, global_id end, const Holds& holds)
     return begin;
 }
 
-/// The tuples of a column that give birth in a mesh that nobody holds. Where the boundary leaves tuples out (`inside`,
+/// The tuples of a column that make elements in a mesh that no rank holds. Where the boundary leaves tuples out (`inside`,
 /// `on_boundary`), the exceptions are kept: they are few, since they lie along curves. Where marks of edges decide, the
 /// tuple knows how many there are before it; without one the marked edges come first, unless marks are told.
 class told_tuples {

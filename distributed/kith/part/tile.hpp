@@ -11,7 +11,7 @@
 
 namespace kith {
 
-/// The number of an element in the whole mesh of its level, which nobody holds.
+/// The number of an element in the whole mesh of its level, which no rank holds.
 using global_id = std::uint64_t;
 
 /// What a tile knows of an element beside its number.

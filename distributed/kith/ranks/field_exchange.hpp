@@ -71,7 +71,7 @@ public:
                 for (std::size_t i = 0; i < owners[directory].size(); ++i) {
                     const auto& [rank, there] = owners[directory][i];
                     const slot here = asking[directory][i];
-                    if (rank == nobody)
+                    if (rank == no_rank)
                         throw mesh_error("tile " + std::to_string(tiles[here.tile].number) +
                                          " has a ghost without an owner; give all tiles of the level, each once");
                     wanted[rank].push_back({there, tiles[here.tile].number, here.element});
@@ -147,7 +147,7 @@ private:
         slot where;                         // on the owner's rank
         std::uint64_t asking_tile, element; // of the shadow: the number of its tile, and its place there
     };
-    static constexpr std::uint64_t nobody = ~std::uint64_t(0);
+    static constexpr std::uint64_t no_rank = ~std::uint64_t(0);
 
     template <class Fields>
     using value_of = std::remove_cvref_t<decltype(std::declval<Fields&>()[0][0])>;
@@ -188,7 +188,7 @@ private:
         return result;
     }
 
-    /// Element i is looked up on rank i modulo ranks, so that nobody has to know of all.
+    /// Element i is looked up on rank i modulo ranks, so that no rank has to know all owners.
     std::vector<std::vector<owner>> find_owners(std::vector<std::vector<offer>> offers,
                                                 std::vector<std::vector<global_id>> questions)
     {
@@ -208,7 +208,7 @@ private:
                 for (const global_id id : asked[rank]) {
                     const auto found = std::ranges::lower_bound(known, id, {}, &std::pair<global_id, owner>::first);
                     answers[rank].push_back(found != known.end() and found->first == id ? found->second
-                                                                                        : owner{nobody, {}});
+                                                                                        : owner{no_rank, {}});
                 }
             return answers;
         });

@@ -177,7 +177,7 @@ basic_mesh<Point, Index> gather_tiles(communicator& comm, const std::vector<cons
     std::optional<gathered_mesh<Point, Index>> whole;
     in_agreement(comm, [&] { comm.is_root() ? void(whole.emplace(counts, facts.degree)) : void(); });
     in_agreement(comm, [&] {
-        std::string problem; // nobody may leave while others wait for a message
+        std::string problem; // no rank may leave while others wait for a message
         const auto packed = [&](std::size_t i) {
             std::vector<std::byte> message;
             if (problem.empty())

@@ -74,7 +74,7 @@ inline std::string column_for(const tuple_elements& tuple)
     return found == columns_by_letters.end() ? ""
                                              : std::string("declare ") + found->name + " among the new vertices, or ";
 }
-/// A vertex that is in no column and that nobody has made so far.
+/// Refuses a vertex that no column declares and that the scheme has not set yet.
 [[noreturn, gnu::noinline]] inline void read_early(const tuple_elements& tuple)
 {
     const std::string column = column_for(tuple);

@@ -87,8 +87,8 @@ private:
 };
 
 /// The numbers of parts that several threads share. Each begins with a range of its own, as large as those of the
-/// others: what it reads and writes lies together, so that threads rarely wait for each other's cache lines. Who has
-/// done all of it takes the further half of what somebody else has left (work stealing: Blumofe & Leiserson 1999).
+/// others: what it reads and writes lies together, so that threads rarely wait for each other's cache lines. A
+/// thread without work takes the further half of what another thread has left (work stealing: Blumofe & Leiserson 1999).
 class shared_parts {
 public:
     /// Precondition: fewer than 2^32 parts. Cost: O(threads).
@@ -137,7 +137,7 @@ private:
     static std::size_t begin_of(std::uint64_t range) { return std::uint32_t(range); }
     static std::size_t end_of(std::uint64_t range) { return range >> 32; }
 
-    /// Whether somebody had something left.
+    /// Returns whether another thread had work left.
     bool take_from_others(std::atomic<std::uint64_t>& own)
     {
         for (;;) {

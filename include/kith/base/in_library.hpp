@@ -8,8 +8,8 @@
 #include <kith_needs_-std=c++20>
 #endif
 
-// Functions that are no templates and that nobody waits for, such as the texts of errors, are compiled once where a
-// program links kith::compiled_schemes: their headers define them KITH_IN_LIBRARY, and only #ifdef KITH_HAS_BODIES.
+// Functions that are no templates and not time-critical, such as the texts of errors, are compiled once if a program
+// links kith::compiled_schemes: their headers define them KITH_IN_LIBRARY, and only #ifdef KITH_HAS_BODIES.
 #ifdef KITH_COMPILED_SCHEMES
 #define KITH_IN_LIBRARY
 #else

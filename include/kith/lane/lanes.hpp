@@ -24,7 +24,7 @@ inline constexpr bool fits_lanes = false;
 #define KITH_HAS_LANES 1
 // Aligned, so that their loops are as fast in every program.
 #if defined(__x86_64__)
-// Nobody asks whether there is prfchw: a processor without it passes over that instruction.
+// prfchw needs no check at run time: a processor without it ignores the instruction.
 #define KITH_LANES_OF_16_BYTES [[gnu::target("prfchw"), gnu::noinline, gnu::aligned(64)]]
 #define KITH_LANES_OF_32_BYTES [[gnu::target("avx2,prfchw"), gnu::noinline, gnu::aligned(64)]]
 #define KITH_LANES_OF_64_BYTES [[gnu::target("avx512f,avx512vl,prfchw"), gnu::noinline, gnu::aligned(64)]]

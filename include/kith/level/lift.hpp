@@ -31,7 +31,7 @@ struct level_view<basic_mesh<Point, Index>> {
 template <mesh M>
 using level_of = typename level_view<M>::type;
 
-/// Errors: mesh_error for a native mesh of face-vertex lists only, whose edges nobody knows.
+/// Errors: mesh_error for a native mesh of face-vertex lists only, which stores no edges.
 template <mesh M>
 void require_edges(const M& mesh)
 {

@@ -35,7 +35,7 @@ public:
         own_ = storage<T>(size);
         allocate_at(own_.data(), size);
     }
-    /// They are made in an array of somebody else, who keeps them.
+    /// Makes the values in an array of the caller, which keeps them.
     void allocate_at(T* array, std::size_t size)
     {
         fine_ = array;

@@ -61,7 +61,7 @@ struct connectivity {
 
     [[nodiscard]] std::size_t corners() const { return corner_vertex.size(); }
     [[nodiscard]] std::size_t edges() const { return halfedge_corner.size() / 2; }
-    /// Face-vertex lists only: the last level of a refinement, when nobody asked for more.
+    /// Face-vertex lists only: the last level of a refinement, unless more was asked for.
     [[nodiscard]] bool faces_only() const { return corner_halfedge.empty() and corners() != 0; }
 
     [[nodiscard]] Index first_corner(std::size_t face) const

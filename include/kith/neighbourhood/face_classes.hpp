@@ -21,8 +21,8 @@
 
 namespace kith {
 
-/// Which faces of a mesh have alike neighbourhoods, with what the state of the scheme says there. Nobody walks around
-/// each face for it: two vertices are of one kind where their fans are alike from start to end, two faces are of one
+/// Which faces of a mesh have alike neighbourhoods, with what the state of the scheme says there. No face is
+/// walked around for it: two vertices are of one kind where their fans are alike from start to end, two faces are of one
 /// class where their corners have the same places in fans of the same kinds, and each round over vertices and faces
 /// adds a ring (the colour refinement of Weisfeiler & Leman 1968; what lies around an element of a surface is in order,
 /// so that it tells apart all but neighbourhoods that meet themselves again from behind, for which see

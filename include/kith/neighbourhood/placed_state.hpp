@@ -58,7 +58,7 @@ concept scheme_of_places = scheme<Scheme> and
                            detail::are_placed(
                                static_cast<const decltype(detail::states_of(std::declval<Scheme&>()))*>(nullptr));
 
-/// What the scheme is where its state says nothing; the scheme itself, if nobody knows where that is.
+/// Returns the scheme as it is where its state is empty, or the scheme itself if its state has no known places.
 template <scheme Scheme>
 Scheme without_state(const Scheme& scheme)
 {

@@ -146,8 +146,8 @@ struct part_of_whole {
                 degree != 0 ? storage<Number>() : some(first_corners, some_faces),
                 degree};
     }
-    /// Those of the next level of the part, which a step has made of this one with these ids; without edges where
-    /// nobody asks for them.
+    /// Those of the next level of the part, which a step has made of this one with these ids; without edges
+    /// unless they are asked for.
     /// Cost: O(elements).
     template <level_numbering Numbering, std::unsigned_integral Index>
     [[nodiscard]] part_of_whole next(const connectivity<Index>& part, const Numbering& ids, const column_bases& bases,

@@ -112,18 +112,19 @@ struct patch_costs {
     double of_template = 600;        ///< of making one, in final faces: half of what it takes, since templates are kept
     double of_face_in_template = 20; ///< the same for each face of its patch: small ones, with fewer, gain more of them
     double of_look = 3;              ///< of finding the class of a face, per ring, in final faces
-    double most_of_looks = .4;       ///< nobody looks where that costs more of the whole
+    double most_of_looks = .4;       ///< classes are not looked for where that costs more of the whole
     double share_if_alike = .3;      ///< so few classes has a sample of faces of a control mesh whose faces are alike
     double to_be_cheaper = .9;       ///< patches must come to less than so much
     double least_if_late = 12;    ///< smaller patches do not gain where they begin late since faces are unlike before
     double least_if_ordered = 32; ///< smaller patches do not gain on the order of the surface alone, faces only
     double least_if_ordered_with_edges = 16; ///< the same with all connectivity
-    double least_faces = 12e6; ///< of the last level times those of a patch; for fewer nobody looks if one ring tells
+    double least_faces =
+        12e6; ///< of the last level times those of a patch; below it, classes are not sought if one ring suffices
     double least_faces_if_scattered = 40e6; ///< the same where they lie in no order and cannot be put into one
     double least_faces_again = .8e6; ///< the same where such levels have been made without templates again and again
     double of_class_again = 0;       ///< of finding the template of a class there
 
-    /// For fewer faces of the last level nobody looks: the more rings, the more classes are told apart.
+    /// Returns the faces of the last level below which classes are not sought. More rings tell more classes apart.
     [[nodiscard]] double least_to_look(const patch_plan& plan) const
     {
         return least_faces / plan.faces_of_patch() * (1 + plan.rings) / 2;

@@ -27,7 +27,7 @@ namespace kith {
 template <std::unsigned_integral Index>
 class sources_of_part {
 public:
-    static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+    static constexpr std::uint32_t no_model = std::numeric_limits<std::uint32_t>::max();
 
     /// Of the connectivity of a part, which must outlive this, where its faces come from, increasing, and the models
     /// among these. `degree`: of all faces of any level; 0: they may have several.
@@ -37,7 +37,7 @@ public:
         , degree_(degree)
         , face_from_(face_from)
         , turned_(edge_is_turned)
-        , model_of_(topology_.faces, nobody)
+        , model_of_(topology_.faces, no_model)
         , at_(topology_.vertices + topology_.edges() + 2 * topology_.faces)
     {
         for (std::size_t m = 0; m < models.size(); ++m)
@@ -92,13 +92,13 @@ public:
                 at_[id]};
     }
     [[nodiscard]] std::size_t size() const { return at_.size(); }
-    /// The model that owns an element, or nobody.
+    /// The model that owns an element, or no_model.
     [[nodiscard]] std::uint32_t owner(std::uint32_t id) const
     {
         if (id < edge(0))
             return model_of_[topology_.face_of(topology_.vertex_corner[id])];
         if (id < of_face(0))
-            return turned_[id - edge(0)] ? nobody
+            return turned_[id - edge(0)] ? no_model
                                          : model_of_[topology_.face_of(topology_.halfedge_corner[2 * (id - edge(0))])];
         return model_of_[(id - of_face(0)) % topology_.faces];
     }

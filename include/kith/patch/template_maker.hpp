@@ -33,7 +33,7 @@ public:
         std::vector<std::uint32_t> owners(numbers.size());
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             owners[i] = sources.owner(numbers[i].source);
-            if (owners[i] != sources.nobody)
+            if (owners[i] != sources.no_model)
                 ++begin_[owners[i] + 1];
         }
         for (std::size_t m = 0; m < models; ++m)
@@ -41,7 +41,7 @@ public:
         places_.resize(begin_[models]);
         std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
         for (std::size_t i = 0; i < numbers.size(); ++i)
-            if (owners[i] != sources.nobody)
+            if (owners[i] != sources.no_model)
                 places_[next[owners[i]]++] = std::uint32_t(i);
     }
 
@@ -138,7 +138,7 @@ private:
             numbers,
             bases_,
             rings_,
-            [&](const affine_number<Index>& face) { return sources.owner(face.source) != sources.nobody; },
+            [&](const affine_number<Index>& face) { return sources.owner(face.source) != sources.no_model; },
             cost_of_cut,
             refine);
         numbering ids;
@@ -147,7 +147,7 @@ private:
         if constexpr (not std::same_as<Made, last_points>) {
             advance(scheme, level_of<basic_mesh<value, Index>>(before_last), before_last.generation(), ids, fine);
             Made::replace(fine, scheme, [&](std::size_t v) {
-                return sources.owner(numbers.vertices[v].source) != sources.nobody;
+                return sources.owner(numbers.vertices[v].source) != sources.no_model;
             });
         }
 

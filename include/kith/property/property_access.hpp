@@ -24,7 +24,7 @@ namespace kith {
 ///   standard_name<Handle>(which) what the library calls a standard_property on such elements; empty if it does not
 ///   standard_type<which>               and the type of its values; void for any
 ///
-/// and where properties have a value for elements that nobody has given one, which else is T():
+/// and, where elements without an assigned value have another one than T():
 ///
 ///   with_one_element(mesh)             a mesh with the same properties and one element of each kind, which have these
 ///                                      values

@@ -30,7 +30,7 @@ const T& value_of_nothing()
     return value;
 }
 
-/// Meshes whose properties have values of their own for elements that nobody has given one, as property maps of CGAL
+/// Meshes whose properties have a default value each for elements without an assigned one, as property maps of CGAL
 /// have.
 template <class M>
 concept mesh_with_unset_values = mesh_with_properties<M> and requires(const M& mesh) {
@@ -62,7 +62,7 @@ private:
     std::optional<M> one_of_each_;
 };
 
-/// A property to write to, new where there is none; then elements that nobody gives a value have this one.
+/// Returns a property to write to. Adds it if there is none; `nothing` is then the value of unassigned elements.
 template <class Handle, class T, mesh_with_properties M>
 auto add_unset(M& mesh, const std::string& name, const T& nothing)
 {

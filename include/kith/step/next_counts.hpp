@@ -15,7 +15,7 @@ namespace kith {
 
 namespace detail {
 
-/// The tuples of a column of which nobody knows more than how many they are.
+/// The tuples of a column of which only the number is known.
 class counted_tuples {
 public:
     counted_tuples() = default;

@@ -112,7 +112,7 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
             fine.corner_face = storage<index>(corners);
         fine.corner_vertex = storage<index>(corners);
         if constexpr (Connect == connect::everything and Numbering::has_edges) {
-            const bool clear = Checked or corners != 2 * ids.edges.total(); // else there is no side that nobody writes
+            const bool clear = Checked or corners != 2 * ids.edges.total(); // else each side is written
             fine.corner_halfedge = storage<index>(corners);
             fine.halfedge_corner = clear ? none_yet<index>(2 * ids.edges.total())
                                          : storage<index>(2 * ids.edges.total());

@@ -28,7 +28,7 @@ public:
     {
         if (not applies_)
             return;
-        const Body body = body_; // the compiler knows that nobody else changes a copy
+        const Body body = body_; // the compiler knows that a local copy has no aliases
         for_each(elements_(r.coarse), [&body, &assoc = r.assoc](const auto& x) {
             if constexpr (std::is_void_v<decltype(body(x))>)
                 body(x);

@@ -91,7 +91,7 @@ private:
     template <class Range, mask_evaluator Space, class Smooth>
     void make_all(const Range& range, const Space& assoc, const Smooth& smooth_mask) const
     {
-        const Smooth smooth = smooth_mask; // the compiler knows that nobody else changes a copy
+        const Smooth smooth = smooth_mask; // the compiler knows that a local copy has no aliases
         constexpr bool native = detail::ordered_by_faces<Level>;
         if constexpr (native)
             if (all_smooth_)

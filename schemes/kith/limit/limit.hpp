@@ -6,7 +6,7 @@
 #include <kith/level/elements.hpp>
 #include <kith/level/for_each.hpp>
 #include <kith/level/values.hpp>
-// The rules of all schemes, so that nobody looks for limits without knowing them.
+// The limit rules of all schemes, so that no limit is searched for although its scheme has a rule.
 #include <kith/limit_rules/butterfly.hpp>
 #include <kith/limit_rules/catmull_clark.hpp>
 #include <kith/limit_rules/doo_sabin.hpp>

@@ -23,7 +23,7 @@ namespace kith::detail {
 /// faces.
 class diagonal_choice {
 public:
-    /// `places[0]` and `places[1]` of a quad: its even and odd corners, if somebody else wants them; else `own`.
+    /// `places[0]` and `places[1]` of a quad: its even and odd corners, if another quad wants them; else `own`.
     struct quad {
         std::size_t face;
         std::array<std::size_t, 4> vertices; ///< from the smallest on
@@ -128,7 +128,7 @@ private:
             for (const std::size_t i : at_place_[place])
                 if (quad& q = quads_[i]; is_open(q)) {
                     const int which = q.places[0] == place ? 0 : 1;
-                    q.taken = which; // nobody else wants it
+                    q.taken = which; // no other quad wants it
                     is_taken_[place] = true;
                     --wanted_by[q.places[1 - which]];
                     note(q.places[1 - which]);
@@ -153,7 +153,7 @@ private:
     std::vector<std::size_t> pushed_;
 };
 
-/// The places that somebody else wants, too: another quad, or an edge that has them.
+/// The places that another quad wants, too, or that an edge has.
 class wanted_places {
 public:
     struct claim {
