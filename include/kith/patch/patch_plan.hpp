@@ -118,8 +118,7 @@ struct patch_costs {
     double least_if_late = 12;    ///< smaller patches do not gain where they begin late since faces are unlike before
     double least_if_ordered = 32; ///< smaller patches do not gain on the order of the surface alone, faces only
     double least_if_ordered_with_edges = 16; ///< the same with all connectivity
-    double least_faces =
-        12e6; ///< of the last level times those of a patch; below it, classes are not sought if one ring suffices
+    double least_faces = 12e6; ///< of the last level times those of a patch; fewer are not searched if one ring tells
     double least_faces_if_scattered = 40e6; ///< the same where they lie in no order and cannot be put into one
     double least_faces_again = .8e6; ///< the same where such levels have been made without templates again and again
     double of_class_again = 0;       ///< of finding the template of a class there
