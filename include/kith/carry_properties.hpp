@@ -70,7 +70,7 @@ inline constexpr field_on kind_of_handle = std::same_as<Handle, typename mesh_tr
 template <class Handle, mesh M, scheme Scheme, class Source, class Target,
           class Rule = decltype(detail::usual_rule<M, Handle, typename detail::map_value_type<Source, Handle>::type>())>
 void carry_map(const hierarchy<M, Scheme>& levels, int from, int to, const Source& source, Target&& target,
-               const Rule& rule = {})
+               const Rule& rule = Rule())
 {
     using value = typename detail::map_value_type<Source, Handle>::type;
     const auto handles = detail::handles_of<Handle>(levels[from]),

@@ -34,7 +34,7 @@ public:
     using index_type = typename level_type::index_type;
 
     /// Level 0 is a copy of the control mesh. Errors: as `refine`.
-    explicit hierarchy(M control, Scheme scheme = {}, refine_options options = {})
+    explicit hierarchy(M control, Scheme scheme = Scheme(), refine_options options = {})
         : options_(options), levels_(checked(control), std::move(scheme))
     {
         detail::require_control_level(this->scheme(0), elements(0), levels_.generation(0));

@@ -154,7 +154,7 @@ void write_levels(std::ostream& out, const hierarchy<M, Scheme>& levels)
 /// damaged, of other types or of another scheme, and where the options make other levels; mesh_error if it does not fit
 /// into the memory limit. Cost: that of refining.
 template <mesh M, scheme Scheme>
-hierarchy<M, Scheme> read_levels(std::istream& in, Scheme scheme = {}, refine_options options = {})
+hierarchy<M, Scheme> read_levels(std::istream& in, Scheme scheme = Scheme(), refine_options options = {})
 try {
     using point = typename mesh_traits<M>::point;
     using index = typename hierarchy<M, Scheme>::index_type;

@@ -25,7 +25,7 @@ class selected {
     using split = std::conditional_t<detail::splits_triangles<Scheme>, red_green_split, polygon_closure_split>;
 
 public:
-    explicit selected(Scheme scheme = {}) : scheme_(std::move(scheme)) {}
+    explicit selected(Scheme scheme = Scheme()) : scheme_(std::move(scheme)) {}
 
     /// The scheme that is used where faces are split, with its state of this level.
     [[nodiscard]] const Scheme& scheme() const { return scheme_; }

@@ -49,8 +49,8 @@ public:
     /// is.
     using progress_function = std::function<bool(double)>;
 
-    explicit subdivider(Scheme scheme = {}) : scheme_(std::move(scheme)) {}
-    explicit subdivider(Mesh& mesh, Scheme scheme = {}) : scheme_(std::move(scheme)) { attach(mesh); }
+    explicit subdivider(Scheme scheme = Scheme()) : scheme_(std::move(scheme)) {}
+    explicit subdivider(Mesh& mesh, Scheme scheme = Scheme()) : scheme_(std::move(scheme)) { attach(mesh); }
     subdivider(const subdivider&) = delete;
     subdivider& operator=(const subdivider&) = delete;
     ~subdivider() override { detach(); }

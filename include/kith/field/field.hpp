@@ -67,7 +67,7 @@ public:
     /// Takes any array of values: std::vector, std::span, storage.
     template <class Range>
         requires requires(const Range& range) { std::data(range), std::size(range); }
-    explicit field(const Range& values, Rule rule = {}) : values_(storage<T>(values)), rule_(std::move(rule))
+    explicit field(const Range& values, Rule rule = Rule()) : values_(storage<T>(values)), rule_(std::move(rule))
     {
     }
 
@@ -169,22 +169,22 @@ auto make_field(const Values& values, Rule rule)
 
 /// A field from an array of values, one for each element in the order of the dense numbers.
 template <class Values, class Rule = from_parent<>>
-auto on_faces(const Values& values, Rule rule = {})
+auto on_faces(const Values& values, Rule rule = Rule())
 {
     return detail::make_field<field_on::faces>(values, std::move(rule));
 }
 template <class Values, class Rule = along_edges<>>
-auto on_edges(const Values& values, Rule rule = {})
+auto on_edges(const Values& values, Rule rule = Rule())
 {
     return detail::make_field<field_on::edges>(values, std::move(rule));
 }
 template <class Values, class Rule = linear_values>
-auto on_vertices(const Values& values, Rule rule = {})
+auto on_vertices(const Values& values, Rule rule = Rule())
 {
     return detail::make_field<field_on::vertices>(values, std::move(rule));
 }
 template <class Values, class Rule = linear_in_faces>
-auto on_corners(const Values& values, Rule rule = {})
+auto on_corners(const Values& values, Rule rule = Rule())
 {
     return detail::make_field<field_on::corners>(values, std::move(rule));
 }
