@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/part/tile.hpp>
+#include <kith/part/tile_like.hpp>
 #include <kith/step/submesh.hpp>
 
 #include <concepts>
