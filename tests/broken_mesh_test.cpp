@@ -304,7 +304,7 @@ TEST(broken_mesh, a_vertex_that_starts_at_no_half_edge_of_the_mesh)
     EXPECT_NE(told.hierarchy.find("vertex 2: "), std::string::npos) << told.hierarchy;
     EXPECT_NE(told.dialect.find("vertex 2: "), std::string::npos) << told.dialect;
     EXPECT_EQ(refusal([&] { kith::creases_by_angle(mesh, 30); }),
-              "vertex 2: its half-edge leads to none of its faces; give it one that leaves it and has a face");
+              "vertex 2: its half-edge leads to none of its faces; give it an outgoing half-edge of one of its faces");
 }
 
 TEST(broken_mesh, a_vertex_that_starts_at_a_half_edge_of_another)
@@ -314,7 +314,7 @@ TEST(broken_mesh, a_vertex_that_starts_at_a_half_edge_of_another)
     for (const auto& shape : {shapes::tetrahedron(), open}) {
         const auto says = [](std::size_t h, std::size_t of) {
             return "vertex 2: its half-edge " + std::to_string(h) + " leaves vertex " + std::to_string(of) +
-                   "; give it one that leaves it and has a face";
+                   "; give it an outgoing half-edge of one of its faces";
         };
         for (const int other : {0, 1, 3}) {
             auto ours = openmesh(shape);
@@ -333,7 +333,7 @@ TEST(broken_mesh, a_vertex_that_starts_at_a_half_edge_of_another)
     auto ours = openmesh(open); // at the boundary, too
     ours.set_halfedge_handle(OpenMesh::VertexHandle(2), OpenMesh::HalfedgeHandle(40));
     expect_all(refusals_of(ours),
-               "vertex 2: its half-edge leads to none of its faces; give it one that leaves it and has a face");
+               "vertex 2: its half-edge leads to none of its faces; give it an outgoing half-edge of one of its faces");
 }
 
 const std::string unjoined = ": its half-edges name another face, or contradict each other about the next and the "

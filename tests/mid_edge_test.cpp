@@ -29,7 +29,7 @@ TEST(mid_edge, closes_the_faces_of_boundary_vertices)
 
 TEST(mid_edge, refuses_an_inner_vertex_between_two_faces)
 {
-    EXPECT_EQ(error_text<kith::mesh_error>([] { kith::refine(exact(shapes::valence_two()), kith::mid_edge(), 1); }),
-              "mid-edge: vertex 3 lies between 2 faces only, the scheme needs three; join its "
-              "edges to one first");
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([] { kith::refine(exact(shapes::valence_two()), kith::mid_edge(), 1); }),
+        "mid-edge: vertex 3 lies between 2 faces only, the scheme needs three; merge its two edges into one first");
 }

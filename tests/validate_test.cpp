@@ -71,10 +71,11 @@ TEST(validate, finds_vertices_that_start_elsewhere)
             expect_refusal(with_start(v, corner),
                            "vertex " + std::to_string(v) + ": its half-edge " +
                                std::to_string(good.topology().corner_halfedge[corner]) + " leaves vertex " +
-                               std::to_string(other) + "; give it one that leaves it and has a face");
+                               std::to_string(other) + "; give it an outgoing half-edge of one of its faces");
         }
-        expect_refusal(with_start(2, 24),
-                       "vertex 2: its half-edge leads to none of its faces; give it one that leaves it and has a face");
+        expect_refusal(
+            with_start(2, 24),
+            "vertex 2: its half-edge leads to none of its faces; give it an outgoing half-edge of one of its faces");
         expect_refusal(with_start(2, kith::connectivity<std::uint32_t>::none),
                        "vertex 2: belongs to no face; remove it or give it a face");
     }

@@ -180,7 +180,8 @@ TEST(write_level, says_what_is_wrong_and_leaves_nothing)
     for (auto& tile : kept)
         tile.number = 3 * tile.number + 2;
     EXPECT_EQ(text("c.vtu", 1), "no error");
-    EXPECT_TRUE(text("c.pvtu", 1).ends_with("does not exist among 3; number them from 0 to 2")) << text("c.pvtu", 1);
+    EXPECT_TRUE(text("c.pvtu", 1).ends_with("does not exist, there are 3; number them from 0 to 2"))
+        << text("c.pvtu", 1);
     EXPECT_FALSE(fs::exists(here.path() / "c.pvtu"));
     for (auto& tile : kept)
         tile.scheme = some_fields::without_values(tile.scheme);

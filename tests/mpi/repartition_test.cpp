@@ -131,7 +131,7 @@ TEST(repartition, keeps_normals)
         const auto bytes = kith::pack(kith::tile_job<tile3d, kith::catmull_clark>{std::move(part), {}});
         EXPECT_EQ(error_text<kith::pack_error>(
                       [&] { kith::unpack<std::array<double, 3>, std::uint32_t>(bytes, kith::catmull_clark{}); }),
-                  "a message holds a tile that has not one normal per vertex; its sender is at fault");
+                  "a message holds a tile that has more or fewer normals than vertices; its sender is at fault");
     }
 }
 
@@ -197,7 +197,7 @@ TEST(rank_refinement, refuses_tiles_whose_numbers_it_cannot_ask_for)
             [&] { kith::mpi::rank_refinement(world(), std::move(tiles), cutter.counts(), scheme, 1); });
     };
     EXPECT_EQ(text({2, 0, 1}), "no error");
-    EXPECT_EQ(text({1, 2, 3}), "tile 3 does not exist among 3; number them from 0 to 2");
+    EXPECT_EQ(text({1, 2, 3}), "tile 3 does not exist, there are 3; number them from 0 to 2");
     EXPECT_EQ(text({0, 2, 2}), "tile 2 is held 2 times; give each tile a number of its own");
 }
 

@@ -43,8 +43,8 @@ public:
                 if (r != self)
                     comm.start_send(sent_[r], int(r), requests_);
         } catch (...) {
-            // This rank must not wait for what others will never send; what has begun still writes to its buffers, which stay
-            // until the job ends.
+            // This rank must not wait for what others will never send. What has begun still writes to its buffers,
+            // which stay until the job ends.
             static_cast<void>(new std::pair(std::move(sent_), std::move(received_)));
             requests_.clear();
             throw;

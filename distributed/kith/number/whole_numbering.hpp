@@ -35,9 +35,10 @@ global_id last_where(global_id begin, global_id end, const Holds& holds)
     return begin;
 }
 
-/// The tuples of a column that make elements in a mesh that no rank holds. Where the boundary leaves tuples out (`inside`,
-/// `on_boundary`), the exceptions are kept: they are few, since they lie along curves. Where marks of edges decide, the
-/// tuple knows how many there are before it; without one the marked edges come first, unless marks are told.
+/// The tuples of a column that make elements in a mesh that no rank holds. Where the boundary leaves tuples out
+/// (`inside`, `on_boundary`), the exceptions are kept: they are few, since they lie along curves. Where marks of edges
+/// decide, the tuple knows how many there are before it; without one the marked edges come first, unless marks are
+/// told.
 class told_tuples {
 public:
     told_tuples() = default;

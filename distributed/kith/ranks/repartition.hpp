@@ -35,7 +35,7 @@ std::vector<std::uint64_t> owned_faces(communicator& comm, const Tiles& tiles, s
             if (not is_meant(tile))
                 continue;
             if (tile.number >= all_tiles)
-                throw mesh_error("tile " + std::to_string(tile.number) + " does not exist among " +
+                throw mesh_error("tile " + std::to_string(tile.number) + " does not exist, there are " +
                                  std::to_string(all_tiles) + "; give the number of all tiles");
             ++seen[tile.number];
             faces[tile.number] += owned_count(tile.part.face_marks);

@@ -53,8 +53,8 @@ std::uint64_t require_all_tiles(communicator& comm, const std::vector<numbered_t
         held.resize(count, 0);
         for (const auto& [number, part] : tiles) {
             if (number >= count)
-                throw mesh_error("tile " + std::to_string(number) + " does not exist among " + std::to_string(count) +
-                                 "; number them from 0 to " + std::to_string(count - 1));
+                throw mesh_error("tile " + std::to_string(number) + " does not exist, there are " +
+                                 std::to_string(count) + "; number them from 0 to " + std::to_string(count - 1));
             ++held[number];
         }
     });

@@ -254,7 +254,7 @@ tile_job<tile<Point, Index>, Scheme> unpack(std::span<const std::byte> bytes, Sc
         throw pack_error("a message is longer than its contents");
     const char* fault = detail::fault_of_tile(mesh.topology, mesh.points.size(), part);
     if (fault == nullptr and not part.normals.empty() and part.normals.size() != mesh.points.size())
-        fault = "has not one normal per vertex";
+        fault = "has more or fewer normals than vertices";
     if (fault != nullptr)
         throw pack_error(std::string("a message holds a tile that ") + fault + "; its sender is at fault");
     part.mesh = {std::move(mesh.points), std::move(mesh.topology), mesh.generation};

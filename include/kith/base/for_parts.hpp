@@ -86,9 +86,9 @@ private:
     void (*call_)(const void*, std::size_t, std::size_t);
 };
 
-/// The numbers of parts that several threads share. Each begins with a range of its own, as large as those of the
-/// others: what it reads and writes lies together, so that threads rarely wait for each other's cache lines. A
-/// thread without work takes the further half of what another thread has left (work stealing: Blumofe & Leiserson 1999).
+/// The numbers of parts that several threads share. All threads begin with ranges of equal size. What a thread reads
+/// and writes lies together, so that threads rarely wait for each other's cache lines. A thread without work takes the
+/// further half of what another thread has left (work stealing: Blumofe & Leiserson 1999).
 class shared_parts {
 public:
     /// Precondition: fewer than 2^32 parts. Cost: O(threads).

@@ -183,14 +183,14 @@ KITH_IN_LIBRARY void mesh_report::add_lost_fan(std::size_t vertex)
 {
     add(problem::nonmanifold_vertex, [&] {
         return named("vertex", vertex) +
-               "its half-edge leads to none of its faces; give it one that leaves it and has a face";
+               "its half-edge leads to none of its faces; give it an outgoing half-edge of one of its faces";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_foreign_start(std::size_t vertex, std::size_t halfedge, std::size_t other)
 {
     add(problem::nonmanifold_vertex, [&] {
         return named("vertex", vertex) + "its half-edge " + std::to_string(halfedge) + " leaves vertex " +
-               number(other) + "; give it one that leaves it and has a face";
+               number(other) + "; give it an outgoing half-edge of one of its faces";
     });
 }
 KITH_IN_LIBRARY void mesh_report::add_late_start(std::size_t vertex, std::size_t halfedge, std::size_t first)

@@ -21,12 +21,11 @@
 
 namespace kith {
 
-/// Which faces of a mesh have alike neighbourhoods, with what the state of the scheme says there. No face is
-/// walked around for it: two vertices are of one kind where their fans are alike from start to end, two faces are of one
-/// class where their corners have the same places in fans of the same kinds, and each round over vertices and faces
-/// adds a ring (the colour refinement of Weisfeiler & Leman 1968; what lies around an element of a surface is in order,
-/// so that it tells apart all but neighbourhoods that meet themselves again from behind, for which see
-/// `face_walk::is_disk`).
+/// Classes of faces with alike neighbourhoods, including the state of the scheme there. No face is walked around for
+/// this. Two vertices are of one kind if their fans are alike from start to end. Two faces are of one class if their
+/// corners have the same places in fans of the same kinds. Each round over vertices and faces adds a ring (the colour
+/// refinement of Weisfeiler & Leman 1968). The elements around an element of a surface are in order, so this tells
+/// apart all but neighbourhoods that meet themselves again from behind; see `face_walk::is_disk`.
 template <std::unsigned_integral Index>
 class face_classes {
 public:

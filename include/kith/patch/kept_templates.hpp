@@ -30,9 +30,9 @@ struct only_as {
 
 } // namespace detail
 
-/// Schemes that can be told apart: by their members, if they have any, of which their masks have to follow: changes
-/// of what a scheme reads from elsewhere are not noticed. The comparison must be one of their own, as that of a base would
-/// leave out the members that a derived scheme adds.
+/// Schemes that can be told apart by their members, if they have any. Their masks have to follow from these members:
+/// changes of what a scheme reads from elsewhere are not noticed. The comparison must be one of their own, as that of a
+/// base would leave out the members that a derived scheme adds.
 template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
@@ -49,8 +49,8 @@ struct template_demand {
 /// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there
 /// that they are for. They are kept for the process, for each type of scheme and point, so that who refines this mesh
 /// again, or another one, is spared making them; those of schemes that cannot be told apart are not. A template takes
-/// some 5 to 30 KB, those of one type of scheme, number and index `most_bytes` at most: the least
-/// recently used ones are given up. Safe on several threads.
+/// some 5 to 30 KB. Those of one type of scheme, number and index take `most_bytes` at most: the least recently used
+/// ones are given up. Safe on several threads.
 template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:

@@ -130,7 +130,7 @@ public:
             throw mesh_error(
                 "the selected faces and the green ones beside them belong to another level; select faces of "
                 "this level, which has " +
-                std::to_string(level.face_count()));
+                std::to_string(level.face_count()) + " faces");
     }
 
     /// That of the next level: its green faces; all faces are chosen.
