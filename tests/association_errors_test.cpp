@@ -104,7 +104,7 @@ TEST(association_errors, a_face_with_too_few_vertices)
                   const auto v = coarse.vertices();
                   assoc(coarse.faces()[1], F) = polygon(assoc(v[0], V), assoc(v[1], V), assoc(v[2], V));
               }),
-              "assoc(f 1) -> F has 3 vertices, its column says 4");
+              "assoc(f 1) -> F has 3 vertices, but its column declares 4");
 }
 
 TEST(association_errors, a_face_with_too_many_vertices)
@@ -115,7 +115,7 @@ TEST(association_errors, a_face_with_too_many_vertices)
                   assoc(coarse.faces()[4],
                         F) = polygon(assoc(v[0], V), assoc(v[1], V), assoc(v[2], V), assoc(v[3], V), assoc(v[4], V));
               }),
-              "assoc(f 4) -> F has 5 vertices, its column says 4");
+              "assoc(f 4) -> F has 5 vertices, but its column declares 4");
 }
 
 TEST(association_errors, elements_that_do_not_touch)

@@ -140,7 +140,7 @@ TEST(hierarchy, refuses_tuples_under_which_nothing_was_made)
     const auto ask = [&](int level, const auto&... x) {
         return error_text<kith::association_error>([&] { static_cast<void>(h.levels.assoc(level, x..., V)); });
     };
-    const std::string nothing = ": the scheme made nothing under this tuple";
+    const std::string nothing = ": the scheme made no element from this tuple";
     EXPECT_EQ(ask(0, handles::vertex{0}, handles::vertex{9}), "level 0" + nothing); // not neighbours
     EXPECT_EQ(ask(0, handles::vertex{0}, handles::face{0}), "level 0" + nothing);   // no such column
     EXPECT_EQ(ask(2, handles::vertex{0}), "level 2 is the last, so its elements have no children yet; refine() first");
@@ -507,7 +507,7 @@ TEST(hierarchy, answers_for_vertices_of_the_dictionary)
               (shapes::point{1, 0, 0}));
     EXPECT_EQ(error_text<kith::association_error>(
                   [&] { static_cast<void>(levels.assoc(0, handles::vertex{0}, handles::vertex{6}, V)); }),
-              "level 0: the scheme made nothing under this tuple");
+              "level 0: the scheme made no element from this tuple");
     EXPECT_THROW(static_cast<void>(levels.assoc(0, handles::face{0}, V)), kith::association_error);
     const auto moved = std::move(levels);
     expect_middles(moved);

@@ -51,7 +51,7 @@ template <level Level>
                                               std::size_t declared)
 {
     refuse(list_tuple(level, kind, tuple),
-           " -> F has " + std::to_string(has) + " vertices, its column says " + std::to_string(declared));
+           " -> F has " + std::to_string(has) + " vertices, but its column declares " + std::to_string(declared));
 }
 template <level Level>
 [[gnu::noinline]] void require_degree(const Level& level, tuple_kind kind, std::size_t tuple, std::size_t has,

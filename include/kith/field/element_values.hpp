@@ -67,8 +67,8 @@ public:
         result.values_ = storage<T>(count_on(part));
         for_each_in(part, [&](std::size_t here, std::size_t there) {
             if (there >= size())
-                throw mesh_error("a field has " + std::to_string(size()) + " values, none for number " +
-                                 std::to_string(there) + " of the " + name() + "; give it one for each");
+                throw mesh_error("a field has " + std::to_string(size()) + " values, but the " + name() +
+                                 " include number " + std::to_string(there) + "; give it one for each");
             result.values_[here] = values_[there];
         });
         return result;

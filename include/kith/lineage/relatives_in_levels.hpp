@@ -44,7 +44,7 @@ auto child_of(const level_store<M, Scheme>& levels, int level, Target to, const 
                                 " is the last, so its elements have no children yet; refine() first");
     const auto found = retrieve(levels.elements(level), levels.at(level).ids, levels.elements(level + 1), to, x...);
     if (not found)
-        throw association_error("level " + std::to_string(level) + ": the scheme made nothing under this tuple");
+        throw association_error("level " + std::to_string(level) + ": the scheme made no element from this tuple");
     return *found;
 }
 
