@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/refine_in_patches.hpp>
+#include <kith/engine/refine_in_patches.hpp>
 
 #include <kith/catmull_clark.hpp>
 #include <kith/loop.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/refine_in_patches.hpp>
+#include <kith/engine/refine_in_patches.hpp>
 
 #include "thread_count.hpp"
 #include "written_level.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/refine_in_patches.hpp>
+#include <kith/engine/refine_in_patches.hpp>
 
 #include <kith/evaluator.hpp>
 #include <kith/refine.hpp>
@@ -112,6 +112,51 @@ TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
     for (const auto& mesh : {quads, polygons, triangles, open})
         for (int levels = 2; levels <= most_levels; ++levels)
             EXPECT_TRUE(compare(kith::tri_quad(mesh), kith::four_eight{}, levels));
+}
+
+template <class Scheme>
+void expect_hierarchy_in_patches(const mesh3d& control, const Scheme& scheme, int levels)
+{
+    const kith::patch_refinement<std::array<double, 3>, std::uint32_t, Scheme> patches(
+        control, scheme, levels, connect::everything);
+    ASSERT_TRUE(patches.is_worth_looking());
+    ASSERT_LT(patches.begin(), levels - 1);
+    kith::hierarchy surface(control, scheme);
+    surface.refine(levels);
+    for (int level = 1; level <= levels; ++level)
+        EXPECT_TRUE(
+            same_level(surface[level], kith::detail::refine_levels(control, scheme, level, connect::everything)))
+            << level;
+    using handles = kith::mesh_traits<mesh3d>;
+    kith::hierarchy last_step(surface[levels - 1], surface.scheme(levels - 1));
+    last_step.refine();
+    for (std::uint32_t v = 0; v < surface[levels].vertex_count(); v += 1009)
+        EXPECT_EQ(surface.origin(levels, handles::vertex{v}), last_step.origin(1, handles::vertex{v})) << v;
+
+    std::vector<std::array<double, 3>> moved(surface[levels - 1].points().begin(), surface[levels - 1].points().end());
+    moved[100][1] += .25;
+    surface.undo();
+    surface.move_points(levels - 1, moved);
+    surface.refine();
+    auto before = surface[levels - 1];
+    EXPECT_EQ(before.point(100)[1], moved[100][1]);
+    EXPECT_TRUE(same_level(surface[levels],
+                           level_by_level(std::move(before), surface.scheme(levels - 1), 1, connect::everything)))
+        << "what was moved counts, not the level from which patches begin";
+}
+
+TEST(refine_in_patches, makes_the_last_levels_of_a_hierarchy)
+{
+    if (under_sanitizers)
+        GTEST_SKIP() << "levels that are large enough take minutes";
+    const auto torus = native(shapes::torus(24, 12));
+    expect_hierarchy_in_patches(torus, kith::catmull_clark{}, 5);
+    expect_hierarchy_in_patches(torus, kith::doo_sabin{}, 5);
+    auto creased = kith::catmull_clark{};
+    creased.sharpness.sharpen_edge(5, 2.5);
+    creased.sharpness.sharpen_edge(77, kith::infinitely_sharp);
+    expect_hierarchy_in_patches(torus, creased, 5);
+    expect_hierarchy_in_patches(native(shapes::triangulated(shapes::torus(24, 12))), kith::loop{}, 5);
 }
 
 /// The last level, filled by registers of so many bytes.

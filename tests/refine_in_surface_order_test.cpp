@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/refine_in_surface_order.hpp>
+#include <kith/engine/refine_in_surface_order.hpp>
 
 #include <kith/refine.hpp>
 

@@ -9,7 +9,7 @@
 #include "word_list.hpp"
 
 #include <kith/number/column_facts.hpp>
-#include <kith/refine_in_surface_order.hpp>
+#include <kith/engine/refine_in_surface_order.hpp>
 #include <kith/tile/plan_tile.hpp>
 #include <kith/tile/tiles_at_once.hpp>
 

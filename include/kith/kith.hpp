@@ -7,7 +7,6 @@
 #include "hierarchy.hpp"
 #include "plan.hpp"
 #include "refine.hpp"
-#include "refine_in_surface_order.hpp"
 #include "refine_with_fields.hpp"
 
 #include <kith/mesh/make_mesh.hpp>

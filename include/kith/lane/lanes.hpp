@@ -20,7 +20,10 @@ inline constexpr bool fits_lanes = false;
 
 } // namespace kith
 
-#if defined(__GNUC__)
+// Patches, which use lanes, take about as long to compile as all else of a refinement. So headers alone leave them out,
+// and a deep refinement takes two to four times as long; kith::compiled_schemes has them. A program from headers alone
+// defines KITH_PATCHES in all of its files to have them.
+#if defined(__GNUC__) and (defined(KITH_COMPILED_SCHEMES) or defined(KITH_PATCHES))
 #define KITH_HAS_LANES 1
 // Aligned, so that their loops are as fast in every program.
 #if defined(__x86_64__)

@@ -56,13 +56,32 @@ public:
     /// been looked at in vain.
     [[nodiscard]] bool is_worth_looking() const { return is_worth_looking_ and plan_; }
 
-    /// What refining level by level makes, to the bit. Nothing where it is no gain; then the mesh, which is the control
-    /// mesh before, and its scheme are a level to go on from.
+    /// The level whose faces own patches, counted from the control mesh. Precondition: is_worth_looking().
+    [[nodiscard]] int begin() const { return plan_->begin; }
+
+    /// Returns the last level, with the bits of refining level by level, or nothing if patches are no gain. Then `mesh`,
+    /// which is the control mesh before the call, and its scheme are a level to go on from.
     [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine(basic_mesh<Point, Index>& mesh, Scheme& scheme) const
     {
         std::optional<basic_mesh<Point, Index>> fine;
-        look(mesh, scheme, [&](const auto& level, const patches& made, const numbers* given) {
+        const auto fill = [&](const auto& level, const patches& made, const numbers* given) {
             fine = filled(level, made, given);
+        };
+        look([&] { return with_patches(mesh, scheme, fill); });
+        return fine;
+    }
+    /// Same, but from the level begin(), which stays as it is. Precondition: is_worth_looking().
+    [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine_from(const basic_mesh<Point, Index>& level,
+                                                                      const Scheme& scheme) const
+    {
+        std::optional<basic_mesh<Point, Index>> fine;
+        look([&] {
+            if (not is_worth_while_if_scattered() and is_scattered(level.topology()))
+                return false;
+            const auto made = patches_of(level, scheme);
+            if (made)
+                fine = filled(level, *made, nullptr);
+            return made.has_value();
         });
         return fine;
     }
@@ -78,7 +97,7 @@ public:
             made.fill(level, {.points = fine.points(), .writer = &fine, .coarse_numbers = given});
             fine.finish(last_generation_);
         };
-        return look(mesh, scheme, into_fine);
+        return look([&] { return with_patches(mesh, scheme, into_fine); });
     }
 
 private:
@@ -95,11 +114,12 @@ private:
         is_worth_looking_ = costs.of_look * plan_->rings <= costs.most_of_looks * plan_->faces_of_patch() and
                             demand_.made + faces_ >= std::max(is_enough ? 0 : least_to_look_, demand_.next_look);
     }
-    /// f as for `with_patches`, if they are worth looking for and a gain; whether they were. The next time takes note.
-    template <class F>
-    bool look(basic_mesh<Point, Index>& mesh, Scheme& scheme, const F& f) const
+    /// Calls fill() if patches are worth looking for, and keeps for the next time whether they were a gain, which fill
+    /// and this function return.
+    template <class Fill>
+    bool look(const Fill& fill) const
     {
-        const bool is_gain = is_worth_looking() and with_patches(mesh, scheme, f);
+        const bool is_gain = is_worth_looking() and fill();
         if (not kept_)
             return false;
         template_demand demand = demand_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plan.hpp"
-
 #include <kith/step/numbered_level.hpp>
 #include <kith/step/step.hpp>
 
@@ -40,19 +38,7 @@ void refine_ordered(ordered_mesh<Point, Index>& mesh, Scheme& scheme, int steps)
     }
 }
 
-/// The same where the last level is made in one step. With all connectivity that step writes so much here and there
-/// that the level must be larger than the caches. Cost: O(levels).
-template <scheme Scheme, class Point, std::unsigned_integral Index>
-    requires orderable_scheme<Scheme, Index>
-bool is_worth_ordering(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, connect last_level)
-{
-    // As measured, comparisons/README.md.
-    const std::uint64_t least_faces = last_level == connect::faces ? 200'000 : 750'000;
-    return plan(count(control.topology()), scheme, levels, control.generation()).back().counts.faces >= least_faces and
-           is_worth_ordering(control.topology(), scheme, levels);
-}
-
-/// What `refine` makes of a mesh, to the bit, by way of the mesh in the order of its surface.
+/// Returns what `refine` makes of a mesh, to the bit, by way of the mesh in the order of its surface.
 /// Preconditions: levels > 1, and is_worth_ordering but for the part about scattered meshes; the mesh has its edges.
 /// Cost: that of the levels, and for each element of the last but one its number.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
