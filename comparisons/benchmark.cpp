@@ -32,16 +32,21 @@ struct peer {
     std::string name;
     std::string (*version)();
     std::vector<contest> (*contests)(const course_settings&);
+    std::vector<contest> (*doors)(const course_settings&);
 };
+std::vector<contest> none(const course_settings&)
+{
+    return {};
+}
 const std::vector<peer> peers{
-    {"cgal", cgal_version, cgal_contests},
+    {"cgal", cgal_version, cgal_contests, cgal_doors},
 #if defined(KITH_WITH_OPENMESH)
-    {"openmesh", openmesh_version, openmesh_contests},
+    {"openmesh", openmesh_version, openmesh_contests, openmesh_doors},
 #endif
 #if defined(KITH_WITH_OPENSUBDIV)
-    {"opensubdiv", opensubdiv_version, opensubdiv_contests},
+    {"opensubdiv", opensubdiv_version, opensubdiv_contests, none},
 #endif
-    {"kith", kith_version, kith_contests},
+    {"kith", kith_version, kith_contests, kith_doors},
 };
 
 bool is_in(const std::string& list, const std::string& word)
@@ -65,10 +70,13 @@ std::string all_peers()
 std::optional<options::variables_map> parse(int count, char** words)
 {
     options::options_description all("Options");
-    all.add_options()("help", "this text")("peers",
-                                           options::value<std::string>()->default_value(all_peers()),
-                                           "whom to compare with; kith: with writing memory, with itself on all "
-                                           "threads and with creases, and all schemes")(
+    all.add_options()("help", "this text")("doors",
+                                           "Catmull-Clark by the calls of users: in place with maps, with levels, "
+                                           "values, tiles and limits")(
+        "peers",
+        options::value<std::string>()->default_value(all_peers()),
+        "whom to compare with; kith: with writing memory, with itself on all "
+        "threads and with creases, and all schemes")(
         "schemes",
         options::value<std::string>()->default_value("catmull-clark,loop,butterfly,doo-sabin,sqrt3,kobbelt,"
                                                      "nasri-hasbini,mid-edge,4-8"),
@@ -146,7 +154,8 @@ void run_all(const options::variables_map& values)
             facts[peer.name] = peer.version();
             for (const double size : sizes) {
                 settings.faces_target = size;
-                std::ranges::move(peer.contests(settings), std::back_inserter(contests));
+                std::ranges::move((values.count("doors") ? peer.doors : peer.contests)(settings),
+                                  std::back_inserter(contests));
             }
         }
     std::erase_if(contests,

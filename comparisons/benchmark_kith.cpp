@@ -2,10 +2,19 @@
 #include "contests.hpp"
 
 #include <kith/crease/make_creases.hpp>
+#include <kith/evaluator.hpp>
+#include <kith/hierarchy.hpp>
+#include <kith/limit/limit_surface.hpp>
+#include <kith/refine_in_tiles.hpp>
+#include <kith/refine_with_fields.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <thread>
+#include <tuple>
+#include <vector>
 
 namespace kith::comparison {
 
@@ -85,7 +94,106 @@ void add_threads(std::vector<contest>& list, const Scheme& scheme, const course&
     list.push_back(std::move(one));
 }
 
+using levels_in_memory = hierarchy<basic_mesh<>, catmull_clark>;
+
+/// All tiles, one after the other; what is returned is the number of their faces.
+contestant in_tiles(const course& course, std::size_t tiles)
+{
+    return caller("in " + std::to_string(tiles) + " tiles, faces only", [=] {
+        tiled_refinement surface(
+            *course.control, catmull_clark{}, course.levels, block_partition(*course.control, tiles));
+        std::size_t faces = 0;
+        for (std::size_t part = 0; part < tiles; ++part)
+            faces += surface.refine(part).mesh.face_count();
+        return faces;
+    });
+}
+
+/// What hierarchies and fields cost beside points and connectivity.
+contest doors_with_values(const course& course)
+{
+    const auto control = course.control;
+    const int levels = course.levels;
+    const auto weights_of = [](const basic_mesh<>& mesh) {
+        std::vector<double> result;
+        for (const auto& p : mesh.points())
+            result.push_back(p[0]);
+        return result;
+    };
+    return {"catmull-clark",
+            course.name + ", levels and values",
+            levels,
+            course.faces,
+            {native_contestant("refine", control, catmull_clark{}, levels, connect::everything),
+             caller("hierarchy, all levels",
+                    [=] {
+                        auto surface = std::make_unique<levels_in_memory>(*control, catmull_clark{});
+                        surface->refine(levels);
+                        return surface;
+                    }),
+             caller("hierarchy, a double carried from level 0",
+                    [=] {
+                        auto surface = std::make_unique<levels_in_memory>(*control, catmull_clark{});
+                        surface->refine(levels);
+                        auto weights = surface->carry(0, levels, weights_of(*control));
+                        return std::pair(std::move(surface), std::move(weights));
+                    }),
+             caller("refine_with_fields, a double at vertices",
+                    [=] {
+                        auto weights = on_vertices(weights_of(*control), by_mask());
+                        auto fine = refine_with_fields(*control, catmull_clark{}, levels, std::tie(weights));
+                        return std::pair(std::move(fine), std::move(weights));
+                    }),
+             caller("refine_with_fields, a UV at corners, an int on faces", [=] {
+                 std::vector<std::array<double, 2>> uvs(control->corner_count());
+                 for (std::size_t c = 0; c < uvs.size(); ++c)
+                     uvs[c] = {double(c % 5), double(c % 3)};
+                 auto texture = on_corners(uvs);
+                 auto labels = on_faces(std::vector<int>(control->face_count(), 3));
+                 auto fine = refine_with_fields(*control, catmull_clark{}, levels, std::tie(texture, labels));
+                 return std::tuple(std::move(fine), std::move(texture), std::move(labels));
+             })}};
+}
+
+/// What is made of a surface beside its connectivity, and in tiles.
+contest doors_of_faces(const course& course)
+{
+    const auto control = course.control;
+    const int levels = course.levels;
+    const auto evaluate = [=]() -> work {
+        return [control,
+                surface = std::make_shared<evaluator<std::array<double, 3>, std::uint32_t, catmull_clark>>(
+                    *control, catmull_clark{}, levels)] {
+            return std::make_shared<storage<std::array<double, 3>>>(surface->evaluate(control->points()));
+        };
+    };
+    const auto to_the_limit = [=]() -> work {
+        return [last = std::make_shared<basic_mesh<>>(refine(*control, catmull_clark{}, levels))] {
+            return std::make_shared<limit_surface<std::array<double, 3>>>(limit_surface_of(*last, catmull_clark{}));
+        };
+    };
+    return {"catmull-clark",
+            course.name + ", faces only",
+            levels,
+            course.faces,
+            {native_contestant("refine", control, catmull_clark{}, levels, connect::faces),
+             in_tiles(course, 16),
+             in_tiles(course, 64),
+             {"evaluator, points again", evaluate, {}},
+             {"limit_surface_of the last level", to_the_limit, {}}}};
+}
+
 } // namespace
+
+std::vector<contest> kith_doors(const course_settings& settings)
+{
+    std::vector<contest> result;
+    for (const auto& course : courses(catmull_clark{}, settings)) {
+        result.push_back(doors_with_values(course));
+        result.push_back(doors_of_faces(course));
+    }
+    return result;
+}
 
 std::string kith_version()
 {

@@ -9,19 +9,32 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kith::comparison {
 
-// One source file for each peer. The version is told even where there is nothing to run.
+// One source file for each peer. The version is told even where there is nothing to run. Doors are the calls by which
+// users of a mesh refine it, with all that goes along.
 std::string cgal_version();
 std::vector<contest> cgal_contests(const course_settings& settings);
+std::vector<contest> cgal_doors(const course_settings& settings);
 std::string openmesh_version();
 std::vector<contest> openmesh_contests(const course_settings& settings);
+std::vector<contest> openmesh_doors(const course_settings& settings);
 std::string kith_version();
 std::vector<contest> kith_contests(const course_settings& settings);
+std::vector<contest> kith_doors(const course_settings& settings);
 std::string opensubdiv_version();
 std::vector<contest> opensubdiv_contests(const course_settings& settings);
+
+/// A contestant whose work is a call without preparation.
+template <class Call>
+contestant caller(std::string name, const Call& call)
+{
+    return {
+        std::move(name), [=]() -> work { return [=] { return std::shared_ptr<const void>(new auto(call())); }; }, {}};
+}
 
 /// kith from a native mesh to a native mesh.
 template <class Point, class Scheme>
