@@ -223,8 +223,9 @@ TEST(cgal_in_place, values_of_all_types_stay_with_what_comes_from_their_element)
         }
         const auto at_vertices = map_of<vertex, T>(m, name);
         if constexpr (not kith::affine_value<T> or std::integral<T>)
-            for (const auto v : m.vertices())
+            for (const auto v : m.vertices()) {
                 EXPECT_EQ(at_vertices[v], value_of<T>(int(v) < 8 ? int(v) : 200));
+            }
         const auto at_corners = map_of<halfedge, T>(m, name);
         if constexpr (not kith::affine_value<T> or std::integral<T>)
             for (const auto h : m.halfedges()) { // that lies along one of the same face of level 0

@@ -283,12 +283,14 @@ TEST(openmesh_in_place, long_edges_are_split_as_openmesh_does)
         if (not m.is_boundary(h) and std::size_t(m.to_vertex_handle(h).idx()) < control.n_vertices()) {
             const auto parent = FaceHandle(ids[m.face_handle(h)]);
             for (const auto old : control.fh_range(parent))
-                if (old.to().idx() == m.to_vertex_handle(h).idx())
+                if (old.to().idx() == m.to_vertex_handle(h).idx()) {
                     EXPECT_EQ(m.texcoord2D(h), control.texcoord2D(old));
+                }
         }
     for (const auto e : m.edges())
-        if (m.is_boundary(e))
+        if (m.is_boundary(e)) {
             EXPECT_TRUE(control.is_boundary(EdgeHandle(m.data(e).kind)));
+        }
 }
 
 TEST(openmesh_in_place, midpoints_of_triangles_are_cut_into_triangles)
@@ -303,8 +305,9 @@ TEST(openmesh_in_place, midpoints_of_triangles_are_cut_into_triangles)
     const auto ids = OpenMesh::getProperty<FaceHandle, int>(m, "my int");
     const auto height = OpenMesh::getProperty<VertexHandle, double>(m, "height");
     for (const auto f : m.faces())
-        if (std::size_t(f.idx()) < control.n_faces())
+        if (std::size_t(f.idx()) < control.n_faces()) {
             EXPECT_EQ(m.data(f).tag, value_of<std::string>(ids[f]));
+        }
     kith::openmesh::MidpointT<own_triangles> midpoints;
     EXPECT_TRUE(midpoints.attach(m) and midpoints(1)); // a vertex of valence 4 makes two triangles
     midpoints.detach();

@@ -6,39 +6,40 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <tuple>
-#include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace kith {
 
 namespace detail {
 
-/// Patches, or nothing where a scheme has none.
-template <class Point, class Index, class Scheme, class Made>
+/// The patches of a scheme, and the kinds of values that they make; for a scheme without patches the kinds alone.
+template <class Point, class Index, class Scheme>
 struct possible_patches {
-    using type = std::optional<std::monostate>;
+    using kind = std::monostate;
+    using type = std::monostate;
 };
-template <class Point, class Index, class Scheme, class Made>
+template <class Point, class Index, class Scheme>
     requires patchable_scheme<Scheme, Point, Index>
-struct possible_patches<Point, Index, Scheme, Made> {
-    using type = std::optional<patched_level<Point, Index, Scheme, Made>>;
+struct possible_patches<Point, Index, Scheme> {
+    using kind = patch_output_kind<Point, Index, Scheme>;
+    using type = patched_level<Point, Index, Scheme>;
 };
 
 /// The levels of a refinement up to where patches begin, and the patches of all that is made of the last level again
 /// and again; all levels where there are no patches.
-template <class Point, std::unsigned_integral Index, scheme Scheme, made_at_last... Made>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 class patched_levels {
 public:
     using levels_type = hierarchy<basic_mesh<Point, Index>, Scheme>;
+    using kind = typename possible_patches<Point, Index, Scheme>::kind;
 
-    /// `last_rings`: around a face of the last level that what is made for its vertices follows from. Errors and cost:
-    /// as evaluator.
-    patched_levels(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, int last_rings,
-                   const refine_options& options)
+    /// `kinds`: of the values that `make` makes. `last_rings`: around a face of the last level from which the values of
+    /// its vertices follow. Errors and cost: as evaluator.
+    patched_levels(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
+                   const std::vector<kind>& kinds, int last_rings, const refine_options& options)
         : levels_(control, scheme, options), count_(levels)
     {
         require_levels<Scheme>(levels);
@@ -48,72 +49,69 @@ public:
                                    control.generation(),
                                    true,
                                    {connect::everything, options.memory_limit});
-        make_patches(last_rings, control.generation());
+        make_patches(kinds, last_rings, control.generation());
         levels_.refine(has_patches() ? 0 : levels - levels_.depth());
     }
 
-    [[nodiscard]] bool has_patches() const { return std::get<0>(patches_).has_value(); }
+    [[nodiscard]] bool has_patches() const { return not patches_.empty(); }
     [[nodiscard]] levels_type& levels() { return levels_; }
     /// Of the last level. Precondition: there are patches.
     [[nodiscard]] std::size_t last_vertices() const { return last_vertices_; }
 
-    /// By the points that the levels have now. Precondition: there are patches.
-    template <made_at_last What>
-    [[nodiscard]] storage<Point> make() const
+    /// Returns values of the kind with this place in the list of kinds, by the points that the levels have now.
+    /// Precondition: there are patches.
+    [[nodiscard]] storage<Point> make(std::size_t of_kind) const
     {
         storage<Point> result(last_vertices_);
         if constexpr (patchable_scheme<Scheme, Point, Index>)
-            std::get<possible<What>>(patches_)->fill(levels_.finest(), {result.data()});
+            patches_[of_kind].fill(levels_.finest(), {result.data()});
         return result;
     }
 
 private:
-    template <class What>
-    using possible = typename possible_patches<Point, Index, Scheme, What>::type;
+    using patches = typename possible_patches<Point, Index, Scheme>::type;
 
     /// A template pays when it saves more than a few evaluations of the faces that it is for.
     static constexpr patch_costs costs{
         .in_patch = .2, .of_template = 100, .of_face_in_template = 5, .to_be_cheaper = .5, .least_faces = 1};
 
-    void make_patches(int last_rings, int generation)
+    void make_patches(const std::vector<kind>& kinds, int last_rings, int generation)
     {
         if constexpr (patchable_scheme<Scheme, Point, Index>) {
             const connectivity<Index>& control = levels_[0].topology();
             auto plan = plan_patches(count(control), control.degree, levels_.scheme(0), count_, generation, last_rings);
             if (not plan)
                 return;
-            look(*plan);
+            look(kinds, *plan);
             if (not has_patches() and plan->begin + 1 < count_) { // faces of the next level are more alike
                 plan->begin_at(plan->begin + 1, levels_.scheme(0), generation);
                 if (plan->has_room_for_classes())
-                    look(*plan);
+                    look(kinds, *plan);
             }
             last_vertices_ = plan->last().vertices;
-            if (has_patches())
-                (std::get<possible<Made>>(patches_)->keep_what_is_found(levels_.finest()), ...);
+            for (auto& made : patches_)
+                made.keep_what_is_found(levels_.finest());
         }
     }
-    void look(const patch_plan& plan)
+    void look(const std::vector<kind>& kinds, const patch_plan& plan)
         requires patchable_scheme<Scheme, Point, Index>
     {
         levels_.refine(plan.begin - levels_.depth());
         const auto& mesh = levels_.finest();
         const auto& scheme = levels_.scheme(plan.begin);
         const face_classes<Index> classes(mesh.topology(), plan.rings, state_marks<Index>(mesh.topology(), scheme));
-        const auto made_one = [&]<class What>(std::type_identity<What>) {
-            auto made = patched_level<Point, Index, Scheme, What>::make(mesh, classes, scheme, plan, costs);
-            if (made)
-                std::get<possible<What>>(patches_).emplace(std::move(*made));
-            return made.has_value();
-        };
-        if (not(made_one(std::type_identity<Made>()) and ...))
-            ((std::get<possible<Made>>(patches_).reset()), ...); // templates may be kept of one of them alone
+        for (const auto& kind : kinds) {
+            auto made = patches::make(mesh, classes, scheme, plan, costs, false, kind);
+            if (not made)
+                return patches_.clear(); // templates may be kept of one kind alone
+            patches_.push_back(std::move(*made));
+        }
     }
 
     levels_type levels_;
     int count_;
     std::size_t last_vertices_ = 0;
-    std::tuple<possible<Made>...> patches_;
+    std::vector<patches> patches_; // by kinds; empty where there are no patches
 };
 
 } // namespace detail
@@ -130,7 +128,7 @@ public:
     /// another library's types have no patches.
     evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
               const refine_options& options = {})
-        : levels_(control, scheme, levels, 0, options)
+        : levels_(control, scheme, levels, {{}}, 0, options)
     {
     }
     /// For a mesh of another library, whose points are told in the order of its vertices.
@@ -147,14 +145,14 @@ public:
         auto& levels = levels_.levels();
         if (levels_.has_patches()) {
             levels.move_points(0, control);
-            return levels_.template make<last_points>();
+            return levels_.make(0);
         }
         require_finite(0, control);
         return levels.carry(0, levels.depth(), control);
     }
 
 private:
-    detail::patched_levels<Point, Index, Scheme, last_points> levels_;
+    detail::patched_levels<Point, Index, Scheme> levels_;
 };
 
 template <refinable_mesh M, scheme Scheme>

@@ -186,7 +186,7 @@ private:
     void read_rule(M& mesh, kith::detail::unset_values<M>& unset, const kith::value_types<T...>&,
                    std::integral_constant<std::size_t, First>, std::index_sequence<I...>)
     {
-        const auto read = [&](auto& list) {
+        [[maybe_unused]] const auto read = [&](auto& list) {
             using list_type = std::remove_cvref_t<decltype(list)>;
             using handle = typename list_type::handle;
             kind<handle>& k = of<handle>();

@@ -38,11 +38,7 @@ public:
         faces_ = double(plan_->last().faces);
         if (faces_ * plan_->faces_of_patch() < std::min(costs.least_faces, costs.least_faces_again))
             return;
-        kept_.emplace(without_state(scheme),
-                      control.generation() + plan_->begin,
-                      plan_->rings,
-                      plan_->bases.size(),
-                      last_points::kind);
+        kept_.emplace(without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());
         demand_ = kept_->demand(plan_->last().faces, last_level_);
         ask_whether_to_look(costs);
         if (not is_worth_looking_)

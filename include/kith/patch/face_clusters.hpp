@@ -20,19 +20,22 @@ namespace kith {
 
 /// The patches of the faces that have no template: some at a time are cut out with their rings and refined as a mesh of
 /// their own, level by level, by the scheme of that part.
-template <class Point, std::unsigned_integral Index, scheme Scheme, made_at_last Made = last_points>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
 class face_clusters {
 public:
     using output = patch_output<Point, Index>;
+    using output_kind = patch_output_kind<Point, Index, Scheme>;
 
     /// Of faces of a level, increasing, with the scheme of the level and a step for each of the bases, and with so many
     /// rings on the last level.
-    face_clusters(const Scheme& scheme, std::vector<column_bases> bases, int last_rings, std::vector<Index> faces)
+    face_clusters(const Scheme& scheme, std::vector<column_bases> bases, int last_rings, std::vector<Index> faces,
+                  output_kind kind)
         : scheme_(scheme)
         , plain_(without_state(scheme))
         , rings_(rings_before_steps(scheme, bases.size(), last_rings))
         , bases_(std::move(bases))
         , faces_(std::move(faces))
+        , kind_(std::move(kind))
     {
     }
 
@@ -83,14 +86,15 @@ private:
                     return refine_mesh<connect::everything>(level, of_level, ids);
                 });
             numbering ids;
-            constexpr bool are_points = std::same_as<Made, last_points>;
-            const bool with_edges = not are_points or to.has_edges() or to.writer != nullptr;
+            const auto& kind = clusters_.kind_;
+            const bool with_edges = not kind.are_points() or to.has_edges() or to.writer != nullptr;
             auto fine = with_edges ? refine_mesh<connect::everything>(before_last, scheme, ids)
                                    : refine_mesh<connect::faces>(before_last, scheme, ids);
             const auto numbers_of_fine = numbers.next(before_last.topology(), ids, clusters_.bases_.back(), with_edges);
-            if constexpr (not are_points) {
+            if (not kind.are_points()) {
                 advance(scheme, level_of<basic_mesh<Point, Index>>(before_last), before_last.generation(), ids, fine);
-                Made::replace(fine, scheme, [&](std::size_t v) { return numbers_of_fine.vertices[v].owned; });
+                kind.replace_points(
+                    fine, scheme, [&](std::size_t v) { return bool(numbers_of_fine.vertices[v].owned); });
             }
             copy_owned(fine, numbers_of_fine, to);
         }
@@ -182,6 +186,7 @@ private:
     std::vector<int> rings_;
     std::vector<column_bases> bases_;
     std::vector<Index> faces_;
+    output_kind kind_;
 };
 
 #endif

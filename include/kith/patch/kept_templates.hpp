@@ -57,7 +57,7 @@ public:
     using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
     static constexpr std::size_t most_bytes = std::size_t(64) << 20;
 
-    /// For so many steps that begin at a level of this generation; `made`: the kind of what is made_at_last.
+    /// For so many steps that begin at a level of this generation; `made`: the key of the patch_output_kind.
     kept_templates(const Scheme& scheme, int generation, int rings, std::size_t steps, std::size_t made = 0)
     {
         std::size_t number = 0;

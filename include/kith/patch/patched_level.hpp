@@ -23,7 +23,7 @@
 
 namespace kith {
 
-template <class Point, std::unsigned_integral Index, scheme Scheme, made_at_last Made = last_points>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patched_level;
 
@@ -31,22 +31,23 @@ class patched_level;
 
 /// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of
 /// other classes are refined as meshes of their own.
-template <class Point, std::unsigned_integral Index, scheme Scheme, made_at_last Made>
+template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patched_level {
 public:
     using output = patch_output<Point, Index>;
+    using output_kind = patch_output_kind<Point, Index, Scheme>;
 
     /// Of the level that the plan begins with, with its classes by the rings of the plan and the scheme there, to make
     /// faces or all connectivity; nothing where it is no gain. Cost: O(faces), and that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                                              const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
-                                             bool with_edges = false)
+                                             bool with_edges = false, const output_kind& kind = {})
     {
         if (not plan.has_counts_of(mesh.topology(), scheme, mesh.generation()))
             return {};
         const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
-        const templates kept(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size(), Made::kind);
+        const templates kept(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size(), kind.key);
         constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little
         const bool may_be_kept = not kept.empty() and classes.count() * least_per_class <= mesh.face_count();
         if (not may_be_kept and not estimate.is_gain_without_kept())
@@ -81,14 +82,14 @@ public:
             [&](std::size_t begin, std::size_t end) {
                 if (begin == end) // often all are kept ones
                     return;
-                template_maker<Scheme, Point, Index, Made> maker(mesh, scheme, plan);
+                template_maker<Scheme, Point, Index> maker(mesh, scheme, plan, kind);
                 maker.make(std::span(models_of_wanted).subspan(begin, end - begin),
                            [&](std::size_t i, const std::u16string& key, auto&& made) {
                                of_class[wanted[begin + i]] = kept.keep(key, std::move(made));
                            });
             },
             worth_threads);
-        return patched_level(classes, std::move(of_class), scheme, plan);
+        return patched_level(classes, std::move(of_class), scheme, plan, kind);
     }
 
     /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some
@@ -189,7 +190,7 @@ private:
 
     /// With the templates of the classes that have one.
     patched_level(const face_classes<Index>& classes, std::vector<typename templates::pointer> of_class,
-                  const Scheme& scheme, const patch_plan& plan)
+                  const Scheme& scheme, const patch_plan& plan, const output_kind& kind)
         : vertices_(plan.last().vertices), is_worth_threads_(detail::is_worth_threads(plan.last().faces))
     {
         std::vector<class_number> template_of_class(of_class.size(), none);
@@ -203,7 +204,7 @@ private:
             }
         auto without_template = put_into_batches(classes, template_of_class);
         if (not without_template.empty())
-            clusters_.emplace(scheme, plan.bases, plan.last_rings, std::move(without_template));
+            clusters_.emplace(scheme, plan.bases, plan.last_rings, std::move(without_template), kind);
     }
 
     /// As faces of one template come together, in their order. Those that have none are returned.
@@ -254,9 +255,9 @@ private:
     std::vector<typename templates::pointer> templates_;
     std::vector<std::vector<Index>> bases_; // of the multiples of each
     std::vector<batch> batches_;
-    std::vector<Index> faces_;                                          // batch after batch
-    storage<Index> found_;                                              // the same; empty where nothing is kept
-    std::optional<face_clusters<Point, Index, Scheme, Made>> clusters_; // of the faces without a template
+    std::vector<Index> faces_;                                    // batch after batch
+    storage<Index> found_;                                        // the same; empty where nothing is kept
+    std::optional<face_clusters<Point, Index, Scheme>> clusters_; // of the faces without a template
 };
 
 #endif

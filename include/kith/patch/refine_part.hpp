@@ -3,6 +3,7 @@
 
 #include "child_numbers.hpp"
 
+#include <kith/lane/tape.hpp>
 #include <kith/neighbourhood/placed_state.hpp>
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
@@ -11,23 +12,27 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace kith {
 
-/// What patches make for the vertices of the last level: their points.
-struct last_points {
-    static constexpr std::size_t kind = 0;
-};
+/// Tells what patches make for the vertices of the last level: their points, or other values in the place of points,
+/// such as limits.
+template <class Point, std::unsigned_integral Index, class Scheme>
+struct patch_output_kind {
+    using is_wanted = std::function<bool(std::size_t)>;
+    /// Puts the values of wanted vertices in the place of their points, in a part of the last level.
+    template <class Value>
+    using replace = std::function<void(basic_mesh<Value, Index>& last, const Scheme&, const is_wanted&)>;
 
-/// What patches make for the vertices of the last level: their points, or sums of the points around them. `kind` is
-/// another number for each, by which templates are kept. Where it is no points, replace(mesh, scheme, is_wanted) puts
-/// it in their places in a part of the last level, with the scheme there, for vertices that are wanted by their number.
-template <class Made>
-concept made_at_last = requires {
-    { Made::kind } -> std::convertible_to<std::size_t>;
+    std::size_t key = 0;             ///< a distinct constant per kind; it is part of the key of the template cache
+    replace<Point> replace_points{}; ///< empty for points
+    replace<recorded<scalar_of<Point>>> replace_recorded{}; ///< same, but for values that are recorded
+
+    [[nodiscard]] bool are_points() const { return key == 0; }
 };
 
 /// The rings around some faces that are enough on each level before a step, if there are to be `last` on the last

@@ -56,7 +56,7 @@ private:
 };
 
 /// Makes templates of a scheme for the faces of one level, of points or what follows from them.
-template <scheme Scheme, class Point, std::unsigned_integral Index, made_at_last Made = last_points>
+template <scheme Scheme, class Point, std::unsigned_integral Index>
 class template_maker {
     using scalar = scalar_of<Point>;
     using value = recorded<scalar>;
@@ -65,11 +65,15 @@ class template_maker {
     static constexpr double cost_of_cut = 0; // what is written down costs more
 
 public:
+    using output_kind = patch_output_kind<Point, Index, Scheme>;
+
     /// For the level of a mesh that a plan begins with, which has its edges and, if there is one, the degree of refined
     /// faces, and the scheme there. All must outlive this. Cost: O(elements).
-    template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, const patch_plan& plan)
+    template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, const patch_plan& plan,
+                   const output_kind& kind)
         : mesh_(mesh)
         , scheme_(scheme)
+        , kind_(kind)
         , plain_(without_state(scheme))
         , bases_(plan.bases)
         , rings_(rings_before_steps(scheme, plan.bases.size(), plan.last_rings))
@@ -144,9 +148,9 @@ private:
         numbering ids;
         auto fine = refine(before_last, scheme, ids);
         numbers = numbers.next(before_last.topology(), ids, bases_.back());
-        if constexpr (not std::same_as<Made, last_points>) {
+        if (not kind_.are_points()) {
             advance(scheme, level_of<basic_mesh<value, Index>>(before_last), before_last.generation(), ids, fine);
-            Made::replace(fine, scheme, [&](std::size_t v) {
+            kind_.replace_recorded(fine, scheme, [&](std::size_t v) {
                 return sources.owner(numbers.vertices[v].source) != sources.no_model;
             });
         }
@@ -163,6 +167,7 @@ private:
 
     const basic_mesh<Point, Index>& mesh_;
     const Scheme& scheme_;
+    const output_kind& kind_;
     Scheme plain_; // without its state
     std::span<const column_bases> bases_;
     std::vector<int> rings_;

@@ -28,6 +28,8 @@ struct creased_scheme {
 ///   between(sector)          the row from a corner of the surface to the middle of a sector
 ///   across_one(sector, r)    the row into the only face of a sector
 ///   darts(scheme, n)         the weights of dart_matrix, or null; has_opposites says which points it has
+///
+/// These functions are out of line: few vertices lie on creases, and inlining all of them takes minutes.
 struct crease_limits : limit_defaults {
     /// The masks ask about the vertex's own faces alone.
     template <scheme_with_sharp_rules Scheme>
@@ -43,7 +45,8 @@ struct crease_limits : limit_defaults {
     /// The limit of corners, and along boundaries and creases where the curve ends up: 1/6, 2/3, 1/6 of a cubic
     /// B-spline, 1/5, 3/5, 1/5 of the curve of thirds.
     template <scheme_with_sharp_rules Scheme, level Level, class Use>
-    static void position_on_curve(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
+    [[gnu::noinline]] static void position_on_curve(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v,
+                                                    const Use& use)
     {
         const auto [kind, ends] = limit_of(s, v);
         if (kind == limit_kind::corner)
@@ -55,7 +58,8 @@ struct crease_limits : limit_defaults {
     }
     /// The limit of a dart.
     template <class Rules, scheme_with_sharp_rules Scheme, level Level, class Use>
-    static void position_of_dart(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
+    [[gnu::noinline]] static void position_of_dart(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v,
+                                                   const Use& use)
     {
         if (limit_of(s, v).kind == limit_kind::dart)
             for_each_sector(v, s.scheme.sharpness, [&](const vertex_sector<Level>& part) {
@@ -86,7 +90,8 @@ struct crease_limits : limit_defaults {
     /// corner of one face, and of a dart. A smoothed corner has the plane of its two edges as well: the curve through
     /// it bends in this plane, and faster than its face. Precondition: Rules::is_ready(v).
     template <class Rules, scheme_with_sharp_rules Scheme, level Level, class Use>
-    static void tangents_beside_creases(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
+    [[gnu::noinline]] static void tangents_beside_creases(const creased_scheme<Scheme, Level>& s,
+                                                          const vertex<Level>& v, const Use& use)
     {
         const auto kind = limit_of(s, v).kind;
         if (kind == limit_kind::corner)
@@ -105,7 +110,8 @@ struct crease_limits : limit_defaults {
     /// curve the sector is half a turn, and the edges span the plane of its tangents only. Calls nothing where a sharp
     /// edge still decays. Precondition: Rules::is_ready(v).
     template <class Rules, scheme_with_sharp_rules Scheme, level Level, class Use>
-    static void sides_beside_creases(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v, const Use& use)
+    [[gnu::noinline]] static void sides_beside_creases(const creased_scheme<Scheme, Level>& s, const vertex<Level>& v,
+                                                       const Use& use)
     {
         if (s.sharp.is_smooth(v))
             return;

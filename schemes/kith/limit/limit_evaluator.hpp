@@ -23,11 +23,9 @@ namespace detail {
 
 enum class limit_part : unsigned char { position, first_tangent, second_tangent };
 
-/// What patches make for the vertices of the last level: what a limit mask gives, and no numbers where there is none.
+/// Puts what a limit mask gives in the place of points, and no numbers where there is no mask.
 template <limit_part Part>
-struct made_limit {
-    static constexpr std::size_t kind = 1 + std::size_t(Part);
-
+struct limits_in_place {
     template <class Point, std::unsigned_integral Index, scheme Scheme, std::predicate<std::size_t> IsWanted>
     static void replace(basic_mesh<Point, Index>& mesh, const Scheme& scheme, const IsWanted& is_wanted)
     {
@@ -67,18 +65,40 @@ private:
     }
 };
 
-/// The patches of the limits of a scheme: it may have masks for positions alone, or none.
+/// The patches of the limits of a scheme, which may have masks for positions alone, or none.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 struct patched_limits {
     using level_type = level_of<basic_mesh<Point, Index>>;
     static constexpr bool have_positions = has_limit_positions<Scheme, vertex<level_type>, level_type>;
     static constexpr bool have_normals = has_limit_tangents<Scheme, vertex<level_type>, level_type>;
 
-    using position = made_limit<limit_part::position>;
-    using first = made_limit<limit_part::first_tangent>;
-    using second = made_limit<limit_part::second_tangent>;
-    using type = std::conditional_t<have_normals, patched_levels<Point, Index, Scheme, position, first, second>,
-                                    patched_levels<Point, Index, Scheme, position>>;
+    using type = patched_levels<Point, Index, Scheme>;
+    using kind = typename type::kind;
+
+    /// Returns a kind for each limit_part that has masks, in their order.
+    static std::vector<kind> kinds()
+    {
+        std::vector<kind> result{kind_of<limit_part::position>()};
+        if constexpr (have_normals) {
+            result.push_back(kind_of<limit_part::first_tangent>());
+            result.push_back(kind_of<limit_part::second_tangent>());
+        }
+        return result;
+    }
+
+private:
+    template <limit_part Part>
+    static kind kind_of()
+    {
+        if constexpr (patchable_scheme<Scheme, Point, Index>) {
+            const auto replace = [](auto& last, const Scheme& scheme, const auto& is_wanted) {
+                limits_in_place<Part>::replace(last, scheme, is_wanted);
+            };
+            return {1 + std::size_t(Part), replace, replace};
+        } else {
+            return {};
+        }
+    }
 };
 
 } // namespace detail
@@ -97,7 +117,7 @@ public:
                     const refine_options& options = {})
         : options_(options)
         , count_(levels)
-        , levels_(control, scheme, levels, limit_rules<Scheme>::rings(scheme) + 1, options)
+        , levels_(control, scheme, levels, patched::kinds(), limit_rules<Scheme>::rings(scheme) + 1, options)
     {
     }
     /// For a mesh of another library, whose points are told in the order of its vertices.
@@ -115,7 +135,7 @@ public:
         levels_.levels().move_points(0, control);
         if (not levels_.has_patches())
             return limit_surface_of(levels_.levels(), count_);
-        wanted limits(levels_.template make<typename patched::position>(), {});
+        wanted limits(make(detail::limit_part::position), {});
         std::vector<Index> open = take_patches(limits);
         if (open.empty() and limits.has_normals())
             return std::move(limits).take();
@@ -143,6 +163,8 @@ private:
         }
     };
 
+    [[nodiscard]] storage<Point> make(detail::limit_part part) const { return levels_.make(std::size_t(part)); }
+
     void make_whole()
     {
         if (whole_)
@@ -163,8 +185,8 @@ private:
     {
         storage<Point> first, second;
         if constexpr (patched::have_normals) {
-            first = levels_.template make<typename patched::first>();
-            second = levels_.template make<typename patched::second>();
+            first = make(detail::limit_part::first_tangent);
+            second = make(detail::limit_part::second_tangent);
         }
         std::vector<unsigned char> is_open(levels_.last_vertices(), 0);
         detail::for_parts(is_open.size(), true, [&](std::size_t begin, std::size_t end) {
