@@ -55,8 +55,8 @@ public:
     /// The level whose faces own patches, counted from the control mesh. Precondition: is_worth_looking().
     [[nodiscard]] int begin() const { return plan_->begin; }
 
-    /// Returns the last level, with the bits of refining level by level, or nothing if patches are no gain. Then `mesh`,
-    /// which is the control mesh before the call, and its scheme are a level to go on from.
+    /// Returns the last level, with the bits of refining level by level, or nothing if patches are no gain. Then
+    /// `mesh`, which is the control mesh before the call, and its scheme are a level to go on from.
     [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine(basic_mesh<Point, Index>& mesh, Scheme& scheme) const
     {
         std::optional<basic_mesh<Point, Index>> fine;
