@@ -63,7 +63,8 @@ template <class Scheme>
 bool has_patches(const mesh3d& mesh, const Scheme& scheme, int levels)
 {
     using patched = kith::detail::patched_limits<std::array<double, 3>, std::uint32_t, Scheme>;
-    return typename patched::type(mesh, scheme, levels, kith::limit_rules<Scheme>::rings(scheme) + 1, {}).has_patches();
+    const int last_rings = kith::limit_rules<Scheme>::rings(scheme) + 1;
+    return typename patched::type(mesh, scheme, levels, patched::kinds(), last_rings, {}).has_patches();
 }
 
 const auto torus = native(shapes::shaken(shapes::torus(12, 24)));
