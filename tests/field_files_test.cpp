@@ -255,7 +255,7 @@ TEST(field_files, refuses_names_that_are_taken_and_fields_without_values)
                            false,
                            kith::arrays_of<scheme_type>(kith::field_named<0>("heat"), kith::field_named<1>(name)));
         });
-        EXPECT_NE(text.find("called \"" + name + "\""), std::string::npos) << text;
+        EXPECT_NE(text.find("a field cannot be named \"" + name + "\""), std::string::npos) << text;
     }
     const auto text_of = [&](std::vector<kith::file_array> fields) {
         return error_text<kith::mesh_error>([&] { kith::vtu_file(counts, 0, false, false, std::move(fields)); });
