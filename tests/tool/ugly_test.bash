@@ -260,7 +260,7 @@ OFF
 END
 not_refined 'edge 0-1: 3 faces'
 (cube | sed '$d'; echo '4 7 4 0 3') >in.off
-not_refined 'edge 0-3.*turn'
+not_refined 'edge 0-3.*reverse one of them'
 (cube | sed '2s/8 6/8 7/'; echo '4 3 2 1 0') >in.off
 not_refined 'edge'
 cube | sed '11s/.*/4 3 2 1 2/' >in.off
