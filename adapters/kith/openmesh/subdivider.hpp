@@ -78,6 +78,7 @@ public:
 
     /// Refines the attached mesh n times. Where points are not to be updated, old vertices do not move, on any level.
     /// Returns false if no mesh is attached or progress said so. Errors: as kith::refine; the mesh is as it was then.
+    /// Except: if memory ends while OpenMesh makes requested normals, which it does last, the mesh is refined already.
     bool operator()(std::size_t n, bool update_points = true) { return parent_t::operator()(n, update_points); }
     /// The same of another mesh, by a copy of the scheme. More arguments say how properties go:
     /// kith::by_rule<handle, type>(name, rule), kith::value_types<type...>().
