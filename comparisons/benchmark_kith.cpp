@@ -109,7 +109,7 @@ contestant in_tiles(const course& course, std::size_t tiles)
     });
 }
 
-/// What hierarchies and fields cost beside points and connectivity.
+/// Compares hierarchies and fields with points and connectivity alone.
 contest doors_with_values(const course& course)
 {
     const auto control = course.control;
@@ -155,7 +155,7 @@ contest doors_with_values(const course& course)
              })}};
 }
 
-/// What is made of a surface beside its connectivity, and in tiles.
+/// Compares tiles, evaluators and limits with face lists.
 contest doors_of_faces(const course& course)
 {
     const auto control = course.control;

@@ -59,7 +59,7 @@ public:
         return header_.elements[1].properties[header_.elements[1].corner_list()];
     }
     [[nodiscard]] std::size_t before_corners() const { return before_corners_; }
-    /// Where a property begins in the record of a vertex or of a face.
+    /// Returns the byte at which a property begins in the record of a vertex or of a face.
     [[nodiscard]] std::size_t offset(const ply_element& element, std::size_t property) const
     {
         std::size_t result = 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/base/error.hpp>
-#include <kith/engine/refine_in_patches.hpp>
+#include <kith/lineage/next_in_patches.hpp>
 #include <kith/lineage/retrieve.hpp>
 #include <kith/lineage/selection.hpp>
 #include <kith/step/level_state.hpp>
@@ -277,39 +277,11 @@ private:
     {
         const entry& coarse = *levels_[std::size_t(level)];
         if constexpr (requires { coarse.here->mesh.topology(); }) {
-            if (auto fine = refined_in_patches(level, ids))
-                return std::move(*fine);
-            return refine_mesh<connect::everything>(coarse.here->mesh, coarse.scheme, ids);
+            auto fine = next_in_patches<M, Scheme>(*this, level, ids);
+            return fine ? std::move(*fine) : refine_mesh<connect::everything>(coarse.here->mesh, coarse.scheme, ids);
         } else {
             return refine_level_like(coarse.here->mesh, elements(level), coarse.scheme, generation(level), ids);
         }
-    }
-    /// Same, but makes the next level in patches of a level some steps before. Returns nothing if that is slower, and
-    /// if that level is not in memory or the points of a level after it were moved.
-    std::optional<M> refined_in_patches([[maybe_unused]] int level, [[maybe_unused]] numbering_type& ids) const
-    {
-#ifdef KITH_HAS_LANES
-        if constexpr (patchable_scheme<Scheme, typename M::point_type, typename M::index_type>) {
-            using refinement = patch_refinement<typename M::point_type, typename M::index_type, Scheme>;
-            const entry &control = *levels_.front(), &coarse = *levels_[std::size_t(level)];
-            const refinement patches(control.here->mesh, control.scheme, level + 1, connect::everything);
-            if (not patches.is_worth_looking())
-                return {};
-            const entry& begin = *levels_[std::size_t(patches.begin())];
-            for (int later = patches.begin() + 1; later <= level; ++later)
-                if (levels_[std::size_t(later)]->is_moved)
-                    return {};
-            if (not begin.here)
-                return {};
-            auto fine = patches.refine_from(begin.here->mesh, begin.scheme);
-            if (fine)
-                ids = with_native_level<Scheme>(coarse.here->mesh, [&](const auto& elements) {
-                    return numbering_type(elements, columns_of(coarse.scheme, generation(level)));
-                });
-            return fine;
-        }
-#endif
-        return {};
     }
 
     /// Drops the levels from `first` on that are kept no longer.
@@ -320,8 +292,7 @@ private:
                 levels_[std::size_t(level)]->here.reset();
     }
 
-    int generation_ = 0;
-    int depth_ = 0;
+    int generation_ = 0, depth_ = 0;
     int kept_ = std::numeric_limits<int>::max();
     std::vector<std::unique_ptr<entry>> levels_;
 };

@@ -146,7 +146,7 @@ struct part_of_whole {
                 degree != 0 ? storage<Number>() : some(first_corners, some_faces),
                 degree};
     }
-    /// Those of the next level of the part, which a step has made of this one with these ids; without edges
+    /// Returns the numbers of the next level of the part, which a step has made with these ids. Edges are left out
     /// unless they are asked for.
     /// Cost: O(elements).
     template <level_numbering Numbering, std::unsigned_integral Index>
