@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <new>
+#include <string>
 #include <vector>
 
 using kith::large_blocks;
@@ -175,6 +178,46 @@ TEST(advise_large_pages, what_has_been_written_stays)
     kith::advise_large_pages(bytes.data(), 0);
     for (std::size_t i = 0; i < bytes.size(); ++i)
         ASSERT_EQ(bytes[i], i % 251);
+}
+
+std::size_t huge_bytes()
+{
+    std::ifstream maps("/proc/self/smaps");
+    std::string word;
+    std::size_t kibibytes = 0;
+    while (maps >> word)
+        if (std::size_t more = 0; word == "AnonHugePages:" and maps >> more)
+            kibibytes += more;
+    return kibibytes << 10;
+}
+
+TEST(reserve_in_large_pages, asks_for_them_where_something_is_mapped_meanwhile)
+{
+    std::vector<unsigned char> bytes, others;
+    kith::reserve_in_large_pages([&] {
+        bytes.reserve(64 * mebibyte);
+        others.reserve(3 * mebibyte);
+    });
+    const std::size_t before = huge_bytes();
+    bytes.resize(64 * mebibyte, 7);
+    others.resize(3 * mebibyte, 9);
+    EXPECT_TRUE(std::ranges::all_of(bytes, [](unsigned char byte) { return byte == 7; }));
+    EXPECT_TRUE(std::ranges::all_of(others, [](unsigned char byte) { return byte == 9; }));
+    EXPECT_THROW(kith::reserve_in_large_pages([] { throw std::bad_alloc(); }), std::bad_alloc);
+    if (huge_bytes() == before)
+        GTEST_SKIP() << "the system has no huge pages to give";
+    EXPECT_GT(huge_bytes(), before);
+}
+
+TEST(reserve_in_large_pages, finds_the_memory_of_the_process)
+{
+    const std::vector<unsigned char> bytes(64 * mebibyte);
+    const auto at = reinterpret_cast<std::uintptr_t>(bytes.data());
+    const auto all = kith::detail::writable_memory();
+    EXPECT_TRUE(std::ranges::is_sorted(all, {}, &kith::detail::memory_range::begin));
+    EXPECT_TRUE(std::ranges::any_of(all, [&](const kith::detail::memory_range& range) {
+        return range.begin <= at and at + bytes.size() <= range.end;
+    }));
 }
 
 TEST(storage_in_large_blocks, a_large_array_is_given_back)

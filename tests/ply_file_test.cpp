@@ -305,6 +305,52 @@ TEST(ply_file, knows_the_largest_degree_before_there_are_faces)
     }
 }
 
+/// Writes into memory and remembers the writes.
+struct bytes_in_memory final : kith::placed_bytes {
+    void write(std::uint64_t offset, const void* data, std::size_t size) override
+    {
+        writes.push_back({offset, size});
+        bytes.resize(std::max<std::size_t>(bytes.size(), offset + size));
+        std::memcpy(bytes.data() + offset, data, size);
+    }
+    std::vector<std::pair<std::uint64_t, std::size_t>> writes{};
+    std::vector<char> bytes{};
+};
+
+TEST(joined_writes, join_what_follows_and_write_every_byte_to_its_place)
+{
+    constexpr std::size_t mebibyte = std::size_t(1) << 20;
+    const std::vector<char> large(3 * mebibyte / 2, 'l');
+    std::vector<char> expected(4 * mebibyte, 0);
+    bytes_in_memory memory;
+    {
+        kith::joined_writes out(memory);
+        for (std::uint32_t i = 0; i < 1000; ++i) { // in two runs
+            const std::uint64_t at = 4 * i + (i < 600 ? 0 : 16);
+            out.put(at, i);
+            std::memcpy(expected.data() + at, &i, sizeof i);
+        }
+        out.put(mebibyte, large.data(), large.size());
+        std::ranges::copy(large, expected.begin() + mebibyte);
+        out.put(mebibyte + large.size(), 'x');
+        expected[mebibyte + large.size()] = 'x';
+        for (std::size_t i = 0; i < mebibyte + 10; ++i)
+            out.put(mebibyte + large.size() + 1 + i, char(i % 7));
+        out.flush();
+        out.flush();
+    }
+    for (std::size_t i = 0; i < mebibyte + 10; ++i)
+        expected[mebibyte + large.size() + 1 + i] = char(i % 7);
+    expected.resize(memory.bytes.size());
+    EXPECT_TRUE(memory.bytes == expected);
+    const std::vector<std::pair<std::uint64_t, std::size_t>> writes{{0, 2400},
+                                                                    {2416, 1600},
+                                                                    {mebibyte, large.size()},
+                                                                    {mebibyte + large.size(), mebibyte},
+                                                                    {2 * mebibyte + large.size(), 11}};
+    EXPECT_EQ(memory.writes, writes);
+}
+
 TEST(ply_file, counts_the_corners_of_large_faces_in_wider_numbers)
 {
     const directory here;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "every_scheme.hpp"
+#include "patch_templates.hpp"
 #include "shuffled.hpp"
 #include "tiles.hpp"
 #include "under_sanitizers.hpp"
@@ -10,7 +11,9 @@
 #include <kith/refine_in_tiles.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +56,65 @@ kith::creases sharpened(const mesh3d& mesh, kith::crease_method method)
     return sharp;
 }
 
+/// Compares what patches make of the tiles of a mesh, from each level on, with what single steps make. Returns how often
+/// there were patches.
+template <class Scheme>
+std::size_t compare_last_in_patches(const mesh3d& mesh, const Scheme& scheme, int levels,
+                                    std::span<const std::uint32_t> part_of, std::size_t parts)
+{
+    kith::tile_cutter cutter(mesh, scheme, part_of, parts);
+    const int rings = kith::ring_schedule(scheme, levels)[0];
+    auto rim = cutter.cut_rim(kith::ring_schedule(scheme, levels, 1)[0]);
+    const kith::whole_levels<Scheme> whole(cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels);
+    std::size_t compared = 0;
+    for (std::size_t p = 0; p < parts; ++p) {
+        auto job = cutter.cut(p, rings);
+        std::vector<std::vector<std::byte>> in_patches;
+        for (int level = 0; level < levels; ++level) {
+            for (const auto& costs : {all_templates, some_templates})
+                if (auto made = kith::last_in_patches(job.part, job.scheme, level, whole, costs))
+                    in_patches.push_back(kith::pack(kith::tile_job{std::move(*made), scheme}));
+            job.part = level + 1 == levels ? kith::refine_last(job.part, job.scheme, level, whole)
+                                           : kith::refine_once(job.part, job.scheme, level, whole);
+        }
+        const auto in_steps = kith::pack(kith::tile_job{std::move(job.part), scheme});
+        for (const auto& made : in_patches)
+            EXPECT_EQ(made, in_steps) << "part " << p;
+        compared += in_patches.size();
+    }
+    return compared;
+}
+
 } // namespace
+
+TEST(refine_tile, makes_the_last_steps_in_patches)
+{
+    std::size_t compared = 0;
+    for_each_reaching_scheme_and_shape([&](const auto& scheme, const mesh3d& mesh) {
+        for (const std::uint32_t seed : {1, 2})
+            compared += compare_last_in_patches(
+                mesh, scheme, under_sanitizers ? 2 : 3, partitions::grown(mesh, 4, seed), 4);
+    });
+    EXPECT_GT(compared, 100U);
+}
+
+TEST(refine_tile, makes_the_last_steps_in_patches_beside_creases_and_irregular_vertices)
+{
+    const auto quads = native(shapes::shaken(shapes::torus(8, 10)));
+    const auto triangles = native(shapes::shaken(shapes::torus_of_all_valences()));
+    const auto open = native(shapes::shaken(shapes::triangulated(shapes::grid(7, 9))));
+    const int levels = under_sanitizers ? 3 : 4;
+    for (const auto method : {kith::crease_method::uniform, kith::crease_method::chaikin}) {
+        const kith::catmull_clark scheme{.corners = kith::boundary_corner::kept, .sharpness = sharpened(quads, method)};
+        EXPECT_GT(compare_last_in_patches(quads, scheme, levels, partitions::grown(quads, 5, 3), 5), 0U);
+    }
+    for (const auto& mesh : {triangles, open}) {
+        const auto parts = partitions::grown(mesh, 6, 2);
+        EXPECT_GT(compare_last_in_patches(mesh, kith::loop{}, levels, parts, 6), 0U);
+        EXPECT_GT(compare_last_in_patches(mesh, kith::butterfly{}, levels, parts, 6), 0U);
+    }
+    EXPECT_GT(compare_last_in_patches(triangles, kith::sqrt3{}, levels, partitions::grown(triangles, 3, 2), 3), 0U);
+}
 
 TEST(refine_tile, equals_the_whole_mesh_bit_for_bit)
 {

@@ -3,6 +3,7 @@
 
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
+#include <kith/base/large_blocks.hpp>
 #include <kith/mesh/foreign_level.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 
@@ -116,6 +117,10 @@ struct mesh_traits<M> {
 
     static void make_room(mesh_type& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {
+        // malloc keeps freed arrays up to 32 MiB, and CGAL fills reserved ones more slowly than new ones.
+        constexpr std::size_t of_edge = 8 * sizeof(size), most_kept = std::size_t(32) << 20;
+        if (edges * of_edge > most_kept)
+            reserve_in_large_pages([&] { m.reserve(size(vertices), size(edges), size(faces)); });
         m.resize(size(vertices), size(edges), size(faces));
     }
     static Point* points(mesh_type& m) { return m.is_empty() ? nullptr : &m.point(vertex(0)); }

@@ -3,7 +3,6 @@
 
 #include "openmesh_kernel.hpp"
 
-#include <kith/base/large_blocks.hpp>
 #include <kith/mesh/basic_mesh.hpp>
 #include <kith/mesh/foreign_level.hpp>
 
@@ -36,16 +35,7 @@ struct mesh_traits<M> : detail::openmesh_connectivity {
 
     static void make_room(M& m, std::size_t vertices, std::size_t edges, std::size_t faces)
     {
-        require_room(edges);
-        if (faces != 0) {
-            m.reserve(vertices, edges, faces);
-            m.resize(1, 1, 1); // so that the arrays can be seen before their pages are touched
-            advise_large_pages(&m.vertex(vertex(0)), vertices);
-            advise_large_pages(&m.edge(edge(0)), edges);
-            advise_large_pages(&m.face(face(0)), faces);
-            advise_large_pages(points(m), vertices);
-        }
-        m.resize(vertices, edges, faces);
+        detail::openmesh_connectivity::make_room(m, vertices, edges, faces);
         clear_attributes(m);
     }
     /// Makes the attributes of all elements zero.

@@ -15,6 +15,7 @@
 
 #include <kith/base/affine.hpp>
 #include <kith/base/error.hpp>
+#include <kith/base/large_blocks.hpp>
 #include <kith/mesh/mesh_traits.hpp>
 
 #include <array>
@@ -107,6 +108,14 @@ public:
         if (edges > std::size_t(std::numeric_limits<int>::max()) / 2)
             throw mesh_error("OpenMesh numbers half-edges with int, the next level has " + std::to_string(edges) +
                              " edges; refine fewer times");
+    }
+    /// Makes so many elements, without attributes. Errors: as require_room, and std::bad_alloc.
+    static void make_room(kernel& m, std::size_t vertices, std::size_t edges, std::size_t faces)
+    {
+        require_room(edges);
+        if (edges * sizeof(OpenMesh::ArrayItems::Edge) >= 4 * huge_page)
+            reserve_in_large_pages([&] { m.reserve(vertices, edges, faces); });
+        m.resize(vertices, edges, faces);
     }
     [[noreturn]] static void refuse_degree(int face, std::size_t degree)
     {

@@ -15,7 +15,7 @@
 #include <kith/refine.hpp>
 #include <kith/tile/cut_tiles.hpp>
 #include <kith/tile/pack.hpp>
-#include <kith/tile/require_control.hpp>
+#include <kith/part/require_control.hpp>
 #include <kith/tile/tile_step.hpp>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <kith/part/scheme_members.hpp>
 #include <kith/tile/cut_tiles.hpp>
 #include <kith/tile/refine_tile.hpp>
-#include <kith/tile/require_control.hpp>
+#include <kith/part/require_control.hpp>
 #include <kith/tile/tiles_at_once.hpp>
 
 #include <cstddef>

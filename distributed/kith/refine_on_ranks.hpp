@@ -17,7 +17,7 @@
 #include <kith/tile/numbered_tile.hpp>
 #include <kith/tile/pack.hpp>
 #include <kith/tile/plan_tile.hpp>
-#include <kith/tile/require_control.hpp>
+#include <kith/part/require_control.hpp>
 #include <kith/tile/tiles_at_once.hpp>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include <kith/base/error.hpp>
 #include <kith/refine.hpp>
-#include <kith/tile/require_control.hpp>
+#include <kith/part/require_control.hpp>
 
 #include <algorithm>
 #include <concepts>

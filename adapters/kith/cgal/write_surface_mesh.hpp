@@ -128,9 +128,10 @@ public:
         const std::size_t stage = stages_values ? 1 : 0;
         taken_back_.emplace(m);
         try {
-            m.resize(size(std::max(stage * old_.vertices + t.vertices, std::max(bound_, old_.vertices))),
-                     size(std::max(stage * old_.edges + t.edges(), old_.edges)),
-                     size(std::max(stage * old_.faces + t.faces, old_.faces)));
+            traits::make_room(m,
+                              std::max(stage * old_.vertices + t.vertices, std::max(bound_, old_.vertices)),
+                              std::max(stage * old_.edges + t.edges(), old_.edges),
+                              std::max(stage * old_.faces + t.faces, old_.faces));
         } catch (...) {
             undo();
             throw;

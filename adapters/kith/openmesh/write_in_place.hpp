@@ -33,7 +33,6 @@ public:
             if (const std::size_t degree = t.first_corner(f + 1) - t.first_corner(f); degree != 3)
                 traits::refuse_degree(int(f), degree);
         const std::size_t stage = stages_values ? 1 : 0;
-        traits::require_room(stage * old_.edges + t.edges());
         if (keeps_vertices)
             for (int v = 0; v < int(m.n_vertices()); ++v) {
                 if (m.has_vertex_status() and m.status(vertex(v)).deleted())
@@ -49,9 +48,10 @@ public:
         old_.final_vertices = &numbers_;
         has_mark_ = m.get_property_handle(mark_, std::string(traits::odd_generation));
         try {
-            m.resize(std::max(stage * old_.vertices + t.vertices, std::max(bound_, old_.vertices)),
-                     std::max(stage * old_.edges + t.edges(), old_.edges),
-                     std::max(stage * old_.faces + t.faces, old_.faces));
+            traits::make_room(m,
+                              std::max(stage * old_.vertices + t.vertices, std::max(bound_, old_.vertices)),
+                              std::max(stage * old_.edges + t.edges(), old_.edges),
+                              std::max(stage * old_.faces + t.faces, old_.faces));
         } catch (...) {
             undo();
             throw;

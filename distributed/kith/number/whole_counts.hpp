@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/association/columns.hpp>
+#include <kith/base/counts.hpp>
 #include <kith/part/tile.hpp>
 
 namespace kith {
@@ -12,6 +13,9 @@ struct whole_counts {
     global_id marked_edges = 0; ///< of schemes that mark some, see marks_edges
 
     [[nodiscard]] constexpr element_counts elements() const { return {vertices, edges, faces, corners}; }
+
+    /// Returns the same as counts of a level, which say nothing of vertices at the boundary.
+    [[nodiscard]] constexpr counts as_counts() const { return {vertices, edges, faces, 2 * edges - corners}; }
 
     friend bool operator==(const whole_counts&, const whole_counts&) = default;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/base/in_library.hpp>
+#include <kith/base/storage.hpp>
 #include <kith/mask/hash_value.hpp>
 
 #include <fcntl.h>
@@ -219,7 +220,7 @@ private:
 /// Joins small writes that follow one another into large ones.
 class joined_writes {
 public:
-    explicit joined_writes(placed_bytes& out) : out_(&out) { bytes_.reserve(largest); }
+    explicit joined_writes(placed_bytes& out) : out_(&out), bytes_(largest) {}
 
     template <class T>
     void put(std::uint64_t offset, const T& value)
@@ -228,26 +229,29 @@ public:
     }
     void put(std::uint64_t offset, const void* data, std::size_t size)
     {
-        if (offset != start_ + bytes_.size() or bytes_.size() + size > largest) {
+        if (offset != start_ + size_ or size_ + size > largest) {
             flush();
             start_ = offset;
+            if (size > largest)
+                return out_->write(offset, data, size);
         }
-        const char* bytes = static_cast<const char*>(data);
-        bytes_.insert(bytes_.end(), bytes, bytes + size);
+        std::memcpy(bytes_.data() + size_, data, size);
+        size_ += size;
     }
     void flush()
     {
-        if (not bytes_.empty())
-            out_->write(start_, bytes_.data(), bytes_.size());
-        bytes_.clear();
+        if (size_ != 0)
+            out_->write(start_, bytes_.data(), size_);
+        size_ = 0;
     }
 
 private:
     static constexpr std::size_t largest = std::size_t(1) << 20;
 
     placed_bytes* out_;
-    std::uint64_t start_ = 0;
-    std::vector<char> bytes_;
+    std::uint64_t start_ = 0; // of what has not been written yet
+    std::size_t size_ = 0;
+    storage<char> bytes_;
 };
 
 } // namespace kith

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "last_in_patches.hpp"
 #include "refine_last.hpp"
 #include "tile_job.hpp"
 #include "tile_step.hpp"
@@ -29,12 +30,20 @@ tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme,
 }
 
 /// Refines a tile of level 0 through all levels that `whole` was made for, and its scheme with it. `connect::faces`
-/// gives the last level without edges and shadows, and the scheme of the level before. `each(tile)` is called with
-/// every level but the first.
+/// gives the last level without edges and ghosts; its last steps may be made at once, in patches, and the scheme is
+/// that of the level before them. `each(tile)` is called with every level that is made but the first.
 template <tile_like Tile, reaching_scheme Scheme, class Each>
 void refine(tile_job<Tile, Scheme>& job, const whole_levels<Scheme>& whole, connect last, const Each& each)
 {
+    const int patches = last == connect::faces ? first_in_patches(job.part, job.scheme, whole.levels()) : -1;
     for (int level = 0; level < whole.levels(); ++level) {
+        if (level == patches)
+            if (auto made = last_in_patches(
+                    job.part, job.scheme, level, whole, costs_in_tiles(job.part, level, whole))) {
+                job.part = std::move(*made);
+                each(std::as_const(job.part));
+                return;
+            }
         const bool is_last = level + 1 == whole.levels();
         job.part = is_last and last == connect::faces ? refine_last(job.part, job.scheme, level, whole)
                                                       : refine_once(job.part, job.scheme, level, whole);

@@ -9,10 +9,13 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <mutex>
 #include <new>
 #include <type_traits>
+#include <vector>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -34,6 +37,32 @@ void advise_large_pages([[maybe_unused]] T* array, [[maybe_unused]] std::size_t 
     if (begin < end)
         madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
+}
+
+namespace detail {
+
+/// Addresses from `begin` to before `end`.
+struct memory_range {
+    std::uintptr_t begin, end;
+};
+
+/// Returns what the process has mapped to write in and shares with no file, in order; nothing where the system does not
+/// tell. Cost: O(mappings).
+[[nodiscard]] std::vector<memory_range> writable_memory() noexcept;
+/// Asks for huge pages where memory is mapped now and was not `before`. Cost: O(mappings).
+void advise_memory_since(const std::vector<memory_range>& before) noexcept;
+
+} // namespace detail
+
+/// Asks for huge pages for arrays of another library that does not tell where they lie: calls reserve(), which reserves
+/// and does not write them. Page faults of 4 KiB take several times as long as writing a large array.
+/// Errors: those of reserve(). Cost: that of it, and O(mappings of the process).
+template <class Reserve>
+void reserve_in_large_pages(const Reserve& reserve)
+{
+    const auto before = detail::writable_memory();
+    reserve();
+    detail::advise_memory_since(before);
 }
 
 /// The blocks of memory of all `storage` from 64 KiB on: kept when they are freed for the next block of about that
@@ -119,6 +148,54 @@ private:
 };
 
 #ifdef KITH_HAS_BODIES
+
+namespace detail {
+
+KITH_IN_LIBRARY std::vector<memory_range> writable_memory() noexcept
+{
+    std::vector<memory_range> result;
+#if defined(__linux__)
+    std::FILE* const maps = std::fopen("/proc/self/maps", "re");
+    if (maps == nullptr)
+        return result;
+    try {
+        std::array<char, 256> line; // begin-end rights offset device inode name, of which the name may be cut off
+        bool is_begin = true;
+        while (std::fgets(line.data(), int(line.size()), maps) != nullptr) {
+            unsigned long long begin = 0, end = 0, inode = 0;
+            std::array<char, 5> rights{};
+            if (is_begin and
+                std::sscanf(line.data(), "%llx-%llx %4s %*x %*s %llu", &begin, &end, rights.data(), &inode) == 4 and
+                rights[1] == 'w' and rights[3] == 'p' and inode == 0)
+                result.push_back({std::uintptr_t(begin), std::uintptr_t(end)});
+            is_begin = std::strchr(line.data(), '\n') != nullptr;
+        }
+    } catch (const std::bad_alloc&) {
+        result.clear();
+    }
+    std::fclose(maps);
+#endif
+    return result;
+}
+
+KITH_IN_LIBRARY void advise_memory_since(const std::vector<memory_range>& before) noexcept
+{
+    if (before.empty()) // not told: all would be new
+        return;
+    auto old = before.begin();
+    for (const memory_range& now : writable_memory()) {
+        std::uintptr_t begin = now.begin;
+        while (begin < now.end) {
+            while (old != before.end() and old->end <= begin)
+                ++old;
+            const std::uintptr_t end = old == before.end() ? now.end : std::clamp(old->begin, begin, now.end);
+            advise_large_pages(reinterpret_cast<std::byte*>(begin), end - begin);
+            begin = old == before.end() ? now.end : std::max(end, std::min(old->end, now.end));
+        }
+    }
+}
+
+} // namespace detail
 
 KITH_IN_LIBRARY void* large_blocks::allocate(std::size_t bytes)
 {

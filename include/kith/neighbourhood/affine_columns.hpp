@@ -36,9 +36,9 @@ struct column_bases {
     using by_kind = std::array<std::uint64_t, 7>;
     by_kind vertices{}, edges{}, faces{};
     by_kind vertices_of_each{}, edges_of_each{}, faces_of_each{};
-    by_kind corners{};     ///< the first one of the faces of a column
-    by_kind degrees{};     ///< of these faces; 0: those of the faces that they come from
-    by_kind face_counts{}; ///< how many they are
+    by_kind corners{}; ///< the first one of the faces of a column
+    by_kind degrees{}; ///< of these faces; 0: those of the faces that they come from
+    by_kind vertex_counts{}, edge_counts{}, face_counts{}; ///< how many elements a column makes
 
     friend bool operator==(const column_bases&, const column_bases&) = default;
 
@@ -61,6 +61,14 @@ struct column_bases {
         case tuple_kind::f: return faces_of_each[std::size_t(kind)];
         default: return has_corners_of_face(kind) ? 1 : degrees[std::size_t(kind)] * faces_of_each[std::size_t(kind)];
         }
+    }
+    /// How many vertices, edges or faces (v, e, f) a column makes.
+    [[nodiscard]] std::uint64_t count(tuple_kind made, tuple_kind kind) const
+    {
+        const by_kind& counts = made == tuple_kind::v   ? vertex_counts
+                                : made == tuple_kind::e ? edge_counts
+                                                        : face_counts;
+        return counts[std::size_t(kind)];
     }
     /// The new faces have the corners of those that they come from.
     [[nodiscard]] bool has_corners_of_face(tuple_kind kind) const { return degrees[std::size_t(kind)] == 0; }
@@ -145,10 +153,11 @@ column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int ge
     const auto columns = columns_of(scheme, generation);
     constexpr std::size_t degree = numbering_of<Scheme, std::uint32_t>::common_degree;
     column_bases result;
-    const auto to = [&](column_bases::by_kind& bases, column_bases::by_kind& of_each) {
+    const auto to = [&](column_bases::by_kind& bases, column_bases::by_kind& of_each, column_bases::by_kind& counts) {
         return [&]<tuple_kind Kind, class W, class D>(const auto& numbers, std::size_t i, const column<Kind, W, D>& c) {
             const auto kind = std::size_t(Kind);
             bases[kind] = numbers.base(i);
+            counts[kind] = numbers.count(i);
             of_each[kind] = tuples_of_each(Kind, degree);
             if constexpr (detail::numbers_by_marks<W>) {
                 const std::uint64_t marked = c.where.keep.marked(coarse, generation);
@@ -159,9 +168,12 @@ column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int ge
             }
         };
     };
-    detail::for_each_base(columns.vertices, coarse, generation, to(result.vertices, result.vertices_of_each));
-    detail::for_each_base(columns.edges, coarse, generation, to(result.edges, result.edges_of_each));
-    detail::for_each_base(columns.faces, coarse, generation, to(result.faces, result.faces_of_each));
+    detail::for_each_base(
+        columns.vertices, coarse, generation, to(result.vertices, result.vertices_of_each, result.vertex_counts));
+    detail::for_each_base(
+        columns.edges, coarse, generation, to(result.edges, result.edges_of_each, result.edge_counts));
+    detail::for_each_base(
+        columns.faces, coarse, generation, to(result.faces, result.faces_of_each, result.face_counts));
     detail::for_each_base(
         columns.faces,
         coarse,
@@ -171,7 +183,6 @@ column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int ge
             const bool by_valence = Kind == tuple_kind::v and detail::fixed_degree_of<D> == 0;
             result.corners[kind] = numbers.first_corner_in(i);
             result.degrees[kind] = by_valence ? std::uint64_t(traits_of<Scheme>.valence) : detail::fixed_degree_of<D>;
-            result.face_counts[kind] = numbers.count(i);
         });
     return result;
 }

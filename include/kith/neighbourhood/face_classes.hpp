@@ -12,7 +12,9 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -31,6 +33,7 @@ class face_classes {
 public:
     using number = sequence_numbers::number;
     static constexpr std::size_t most_corners = std::size_t(1) << 30;
+    static constexpr number none = std::numeric_limits<number>::max(); ///< the class of faces that are left out
 
     /// Preconditions: the mesh has its edges and at most `most_corners`; rings > 0. Cost: O(corners) per ring, on all
     /// threads.
@@ -45,6 +48,14 @@ public:
         }
     }
 
+    /// Leaves out the faces without a mark; the numbers of the classes stay, and some may have no faces then.
+    void keep_marked(std::span<const unsigned char> is_marked)
+    {
+        for (std::size_t f = 0; f < class_.size(); ++f)
+            if (is_marked[f] == 0)
+                class_[f] = none;
+    }
+
     [[nodiscard]] std::size_t count() const { return count_; }
     /// The class of each face.
     [[nodiscard]] const storage<number>& of_faces() const { return class_; }
@@ -53,7 +64,8 @@ public:
     {
         std::vector<std::size_t> result(count_, 0);
         for (const number c : class_)
-            ++result[c];
+            if (c != none)
+                ++result[c];
         return result;
     }
 

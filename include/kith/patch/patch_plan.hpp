@@ -122,6 +122,7 @@ struct patch_costs {
     double least_faces_if_scattered = 40e6; ///< the same where they lie in no order and cannot be put into one
     double least_faces_again = .8e6; ///< the same where such levels have been made without templates again and again
     double of_class_again = 0;       ///< of finding the template of a class there
+    double least_of_class = 1;       ///< filling fewer faces of a class takes as long as filling so many
 
     /// Returns the faces of the last level below which classes are not sought. More rings tell more classes apart.
     [[nodiscard]] double least_to_look(const patch_plan& plan) const
@@ -151,6 +152,19 @@ struct patch_costs {
         costs.of_class_again = 250;
         return costs;
     }
+    /// The same for one of so many tiles. Level by level it takes several times as long as a mesh, since what belongs
+    /// to other tiles is refined, too, and cut off after each step; what patches make is copied once.
+    [[nodiscard]] patch_costs if_in_tiles(double tiles) const
+    {
+        constexpr double times_as_long = 6;
+        patch_costs costs = if_again(tiles);
+        for (double* cost :
+             {&costs.in_patch, &costs.among_few, &costs.of_template, &costs.of_face_in_template, &costs.of_class_again})
+            *cost /= times_as_long;
+        costs.in_patch *= 2;
+        costs.least_of_class = 8; // as many as most processors have lanes for
+        return costs;
+    }
 };
 
 /// Where the template of a class of faces comes from.
@@ -172,8 +186,7 @@ public:
     /// Whether making a template costs less than its class does without.
     [[nodiscard]] bool gains(std::size_t of_class) const
     {
-        return double(sizes_[of_class]) * of_patch_ * (costs_.among_few - in_patch_) >
-               of_template_ + costs_.of_class_again;
+        return alone(of_class) > filled(of_class) + of_template_ + costs_.of_class_again;
     }
     /// Whether patches are cheaper than going level by level, if each class does what is best.
     [[nodiscard]] bool is_gain_without_kept() const
@@ -189,9 +202,9 @@ public:
     {
         double cost = 0, faces = 0;
         for (std::size_t c = 0; c < sizes_.size(); ++c) {
-            const bool is_alone = choices[c] == template_choice::none;
-            cost += double(sizes_[c]) * of_patch_ * (is_alone ? costs_.among_few : in_patch_);
-            cost += is_alone ? 0 : costs_.of_class_again;
+            if (sizes_[c] == 0)
+                continue;
+            cost += choices[c] == template_choice::none ? alone(c) : filled(c) + costs_.of_class_again;
             cost += choices[c] == template_choice::made ? of_template_ : 0;
             faces += double(sizes_[c]) * of_patch_;
         }
@@ -199,6 +212,16 @@ public:
     }
 
 private:
+    /// What the patches of a class cost without a template, and what filling them costs.
+    [[nodiscard]] double alone(std::size_t of_class) const
+    {
+        return double(sizes_[of_class]) * of_patch_ * costs_.among_few;
+    }
+    [[nodiscard]] double filled(std::size_t of_class) const
+    {
+        return std::max(double(sizes_[of_class]), costs_.least_of_class) * of_patch_ * in_patch_;
+    }
+
     patch_costs costs_;
     std::vector<std::size_t> sizes_;
     double of_patch_, in_patch_, of_template_;

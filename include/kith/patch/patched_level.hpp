@@ -175,7 +175,7 @@ private:
                 --left;
             }
         for (std::size_t f = 0; left != 0 and f < classes.of_faces().size(); ++f)
-            if (const class_number c = classes.of_faces()[f]; looks_left[c] != 0) {
+            if (const class_number c = classes.of_faces()[f]; c != classes.none and looks_left[c] != 0) {
                 --looks_left[c];
                 walk.around(f);
                 if (walk.is_disk()) {
@@ -222,7 +222,10 @@ private:
             count[t] = 0;
         };
         for (std::size_t f = 0; f < classes.of_faces().size(); ++f) {
-            const class_number t = template_of_class[classes.of_faces()[f]];
+            const class_number c = classes.of_faces()[f];
+            if (c == classes.none)
+                continue;
+            const class_number t = template_of_class[c];
             if (t == none) {
                 without_template.push_back(Index(f));
                 continue;
