@@ -11,7 +11,7 @@
 #include <kith/number/column_facts.hpp>
 #include <kith/engine/refine_in_surface_order.hpp>
 #include <kith/tile/plan_tile.hpp>
-#include <kith/tile/tiles_at_once.hpp>
+#include <kith/part/tiles_at_once.hpp>
 
 #include <algorithm>
 #include <array>

@@ -20,7 +20,7 @@
 #include <kith/part/checksum.hpp>
 #include <kith/refine.hpp>
 #include <kith/slices/tiles_of_slices.hpp>
-#include <kith/tile/tiles_at_once.hpp>
+#include <kith/part/tiles_at_once.hpp>
 
 #include <algorithm>
 #include <array>

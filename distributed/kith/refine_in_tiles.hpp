@@ -7,7 +7,7 @@
 #include <kith/tile/cut_tiles.hpp>
 #include <kith/tile/refine_tile.hpp>
 #include <kith/part/require_control.hpp>
-#include <kith/tile/tiles_at_once.hpp>
+#include <kith/part/tiles_at_once.hpp>
 
 #include <cstddef>
 #include <mutex>

@@ -18,7 +18,7 @@
 #include <kith/tile/pack.hpp>
 #include <kith/tile/plan_tile.hpp>
 #include <kith/part/require_control.hpp>
-#include <kith/tile/tiles_at_once.hpp>
+#include <kith/part/tiles_at_once.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <kith/part/phase_seconds.hpp>
 #include <kith/part/tile.hpp>
 #include <kith/tile/refine_tile.hpp>
-#include <kith/tile/tiles_at_once.hpp>
+#include <kith/part/tiles_at_once.hpp>
 
 #include <concepts>
 #include <cstddef>
