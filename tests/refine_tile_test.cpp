@@ -56,8 +56,8 @@ kith::creases sharpened(const mesh3d& mesh, kith::crease_method method)
     return sharp;
 }
 
-/// Compares what patches make of the tiles of a mesh, from each level on, with what single steps make. Returns how often
-/// there were patches.
+/// Compares what patches make of the tiles of a mesh, from each level on, with what single steps make. Returns how
+/// often there were patches.
 template <class Scheme>
 std::size_t compare_last_in_patches(const mesh3d& mesh, const Scheme& scheme, int levels,
                                     std::span<const std::uint32_t> part_of, std::size_t parts)

@@ -40,8 +40,8 @@ concept patchable_in_tiles = patchable_scheme<Scheme, Point, Index> and not has_
 
 namespace detail {
 
-/// Returns the plan of patches for the mesh of a tile, with the numbers of a closed mesh: what lies beyond the rim would
-/// have numbers, too. Nothing where there are no patches. Cost: O(levels).
+/// Returns the plan of patches for the mesh of a tile, with the numbers of a closed mesh: what lies beyond its rim has
+/// numbers, too. Returns nothing where there are no patches. Cost: O(levels).
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<patch_plan> plan_for_tile(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
 {

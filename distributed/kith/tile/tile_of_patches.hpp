@@ -184,7 +184,7 @@ private:
     {
         connectivity<Index> faces;
         faces.allocate_faces(size, int(degree_), [&](std::size_t) { return degree_; });
-        if (is_whole_) {
+        if (is_whole_ and corner_vertex_.size() == faces.corner_vertex.size()) {
             faces.corner_vertex = std::move(corner_vertex_);
             return faces;
         }
@@ -201,7 +201,7 @@ private:
     storage<Index> number_;          // of each of its vertices that is taken
     std::vector<Index> owned_, rim_; // faces of the coarse tile; the rim is around the owned ones
     std::vector<unsigned char> is_patched_;
-    bool is_whole_; // all that is refined is taken, with its numbers
+    bool is_whole_; // all vertices are taken, with their numbers
 };
 
 #endif
