@@ -110,7 +110,7 @@ check "no output is left" test -z "$(ls | grep -E 'out|incomplete')"
 # A tile that needs more memory than its rank has: no rank waits for another.
 for mode in spmd manager; do
     command="mpirun -n 3 with little memory, $mode"
-    timeout 60 mpirun -n 3 bash -c 'ulimit -v 900000; exec "$@"' sh "$kith_mpi" refine tetra.off -s loop -n 11 -o out.vtu \
+    timeout 60 mpirun -n 3 bash -c 'ulimit -v 900000; exec "$@"' sh "$kith_mpi" refine tetra.off -s loop -n 12 -o out.vtu \
         --mode $mode >"$results/out" 2>"$results/err" </dev/null
     code=$?
     exits 1
