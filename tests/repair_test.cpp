@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <limits>
 #include <string>
 #include <vector>

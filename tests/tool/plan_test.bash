@@ -193,10 +193,16 @@ if test -x /usr/bin/time; then
             cube.off -s catmull-clark -n 8 --mesh $mesh -o out.ply --binary
     done
     planned "$base" cube.off -s catmull-clark -n 8 --limit -- cube.off -s catmull-clark -n 8 --limit -o out.ply --binary
-    planned "$base_of_tiles" control.ply -s catmull-clark -n 4 --ranks 1 -- \
-        control.ply -s catmull-clark -n 4 -o out.vtu --tiles 1 --threads 1
-    planned "$base_of_tiles" control.ply -s catmull-clark -n 5 --ranks 1 --tiles-per-rank 8 -- \
-        control.ply -s catmull-clark -n 5 -o out.vtu --tiles 8 --threads 1
+    # The same in tiles, where dual schemes go step by step.
+    planned "$base_of_tiles" control.ply -s doo-sabin -n 4 --ranks 1 -- \
+        control.ply -s doo-sabin -n 4 -o out.vtu --tiles 1 --threads 1
+    for tiles in 1 8; do
+        run plan control.ply -s catmull-clark -n 5 --ranks 1 --tiles-per-rank $tiles
+        need=$(sed -n 's/^refining.* needs \([0-9]*\) bytes at once.*/\1/p' "$results/out")
+        peak control.ply -s catmull-clark -n 5 -o out.vtu --tiles $tiles --threads 1
+        check "patches should use less than 4/5 of the plan, which are $need bytes" \
+            test $(((peak - base_of_tiles) * 1024)) -lt $((need * 4 / 5))
+    done
     for tiles in 1 8; do
         planned "$base_of_tiles" control.ply -s catmull-clark -n 4 --limit --ranks 1 --tiles-per-rank $tiles -- \
             control.ply -s catmull-clark -n 4 -o out.vtu --limit --tiles $tiles --threads 1

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "last_in_patches.hpp"
 #include "whole_levels.hpp"
 
 #include <kith/base/error.hpp>
@@ -8,6 +9,7 @@
 #include <kith/plan.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -68,6 +70,23 @@ std::vector<double> shares_of_tile(const std::vector<planned_level>& whole, cons
     return result;
 }
 
+/// Returns the bytes that are in use at most where the last steps of a tile are made in patches: the level where they
+/// begin, points and faces of the last level with all ghosts of that one, their numbers, and what is kept.
+template <reaching_scheme Scheme>
+double bytes_in_patches(const std::vector<planned_level>& whole, const Scheme& scheme,
+                        const std::vector<double>& shares, double owned)
+{
+    if constexpr (patchable_in_tiles<Scheme, std::array<double, 3>, std::uint32_t>) {
+        if (const auto plan = plan_patches(whole[0].counts, 0, scheme, int(whole.size()) - 1, 0)) {
+            const planned_level &begin = whole[std::size_t(plan->begin)], &last = whole.back();
+            const double share = shares[std::size_t(plan->begin)];
+            return bytes_of_tile(begin, share) + share * (double(last.least_bytes) + 5 * double(last.counts.vertices)) +
+                   bytes_of_last_tile(last, owned);
+        }
+    }
+    return 0;
+}
+
 } // namespace detail
 
 /// The bytes that are in use at most while a tile is refined to the last of these levels, of which the owned faces are
@@ -98,6 +117,7 @@ std::uint64_t tile_bytes(const std::vector<planned_level>& whole, const Scheme& 
             most = std::max(most,
                             before + share(level) * (double(next.least_bytes) + marks) +
                                 detail::bytes_of_last_tile(next, owned));
+            most = std::max(most, detail::bytes_in_patches(whole, scheme, shares, owned));
         } else {
             const counts& c = next.counts; // marks, and for all that is kept where it was and where it is
             const double marks = 9 * double(c.vertices) + 11 * double(c.edges) + 9 * double(c.faces);

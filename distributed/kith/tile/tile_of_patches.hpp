@@ -71,6 +71,7 @@ public:
         number_faces(result);
         auto faces = taken_faces(result.face_ids.size());
         faces.vertices = result.vertex_ids.size();
+        corner_vertex_ = {}; // before there are points twice
         result.mesh = basic_mesh<Point, Index>(taken_points(marks, faces.vertices), std::move(faces), generation);
         return result;
     }
