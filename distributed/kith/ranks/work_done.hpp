@@ -22,8 +22,8 @@ enum class sharing : unsigned char { spmd, manager };
 struct work_done {
     std::uint64_t tiles = 0;
     std::uint64_t owned_faces = 0;  ///< of the last level
-    std::uint64_t kept_faces = 0;   ///< on all levels, shadows and what was cut off included
-    std::uint64_t useful_faces = 0; ///< on all levels, owned
+    std::uint64_t kept_faces = 0;   ///< on all levels that were made, ghosts included; patches skip some levels
+    std::uint64_t useful_faces = 0; ///< on the same levels, owned
     phase_seconds seconds{};        ///< to cut, refine and use tiles; to send and wait in communicator::seconds
 
     work_done& operator+=(const work_done& more)

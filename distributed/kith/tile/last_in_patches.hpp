@@ -20,7 +20,7 @@ namespace kith {
 
 namespace detail {
 
-/// Whether all new faces come from faces or corners of faces, so that who owns a face owns its descendants.
+/// Returns true if all new faces come from faces or corners of faces. Then who owns a face owns its descendants.
 template <class... Columns>
 constexpr bool come_from_faces(const std::tuple<Columns...>*)
 {
@@ -46,8 +46,6 @@ template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<patch_plan> plan_for_tile(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
 {
     const auto& t = mesh.topology();
-    if (t.faces == 0)
-        return {};
     return plan_patches({t.vertices, t.edges(), t.faces}, t.degree, scheme, levels, mesh.generation());
 }
 
@@ -108,7 +106,7 @@ std::optional<tile<Point, Index>> last_in_patches([[maybe_unused]] const tile<Po
         const auto patches = patched_level<Point, Index, Scheme>::make(coarse.mesh, classes, scheme, *plan, costs);
         if (not patches)
             return {};
-        patches->fill(coarse.mesh, made.output());
+        patches->fill(coarse.mesh, made.make_room());
         return made.take(generation + steps);
     }
 #endif

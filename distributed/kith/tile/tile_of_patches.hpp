@@ -3,6 +3,7 @@
 
 #include "numbered_tile.hpp"
 
+#include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
 #include <kith/neighbourhood/descents.hpp>
 #include <kith/patch/patch_writer.hpp>
@@ -36,11 +37,10 @@ public:
         , vertices_there_(descents_of(tuple_kind::v, there, degree))
         , faces_(descents_of(tuple_kind::f, here, degree))
         , faces_there_(descents_of(tuple_kind::f, there, degree))
-        , points_(last.vertices)
-        , corner_vertex_(degree * last.faces)
-        , number_(last.vertices)
+        , last_(last)
         , owned_(owned_faces_of(coarse))
     {
+        KITH_ASSERT(vertices_.size() == vertices_there_.size() and faces_.size() == faces_there_.size());
         std::vector<unsigned char> is_near(coarse.mesh.vertex_count(), 0);
         for (const Index f : owned_)
             for (const Index v : coarse.mesh.face(f))
@@ -54,11 +54,13 @@ public:
         is_whole_ = owned_.size() == coarse.mesh.face_count() and last.vertices == vertices_there;
     }
 
-    /// Per face of the coarse tile whether its patch is needed: of the owned faces and of those around them.
+    /// Returns marks of the faces of the coarse tile whose patches are needed: the owned ones and those around them.
     [[nodiscard]] std::span<const unsigned char> is_patched() const { return is_patched_; }
-    /// Where the patches are written, in the numbers of the refined mesh of the tile.
-    [[nodiscard]] patch_output<Point, Index> output()
+    /// Makes room for the patches, which are written in the numbers of the refined mesh of the tile.
+    [[nodiscard]] patch_output<Point, Index> make_room()
     {
+        points_ = storage<Point>(last_.vertices);
+        corner_vertex_ = storage<Index>(degree_ * last_.faces);
         return {.points = points_.data(), .corner_vertex = corner_vertex_.data()};
     }
 
@@ -125,6 +127,7 @@ private:
     {
         const auto size = std::size_t(
             std::ranges::count_if(marks, [](unsigned char mark) { return (mark & ours) != 0; }));
+        number_ = storage<Index>(points_.size());
         result.vertex_ids = storage<global_id>(size);
         result.vertex_marks = storage<unsigned char>(size);
         std::size_t next = 0;
@@ -197,6 +200,7 @@ private:
     const tile<Point, Index>& coarse_;
     std::size_t degree_; // of the faces
     std::vector<descent> vertices_, vertices_there_, faces_, faces_there_;
+    counts last_;
     storage<Point> points_; // of the refined mesh of the tile, as far as patches have written it
     storage<Index> corner_vertex_;
     storage<Index> number_;          // of each of its vertices that is taken

@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// Elements of a later level that descend in one way, by the same columns, from elements of an earlier one: those from
-/// element x of that kind have the numbers first + each * x + which, for each `which` below `each`.
+/// A way of descent: elements of a later level that come by the same columns from those of an earlier one. The
+/// descendants of element x are `each` in number, from first + each * x on.
 struct descent {
     tuple_kind from;           ///< elements of the earlier level: v, e or f
     tuple_kind last;           ///< tuples that gave birth to the elements of the later level

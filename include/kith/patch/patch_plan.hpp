@@ -69,16 +69,17 @@ struct patch_plan {
     }
 };
 
-/// `degree`: of all faces of the control mesh; 0: they have several. A patch has at most some hundred faces. Nothing
-/// for a mesh on which the numbers of the scheme do not follow in one way, whose order it does not ignore even where
-/// its state says nothing, which is too large, or where there is no step to make. `last_rings`: as in patch_plan.
+/// Returns which steps are made in patches of at most some hundred faces each. `degree` is that of all faces of the
+/// control mesh, or 0 if they have several; `last_rings` is that of patch_plan. Returns nothing where there is no step
+/// to make, and for a mesh that is empty or too large. Returns nothing either where the numbers of the scheme do not
+/// follow in one way, or where it minds the order of elements without any state.
 /// Precondition: the levels can be counted. Cost: O(levels).
 template <reaching_scheme Scheme>
 std::optional<patch_plan> plan_patches(const counts& control, int degree, const Scheme& scheme, int levels,
                                        int generation, int last_rings = 0)
 {
     constexpr std::uint64_t most_faces_of_patch = 100;
-    if (levels < 1 or not ignores_numbers(without_state(scheme)))
+    if (levels < 1 or control.faces == 0 or not ignores_numbers(without_state(scheme)))
         return {};
     constexpr std::size_t degree_of_refined = numbering_of<Scheme, std::uint32_t>::common_degree;
     const bool is_like_refined = not has_faces_by_valence<Scheme> and not has_numbers_by_marks<Scheme> and
@@ -152,8 +153,8 @@ struct patch_costs {
         costs.of_class_again = 250;
         return costs;
     }
-    /// The same for one of so many tiles. Level by level it takes several times as long as a mesh, since what belongs
-    /// to other tiles is refined, too, and cut off after each step; what patches make is copied once.
+    /// Returns the costs for one of so many tiles. Level by level a tile takes several times as long as a mesh: it
+    /// refines faces of other tiles, too, and cuts them off after each step. What patches make is copied once.
     [[nodiscard]] patch_costs if_in_tiles(double tiles) const
     {
         constexpr double times_as_long = 6;
@@ -212,11 +213,12 @@ public:
     }
 
 private:
-    /// What the patches of a class cost without a template, and what filling them costs.
+    /// Returns the cost of the patches of a class without a template.
     [[nodiscard]] double alone(std::size_t of_class) const
     {
         return double(sizes_[of_class]) * of_patch_ * costs_.among_few;
     }
+    /// Returns the cost of filling the patches of a class from its template.
     [[nodiscard]] double filled(std::size_t of_class) const
     {
         return std::max(double(sizes_[of_class]), costs_.least_of_class) * of_patch_ * in_patch_;
