@@ -277,13 +277,14 @@ TEST(creased_patches, leaves_out_a_state_that_does_not_say_where_it_is)
 
 TEST(creased_patches, shares_templates_with_the_scheme_without_creases)
 {
-    using templates = kith::kept_templates<kith::catmull_clark, double, std::uint32_t>;
+    using templates = kith::kept_templates<double, std::uint32_t>;
     const auto mesh = native(shapes::shaken(shapes::torus(9, 12)));
     kith::catmull_clark creased;
     creased.sharpness = sharpened(mesh, 17, 2, crease_method::uniform);
-    const auto made = templates(without_state(creased), 0, 2, 3).keep(u"around", {});
-    EXPECT_EQ(templates({}, 0, 2, 3).find(u"around"), made);
-    EXPECT_EQ(templates({.corners = kith::boundary_corner::smoothed, .sharpness = {}}, 0, 2, 3).find(u"around"),
+    const auto made = templates::of(without_state(creased), 0, 2, 3).keep(u"around", {});
+    EXPECT_EQ(templates::of(kith::catmull_clark{}, 0, 2, 3).find(u"around"), made);
+    EXPECT_EQ(templates::of(kith::catmull_clark{.corners = kith::boundary_corner::smoothed, .sharpness = {}}, 0, 2, 3)
+                  .find(u"around"),
               nullptr);
 }
 

@@ -170,8 +170,7 @@ kith::basic_mesh<Point, Index> filled_by_lanes(kith::basic_mesh<Point, Index> me
     mesh = kith::detail::refine_on(std::move(mesh), scheme, plan->begin);
     const kith::face_classes<Index> classes(
         mesh.topology(), plan->rings, kith::state_marks<Index>(mesh.topology(), scheme));
-    const auto made = kith::patched_level<Point, Index, Scheme>::make(
-        mesh, classes, scheme, *plan, all_templates, true);
+    const auto made = kith::make_patches(mesh, classes, scheme, *plan, all_templates, true);
     kith::storage<Point> points(plan->last().vertices);
     kith::connectivity<Index> fine;
     fine.vertices = points.size();
@@ -590,20 +589,20 @@ TEST(refine_in_patches, keeps_templates_for_one_scheme_and_any_mesh)
     }
     for (const std::size_t n : {8, 9, 12}) // the numbers of all columns begin elsewhere
         EXPECT_TRUE(compare(native(shapes::shaken(shapes::torus(n, n + 1))), kith::catmull_clark{}, 3));
-    using templates = kith::kept_templates<kith::loop, double, std::uint32_t>;
-    const auto made = templates(warren, 0, 2, 3).keep(u"around", {});
-    EXPECT_EQ(templates(warren, 0, 2, 3).find(u"around"), made);
-    EXPECT_EQ(templates(warren, 0, 2, 3).find(u""), nullptr);
-    EXPECT_EQ(templates(kith::loop{}, 0, 2, 3).find(u"around"), nullptr);
-    EXPECT_EQ(templates(warren, 1, 2, 3).find(u"around"), nullptr);
-    EXPECT_EQ(templates(warren, 0, 1, 3).find(u"around"), nullptr);
-    EXPECT_EQ(templates(warren, 0, 2, 2).find(u"around"), nullptr);
+    using templates = kith::kept_templates<double, std::uint32_t>;
+    const auto made = templates::of(warren, 0, 2, 3).keep(u"around", {});
+    EXPECT_EQ(templates::of(warren, 0, 2, 3).find(u"around"), made);
+    EXPECT_EQ(templates::of(warren, 0, 2, 3).find(u""), nullptr);
+    EXPECT_EQ(templates::of(kith::loop{}, 0, 2, 3).find(u"around"), nullptr);
+    EXPECT_EQ(templates::of(warren, 1, 2, 3).find(u"around"), nullptr);
+    EXPECT_EQ(templates::of(warren, 0, 1, 3).find(u"around"), nullptr);
+    EXPECT_EQ(templates::of(warren, 0, 2, 2).find(u"around"), nullptr);
 }
 
 TEST(refine_in_patches, gives_up_templates_that_nobody_has_asked_for_longest)
 {
-    using templates = kith::kept_templates<kith::butterfly, double, std::uint32_t>;
-    const templates kept(kith::butterfly{}, 0, 2, 3);
+    using templates = kith::kept_templates<double, std::uint32_t>;
+    const auto kept = templates::of(kith::butterfly{}, 0, 2, 3);
     kith::patch_template<double, std::uint32_t> large;
     large.multiples.resize(templates::most_bytes / sizeof(large.multiples[0]) / 16);
     const auto asked_for = kept.keep(u"asked for", large), other = kept.keep(u"other", large);
@@ -622,7 +621,7 @@ TEST(refine_in_patches, makes_templates_for_levels_that_are_made_again_and_again
     const auto expect_templates = [&](const mesh3d& mesh, int levels, bool are_made) {
         const auto plan = kith::plan_patches(count(mesh.topology()), mesh.topology().degree, scheme, levels, 0);
         ASSERT_TRUE(plan);
-        const kith::kept_templates<kith::catmull_clark, double, std::uint32_t> kept(
+        const auto kept = kith::kept_templates<double, std::uint32_t>::of(
             scheme, plan->begin, plan->rings, plan->bases.size());
         const auto faces = std::size_t(plan->last().faces);
         const auto given = level_by_level(mesh, scheme, levels, connect::everything);
@@ -652,9 +651,9 @@ TEST(refine_in_patches, tells_schemes_apart_by_all_their_members)
                   kith::comparable_scheme<kith::sqrt3>);
     static_assert(kith::comparable_scheme<empty_scheme>);
     static_assert(std::equality_comparable<derived_scheme> and not kith::comparable_scheme<derived_scheme>);
-    using templates = kith::kept_templates<derived_scheme, double, std::uint32_t>;
-    templates({}, 0, 4, 3).keep(u"around", {});
-    EXPECT_EQ(templates({}, 0, 4, 3).find(u"around"), nullptr);
+    using templates = kith::kept_templates<double, std::uint32_t>;
+    templates::of(derived_scheme{}, 0, 4, 3).keep(u"around", {});
+    EXPECT_EQ(templates::of(derived_scheme{}, 0, 4, 3).find(u"around"), nullptr);
 }
 
 TEST(refine_in_patches, takes_other_numbers_and_indices)

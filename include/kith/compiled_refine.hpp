@@ -48,16 +48,22 @@
 #define KITH_ORDERED_LEVELS(How, Scheme) How basic_mesh<> refine_in_surface_order(basic_mesh<>, Scheme, int, connect);
 #ifdef KITH_HAS_LANES
 #define KITH_PATCHES(How, Scheme)                                                                                      \
-    How class patched_level<std::array<double, 3>, std::uint32_t, Scheme>;                                             \
+    How std::optional<patched_level<std::array<double, 3>, std::uint32_t>> make_patches(                               \
+        const basic_mesh<>&,                                                                                           \
+        const face_classes<std::uint32_t>&,                                                                            \
+        const Scheme&,                                                                                                 \
+        const patch_plan&,                                                                                             \
+        const patch_costs&,                                                                                            \
+        bool,                                                                                                          \
+        const patch_output_kind<std::array<double, 3>, std::uint32_t, Scheme>&);                                       \
     How class patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
 #define KITH_PATCH_PARTS(How, Number)                                                                                  \
     How class lane_program_maker<Number>;                                                                              \
     How class template_assembler<Number, std::uint32_t>;                                                               \
     How class submesh_cutter<recorded<Number>, std::uint32_t>;                                                         \
     How class submesh_cutter<std::array<Number, 3>, std::uint32_t>;                                                    \
-    How class patch_filler<std::array<Number, 3>, std::uint32_t, 0>;                                                   \
-    How class patch_filler<std::array<Number, 3>, std::uint32_t, 3>;                                                   \
-    How class patch_filler<std::array<Number, 3>, std::uint32_t, 4>;
+    How class patch_filler<std::array<Number, 3>, std::uint32_t>;                                                      \
+    How class patched_level<std::array<Number, 3>, std::uint32_t>;
 #define KITH_PATCH_NUMBERS(How)                                                                                        \
     How class face_walk<std::uint32_t>;                                                                                \
     How class face_classes<std::uint32_t>;                                                                             \

@@ -25,7 +25,7 @@ template <class Point, class Index, class Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 struct possible_patches<Point, Index, Scheme> {
     using kind = patch_output_kind<Point, Index, Scheme>;
-    using type = patched_level<Point, Index, Scheme>;
+    using type = patched_level<Point, Index>;
 };
 
 /// The levels of a refinement up to where patches begin, and the patches of all that is made of the last level again
@@ -101,7 +101,7 @@ private:
         const auto& scheme = levels_.scheme(plan.begin);
         const face_classes<Index> classes(mesh.topology(), plan.rings, state_marks<Index>(mesh.topology(), scheme));
         for (const auto& kind : kinds) {
-            auto made = patches::make(mesh, classes, scheme, plan, costs, false, kind);
+            auto made = kith::make_patches(mesh, classes, scheme, plan, costs, false, kind);
             if (not made)
                 return patches_.clear(); // templates may be kept of one kind alone
             patches_.push_back(std::move(*made));

@@ -103,7 +103,7 @@ std::optional<tile<Point, Index>> last_in_patches([[maybe_unused]] const tile<Po
             coarse, plan->bases, there, plan->last(), whole.counts(whole.levels()).vertices, degree);
         face_classes<Index> classes(t, plan->rings, state_marks<Index>(t, scheme));
         classes.keep_marked(made.is_patched());
-        const auto patches = patched_level<Point, Index, Scheme>::make(coarse.mesh, classes, scheme, *plan, costs);
+        const auto patches = make_patches(coarse.mesh, classes, scheme, *plan, costs);
         if (not patches)
             return {};
         patches->fill(coarse.mesh, made.make_room());

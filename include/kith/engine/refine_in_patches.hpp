@@ -38,7 +38,8 @@ public:
         faces_ = double(plan_->last().faces);
         if (faces_ * plan_->faces_of_patch() < std::min(costs.least_faces, costs.least_faces_again))
             return;
-        kept_.emplace(without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());
+        kept_ = templates::of(
+            without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());
         demand_ = kept_->demand(plan_->last().faces, last_level_);
         ask_whether_to_look(costs);
         if (not is_worth_looking_)
@@ -97,9 +98,9 @@ public:
     }
 
 private:
-    using patches = patched_level<Point, Index, Scheme>;
+    using patches = patched_level<Point, Index>;
     using numbers = element_numbers<Index>;
-    using templates = kept_templates<Scheme, scalar_of<Point>, Index>;
+    using templates = kept_templates<scalar_of<Point>, Index>;
 
     /// At which of these costs, and whether at all the classes of faces are worth a look, by the plan as it is now.
     void ask_whether_to_look(const patch_costs& costs)
@@ -183,7 +184,7 @@ private:
     [[nodiscard]] std::optional<patches> patches_of(const basic_mesh<Point, Index>& level, const Scheme& scheme) const
     {
         const face_classes<Index> classes(level.topology(), plan_->rings, state_marks<Index>(level.topology(), scheme));
-        return patches::make(level, classes, scheme, *plan_, costs_, last_level_ == connect::everything);
+        return make_patches(level, classes, scheme, *plan_, costs_, last_level_ == connect::everything);
     }
     [[nodiscard]] basic_mesh<Point, Index> filled(const basic_mesh<Point, Index>& mesh, const patches& made,
                                                   const numbers* given) const

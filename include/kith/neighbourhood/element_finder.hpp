@@ -20,9 +20,9 @@ struct walked_element {
     walked_corner at;
 };
 
-/// Finds elements of alike neighbourhoods around up to `AtOnce` faces, all of degree `Degree` or, where that is 0, of
-/// any: step by step around all of them, so that what one waits for from the memory, the others do, too.
-template <std::unsigned_integral Index, std::size_t Degree, std::size_t AtOnce>
+/// Finds elements of alike neighbourhoods around up to `AtOnce` faces: step by step around all of them, so that what
+/// one waits for from the memory, the others do, too.
+template <std::unsigned_integral Index, std::size_t AtOnce>
 class element_finder {
 public:
     /// In a mesh that has its edges and outlives this.
@@ -34,7 +34,7 @@ public:
         ensure_size(first_corners_, (steps.size() + 1) * AtOnce);
         Index* to = first_corners_.data();
         for (std::size_t i = 0; i < AtOnce; ++i) // where there are fewer faces the first stands for them
-            to[i] = first_corner(faces[i < faces.size() ? i : 0]);
+            to[i] = mesh_->first_corner(faces[i < faces.size() ? i : 0]);
         count_ = faces.size();
         for (const walk_step& step : steps) {
             to += AtOnce;
@@ -53,26 +53,12 @@ public:
         switch (element.kind) {
         case tuple_kind::v: return at_each([&](Index c) { return mesh_->corner_vertex[c]; });
         case tuple_kind::e: return at_each([&](Index c) { return Index(mesh_->corner_halfedge[c] / 2); });
-        case tuple_kind::f: return at_each([&](Index c) { return face_of(c); });
+        case tuple_kind::f: return at_each([&](Index c) { return mesh_->face_of(c); });
         default: return at_each([&](Index c) { return Index(c - element.at.corner); });
         }
     }
 
 private:
-    [[nodiscard]] Index first_corner(Index face) const
-    {
-        if constexpr (Degree != 0)
-            return Index(Degree * face);
-        else
-            return mesh_->first_corner(face);
-    }
-    [[nodiscard]] Index face_of(Index corner) const
-    {
-        if constexpr (Degree != 0)
-            return Index(corner / Degree);
-        else
-            return mesh_->face_of(corner);
-    }
     [[nodiscard]] Index corner(const walked_corner& c, std::size_t i) const
     {
         return Index(first_corners_[AtOnce * c.face + i] + c.corner);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "part_refiner.hpp"
 #include "patch_filler.hpp"
-#include "refine_part.hpp"
 
 #include <kith/base/for_parts.hpp>
-#include <kith/step/step.hpp>
+#include <kith/step/submesh.hpp>
 
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,23 +20,15 @@ namespace kith {
 #ifdef KITH_HAS_LANES
 
 /// The patches of the faces that have no template: some at a time are cut out with their rings and refined as a mesh of
-/// their own, level by level, by the scheme of that part.
-template <class Point, std::unsigned_integral Index, scheme Scheme>
+/// their own, level by level.
+template <class Point, std::unsigned_integral Index>
 class face_clusters {
 public:
     using output = patch_output<Point, Index>;
-    using output_kind = patch_output_kind<Point, Index, Scheme>;
 
-    /// Of faces of a level, increasing, with the scheme of the level and a step for each of the bases, and with so many
-    /// rings on the last level.
-    face_clusters(const Scheme& scheme, std::vector<column_bases> bases, int last_rings, std::vector<Index> faces,
-                  output_kind kind)
-        : scheme_(scheme)
-        , plain_(without_state(scheme))
-        , rings_(rings_before_steps(scheme, bases.size(), last_rings))
-        , bases_(std::move(bases))
-        , faces_(std::move(faces))
-        , kind_(std::move(kind))
+    /// Of faces of a level, increasing, which this refiner is for.
+    face_clusters(std::shared_ptr<const part_refiner<Point, Index>> refiner, std::vector<Index> faces)
+        : refiner_(std::move(refiner)), faces_(std::move(faces))
     {
     }
 
@@ -51,52 +44,25 @@ public:
     }
 
 private:
-    using numbering = numbering_of<Scheme, Index>;
     using numbers_in_whole = part_of_whole<owned_number<Index>>;
-    static constexpr std::size_t degree = numbering::common_degree;
     // Neighbours by their numbers: closer than in the order of the surface, where a mesh is in order.
     static constexpr std::size_t at_once = 256;
-    // As measured: where few steps are left, or a cluster is compact, rings that are made in vain cost less than
-    // cutting them off.
-    static constexpr double cost_of_cut = 16;
 
     /// What a thread needs.
     class worker {
     public:
         worker(const face_clusters& clusters, const basic_mesh<Point, Index>& mesh)
-            : clusters_(clusters), mesh_(mesh), cutter_(mesh), is_one_(mesh.face_count(), false)
+            : refiner_(*clusters.refiner_), mesh_(mesh), cutter_(mesh), is_one_(mesh.face_count(), false)
         {
         }
 
         void fill(std::span<const Index> faces, const output& to)
         {
-            auto part = cutter_.cut(cutter_.faces_around(faces, clusters_.rings_.front()));
+            auto part = cutter_.cut(cutter_.faces_around(faces, refiner_.rings()));
             auto numbers = numbers_of(part, faces, to.coarse_numbers);
-            Scheme scheme = clusters_.plain_;
-            take_state_of_part(scheme, clusters_.scheme_, part.numbers());
-            const auto before_last = refine_part(
-                std::move(part.mesh),
-                scheme,
-                numbers,
-                clusters_.bases_,
-                clusters_.rings_,
-                [](const auto& face) { return face.owned; },
-                cost_of_cut,
-                [](const basic_mesh<Point, Index>& level, const Scheme& of_level, numbering& ids) {
-                    return refine_mesh<connect::everything>(level, of_level, ids);
-                });
-            numbering ids;
-            const auto& kind = clusters_.kind_;
-            const bool with_edges = not kind.are_points() or to.has_edges() or to.writer != nullptr;
-            auto fine = with_edges ? refine_mesh<connect::everything>(before_last, scheme, ids)
-                                   : refine_mesh<connect::faces>(before_last, scheme, ids);
-            const auto numbers_of_fine = numbers.next(before_last.topology(), ids, clusters_.bases_.back(), with_edges);
-            if (not kind.are_points()) {
-                advance(scheme, level_of<basic_mesh<Point, Index>>(before_last), before_last.generation(), ids, fine);
-                kind.replace_points(
-                    fine, scheme, [&](std::size_t v) { return bool(numbers_of_fine.vertices[v].owned); });
-            }
-            copy_owned(fine, numbers_of_fine, to);
+            const bool with_edges = to.has_edges() or to.writer != nullptr;
+            const auto made = refiner_.refine(std::move(part), std::move(numbers), with_edges);
+            copy_owned(made.mesh, made.numbers, to);
         }
 
     private:
@@ -113,6 +79,7 @@ private:
                     result[i] = {given == nullptr ? from[i] : given->of(kind)[from[i]], is_owned(from[i])};
                 return result;
             };
+            const std::size_t degree = refiner_.degree();
             numbers_in_whole numbers{
                 owned(tuple_kind::v,
                       part.vertex_from,
@@ -133,7 +100,7 @@ private:
             return numbers;
         }
 
-        const face_clusters& clusters_;
+        const part_refiner<Point, Index>& refiner_;
         const basic_mesh<Point, Index>& mesh_;
         submesh_cutter<Point, Index> cutter_;
         std::vector<bool> is_one_;
@@ -182,11 +149,8 @@ private:
         }
     }
 
-    Scheme scheme_, plain_; // of the level; without its state
-    std::vector<int> rings_;
-    std::vector<column_bases> bases_;
+    std::shared_ptr<const part_refiner<Point, Index>> refiner_;
     std::vector<Index> faces_;
-    output_kind kind_;
 };
 
 #endif

@@ -37,6 +37,38 @@ template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
 
+namespace detail {
+
+/// Numbers for the schemes of one type that templates are kept of. Safe on several threads.
+template <comparable_scheme Scheme>
+class scheme_numbers {
+public:
+    /// Returns the same number for schemes that are equal. Cost: O(schemes).
+    std::size_t of(const Scheme& scheme)
+    {
+        constexpr std::size_t most_schemes = 64;
+        if constexpr (std::is_empty_v<Scheme>) {
+            return 0;
+        } else {
+            const std::lock_guard lock(mutex_);
+            const auto place = std::ranges::find(schemes_, scheme, &std::pair<Scheme, std::size_t>::first);
+            if (place != schemes_.end())
+                return place->second;
+            if (schemes_.size() == most_schemes)
+                schemes_.pop_front();
+            schemes_.emplace_back(scheme, ++last_number_);
+            return last_number_;
+        }
+    }
+
+private:
+    std::mutex mutex_;
+    std::list<std::pair<Scheme, std::size_t>> schemes_; // and their numbers
+    std::size_t last_number_ = 0;
+};
+
+} // namespace detail
+
 /// How much some steps have made without templates, of levels of one size. Who refines a small level once spends more
 /// on templates than they save. Who does it again and again gets them when about as much has been made without as they
 /// cost, which is never more than twice what would have been best (the ski rental problem: Karlin, Manasse, Rudolph &
@@ -51,26 +83,32 @@ struct template_demand {
 /// again, or another one, is spared making them; those of schemes that cannot be told apart are not. A template takes
 /// some 5 to 30 KB. Those of one type of scheme, number and index take `most_bytes` at most: the least recently used
 /// ones are given up. Safe on several threads.
-template <scheme Scheme, std::floating_point Scalar, std::unsigned_integral Index>
+template <std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:
     using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
     static constexpr std::size_t most_bytes = std::size_t(64) << 20;
 
-    /// For so many steps that begin at a level of this generation; `made`: the key of the patch_output_kind.
-    kept_templates(const Scheme& scheme, int generation, int rings, std::size_t steps, std::size_t made = 0)
+    /// Returns those of a scheme for so many steps that begin at a level of this generation; `made` is the key of the
+    /// patch_output_kind.
+    template <scheme Scheme>
+    static kept_templates of(const Scheme& scheme, int generation, int rings, std::size_t steps, std::size_t made = 0)
     {
+        std::shared_ptr<store> where;
         std::size_t number = 0;
         if constexpr (comparable_scheme<Scheme>) {
             // Never destroyed, since static objects of a user may refine until the end.
             static const auto& of_all = *new std::shared_ptr<store>(std::make_shared<store>());
-            store_ = of_all;
-            number = store_->number_of(scheme);
+            static auto& numbers = *new detail::scheme_numbers<Scheme>();
+            where = of_all;
+            number = numbers.of(scheme);
         } else {
-            store_ = std::make_shared<store>();
+            where = std::make_shared<store>();
         }
+        kept_templates result(std::move(where));
         for (const std::size_t part : {number >> 16, number, std::size_t(generation), std::size_t(rings), steps, made})
-            purpose_ += char16_t(part);
+            result.purpose_ += char16_t(part);
+        return result;
     }
 
     /// Nothing is kept for these steps.
@@ -102,23 +140,6 @@ private:
     /// given up, and it becomes the old one.
     class store {
     public:
-        /// A number for each scheme that templates are kept of.
-        std::size_t number_of(const Scheme& scheme)
-        {
-            constexpr std::size_t most_schemes = 64;
-            if constexpr (std::is_empty_v<Scheme>) {
-                return 0;
-            } else {
-                const std::lock_guard lock(mutex_);
-                const auto place = std::ranges::find(schemes_, scheme, &std::pair<Scheme, std::size_t>::first);
-                if (place != schemes_.end())
-                    return place->second;
-                if (schemes_.size() == most_schemes)
-                    schemes_.pop_front();
-                schemes_.emplace_back(scheme, ++last_number_);
-                return last_number_;
-            }
-        }
         bool empty(const std::u16string& purpose)
         {
             const std::lock_guard lock(mutex_);
@@ -177,12 +198,12 @@ private:
         }
 
         std::mutex mutex_;
-        std::list<std::pair<Scheme, std::size_t>> schemes_; // and their numbers
-        std::size_t last_number_ = 0;
         lists young_, old_;
         std::size_t bytes_ = 0; // of the young ones
         std::unordered_map<std::u16string, template_demand> demands_;
     };
+
+    explicit kept_templates(std::shared_ptr<store> where) : store_(std::move(where)) {}
 
     [[nodiscard]] std::u16string purpose_and(std::size_t faces, connect last_level) const
     {

@@ -20,7 +20,7 @@ namespace kith {
 #ifdef KITH_HAS_LANES
 
 /// Writes what some faces of a level own, after templates, as many faces at a time as two registers have lanes.
-template <class Point, std::unsigned_integral Index, std::size_t Degree>
+template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patch_filler {
     using scalar = scalar_of<Point>;
@@ -35,8 +35,7 @@ public:
     /// How many numbers are found for the faces of a class that are filled in one call.
     static std::size_t numbers_found(const template_type& t) { return (t.inputs.size() + t.sources.size()) * at_once; }
 
-    /// For faces of a mesh that all have this degree, as have those of the level that is written, or any, 0: past the
-    /// caches if that level is too large to be in them when it is read.
+    /// For faces of a mesh: past the caches if the level that is written is too large to be in them when it is read.
     patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
         : coarse_(&coarse)
         , writer_(to, past_caches)
@@ -148,7 +147,7 @@ private:
 
     const basic_mesh<Point, Index>* coarse_;
     writer writer_;
-    element_finder<Index, Degree, at_once> finder_;
+    element_finder<Index, at_once> finder_;
     const element_numbers<Index>* numbers_; // in what is written, or nothing
     std::size_t lane_bytes_;
     storage<scalar> slots_;

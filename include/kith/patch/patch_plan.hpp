@@ -2,7 +2,6 @@
 #pragma once
 
 #include "child_numbers.hpp"
-#include "refine_part.hpp"
 
 #include <kith/lane/lanes.hpp>
 #include <kith/mesh/connectivity.hpp>
@@ -25,6 +24,21 @@ namespace kith {
 template <class Scheme, class Point, class Index>
 concept patchable_scheme = fits_lanes<Point> and reaching_scheme<Scheme> and not needs_closed<Scheme> and
                            separable_scheme<Scheme, Index> and has_affine_numbers<Scheme>;
+
+/// The rings around some faces that are enough on each level before a step, if there are to be `last` on the last
+/// level. At least one, so that the fans of all their vertices are whole.
+template <reaching_scheme Scheme>
+std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps, int last)
+{
+    std::vector<int> rings(steps + 1, last);
+    for (std::size_t step = steps; step > 0; --step)
+        rings[step - 1] = std::max(1,
+                                   detail::says_reach_of_steps<Scheme, traits_type<Scheme>>
+                                       ? reach_of(scheme, last, int(steps - step + 1))
+                                       : reach_of(scheme, rings[step]));
+    rings.pop_back();
+    return rings;
+}
 
 /// Which steps of a refinement are made patch by patch.
 struct patch_plan {

@@ -3,6 +3,7 @@
 
 #include "face_clusters.hpp"
 #include "kept_templates.hpp"
+#include "part_refiner.hpp"
 #include "patch_filler.hpp"
 #include "patch_plan.hpp"
 #include "template_maker.hpp"
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -23,133 +25,40 @@
 
 namespace kith {
 
-template <class Point, std::unsigned_integral Index, scheme Scheme>
-    requires patchable_scheme<Scheme, Point, Index>
-class patched_level;
-
 #ifdef KITH_HAS_LANES
 
 /// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of
-/// other classes are refined as meshes of their own.
-template <class Point, std::unsigned_integral Index, scheme Scheme>
-    requires patchable_scheme<Scheme, Point, Index>
+/// other classes are refined as meshes of their own. It knows the scheme by its part_refiner alone.
+template <class Point, std::unsigned_integral Index>
+    requires fits_lanes<Point>
 class patched_level {
 public:
     using output = patch_output<Point, Index>;
-    using output_kind = patch_output_kind<Point, Index, Scheme>;
+    using refiner_pointer = std::shared_ptr<const part_refiner<Point, Index>>;
 
-    /// Of the level that the plan begins with, with its classes by the rings of the plan and the scheme there, to make
-    /// faces or all connectivity; nothing where it is no gain. Cost: O(faces), and that of the templates.
+    /// Of the level that the plan begins with, with its classes by the rings of the plan, to make faces or all
+    /// connectivity. Returns nothing where it is no gain. Cost: O(faces), and that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                                             const Scheme& scheme, const patch_plan& plan, const patch_costs& costs,
-                                             bool with_edges = false, const output_kind& kind = {})
-    {
-        if (not plan.has_counts_of(mesh.topology(), scheme, mesh.generation()))
-            return {};
-        const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
-        const templates kept(without_state(scheme), mesh.generation(), plan.rings, plan.bases.size(), kind.key);
-        constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little
-        const bool may_be_kept = not kept.empty() and classes.count() * least_per_class <= mesh.face_count();
-        if (not may_be_kept and not estimate.is_gain_without_kept())
-            return {};
-        face_walk<Index> walk(mesh.topology(), plan.rings);
-        state_marks<Index> marks(mesh.topology(), scheme);
-        std::vector<typename templates::pointer> of_class(classes.count());
-        std::vector<template_choice> choices(classes.count(), template_choice::none);
-        const auto models = models_of(
-            classes,
-            walk,
-            [&](class_number c) { return may_be_kept or estimate.gains(c); },
-            [&](class_number c) {
-                of_class[c] = kept.find(marks.key(walk));
-                choices[c] = of_class[c] != nullptr ? template_choice::kept
-                             : estimate.gains(c)    ? template_choice::made
-                                                    : template_choice::none;
-            });
-        if (not estimate.is_gain(choices))
-            return {};
-        std::vector<class_number> wanted;
-        std::vector<Index> models_of_wanted;
-        for (class_number c = 0; c < classes.count(); ++c)
-            if (choices[c] == template_choice::made) {
-                wanted.push_back(c);
-                models_of_wanted.push_back(models[c]);
-            }
-        constexpr std::size_t worth_threads = 8;
-        detail::for_parts(
-            wanted.size(),
-            detail::is_worth_threads(plan.last().faces),
-            [&](std::size_t begin, std::size_t end) {
-                if (begin == end) // often all are kept ones
-                    return;
-                template_maker<Scheme, Point, Index> maker(mesh, scheme, plan, kind);
-                maker.make(std::span(models_of_wanted).subspan(begin, end - begin),
-                           [&](std::size_t i, const std::u16string& key, auto&& made) {
-                               of_class[wanted[begin + i]] = kept.keep(key, std::move(made));
-                           });
-            },
-            worth_threads);
-        return patched_level(classes, std::move(of_class), scheme, plan, kind);
-    }
+                                             refiner_pointer refiner, const patch_plan& plan, const patch_costs& costs,
+                                             bool with_edges);
 
     /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some
     /// hundred bytes for a face.
     /// Cost: O(faces).
-    void keep_what_is_found(const basic_mesh<Point, Index>& mesh)
-    {
-        std::size_t size = 0;
-        for (batch& b : batches_) {
-            b.found = size;
-            size += filler::numbers_found(*templates_[b.of]);
-        }
-        found_ = storage<Index>(size);
-        detail::for_parts(batches_.size(), is_worth_threads_, [&](std::size_t begin, std::size_t end) {
-            filler finder(mesh, {}, false);
-            for (std::size_t i = begin; i < end; ++i)
-                finder.find(*templates_[batches_[i].of], faces_of(batches_[i]), found_of(batches_[i]));
-        });
-    }
+    void keep_what_is_found(const basic_mesh<Point, Index>& mesh);
 
     /// Makes the points of the last level, or what follows from them, and of its connectivity what there is room for.
     /// The mesh is that of `make`, or one with other points. Cost: that of the programs, and of refining the faces that
     /// have no template.
-    void fill(const basic_mesh<Point, Index>& mesh, const output& to) const
-    {
-        constexpr std::size_t cached_bytes = std::size_t(4) << 20;
-        const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
-        detail::for_shared_parts(batches_.size(), batches_at_once, is_worth_threads_, [&](detail::parts_to_do parts) {
-            filler one(mesh, to, past_caches);
-            storage<Index> here;
-            parts.for_each([&](std::size_t begin, std::size_t end) {
-                for (const batch& b : std::span(batches_).subspan(begin, end - begin)) {
-                    const auto& t = *templates_[b.of];
-                    std::span<const Index> found;
-                    if (found_.size() != 0) {
-                        found = found_of(b);
-                    } else {
-                        ensure_size(here, filler::numbers_found(t));
-                        one.find(t, faces_of(b), here);
-                        found = here;
-                    }
-                    one.call_for(t, found);
-                    one.fill(t, bases_[b.of], found, b.count);
-                }
-            });
-            publish();
-        });
-        if (clusters_)
-            clusters_->fill(mesh, to, is_worth_threads_);
-    }
+    void fill(const basic_mesh<Point, Index>& mesh, const output& to) const;
 
 private:
-    using numbering = numbering_of<Scheme, Index>;
-    using templates = kept_templates<Scheme, scalar_of<Point>, Index>;
+    using templates = kept_templates<scalar_of<Point>, Index>;
+    using filler = patch_filler<Point, Index>;
     using class_number = typename face_classes<Index>::number;
     static constexpr std::size_t batches_at_once = 8; // that a thread takes: some ten microseconds
     static constexpr class_number none = std::numeric_limits<class_number>::max();
     static constexpr Index no_face = std::numeric_limits<Index>::max();
-    static constexpr std::size_t degree = numbering::common_degree;
-    using filler = patch_filler<Point, Index, degree>;
 
     /// Some faces with one template that are filled together.
     struct batch {
@@ -190,7 +99,7 @@ private:
 
     /// With the templates of the classes that have one.
     patched_level(const face_classes<Index>& classes, std::vector<typename templates::pointer> of_class,
-                  const Scheme& scheme, const patch_plan& plan, const output_kind& kind)
+                  refiner_pointer refiner, const patch_plan& plan)
         : vertices_(plan.last().vertices), is_worth_threads_(detail::is_worth_threads(plan.last().faces))
     {
         std::vector<class_number> template_of_class(of_class.size(), none);
@@ -199,12 +108,12 @@ private:
                 template_of_class[c] = class_number(templates_.size());
                 std::vector<Index>& bases = bases_.emplace_back();
                 for (const auto& m : of_class[c]->multiples)
-                    bases.push_back(patch_numbers<Index>::base(m, plan.bases, degree));
+                    bases.push_back(patch_numbers<Index>::base(m, plan.bases, refiner->degree()));
                 templates_.push_back(std::move(of_class[c]));
             }
         auto without_template = put_into_batches(classes, template_of_class);
         if (not without_template.empty())
-            clusters_.emplace(scheme, plan.bases, plan.last_rings, std::move(without_template), kind);
+            clusters_.emplace(std::move(refiner), std::move(without_template));
     }
 
     /// As faces of one template come together, in their order. Those that have none are returned.
@@ -258,10 +167,128 @@ private:
     std::vector<typename templates::pointer> templates_;
     std::vector<std::vector<Index>> bases_; // of the multiples of each
     std::vector<batch> batches_;
-    std::vector<Index> faces_;                                    // batch after batch
-    storage<Index> found_;                                        // the same; empty where nothing is kept
-    std::optional<face_clusters<Point, Index, Scheme>> clusters_; // of the faces without a template
+    std::vector<Index> faces_;                            // batch after batch
+    storage<Index> found_;                                // the same; empty where nothing is kept
+    std::optional<face_clusters<Point, Index>> clusters_; // of the faces without a template
 };
+
+// Outside of the class, so that what declares it `extern template` does not compile them.
+
+template <class Point, std::unsigned_integral Index>
+    requires fits_lanes<Point>
+std::optional<patched_level<Point, Index>>
+patched_level<Point, Index>::make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
+                                  refiner_pointer refiner, const patch_plan& plan, const patch_costs& costs,
+                                  bool with_edges)
+{
+    const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
+    const templates& kept = refiner->templates();
+    constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little
+    const bool may_be_kept = not kept.empty() and classes.count() * least_per_class <= mesh.face_count();
+    if (not may_be_kept and not estimate.is_gain_without_kept())
+        return {};
+    face_walk<Index> walk(mesh.topology(), plan.rings);
+    state_marks<Index> marks = refiner->marks_on(mesh.topology());
+    std::vector<typename templates::pointer> of_class(classes.count());
+    std::vector<template_choice> choices(classes.count(), template_choice::none);
+    const auto models = models_of(
+        classes,
+        walk,
+        [&](class_number c) { return may_be_kept or estimate.gains(c); },
+        [&](class_number c) {
+            of_class[c] = kept.find(marks.key(walk));
+            choices[c] = of_class[c] != nullptr ? template_choice::kept
+                         : estimate.gains(c)    ? template_choice::made
+                                                : template_choice::none;
+        });
+    if (not estimate.is_gain(choices))
+        return {};
+    std::vector<class_number> wanted;
+    std::vector<Index> models_of_wanted;
+    for (class_number c = 0; c < classes.count(); ++c)
+        if (choices[c] == template_choice::made) {
+            wanted.push_back(c);
+            models_of_wanted.push_back(models[c]);
+        }
+    constexpr std::size_t worth_threads = 8;
+    detail::for_parts(
+        wanted.size(),
+        detail::is_worth_threads(plan.last().faces),
+        [&](std::size_t begin, std::size_t end) {
+            if (begin == end) // often all are kept ones
+                return;
+            template_maker<Point, Index> maker(mesh, *refiner, plan.rings);
+            maker.make(std::span(models_of_wanted).subspan(begin, end - begin),
+                       [&](std::size_t i, const std::u16string& key, auto&& made) {
+                           of_class[wanted[begin + i]] = kept.keep(key, std::move(made));
+                       });
+        },
+        worth_threads);
+    return patched_level(classes, std::move(of_class), std::move(refiner), plan);
+}
+
+template <class Point, std::unsigned_integral Index>
+    requires fits_lanes<Point>
+void patched_level<Point, Index>::keep_what_is_found(const basic_mesh<Point, Index>& mesh)
+{
+    std::size_t size = 0;
+    for (batch& b : batches_) {
+        b.found = size;
+        size += filler::numbers_found(*templates_[b.of]);
+    }
+    found_ = storage<Index>(size);
+    detail::for_parts(batches_.size(), is_worth_threads_, [&](std::size_t begin, std::size_t end) {
+        filler finder(mesh, {}, false);
+        for (std::size_t i = begin; i < end; ++i)
+            finder.find(*templates_[batches_[i].of], faces_of(batches_[i]), found_of(batches_[i]));
+    });
+}
+
+template <class Point, std::unsigned_integral Index>
+    requires fits_lanes<Point>
+void patched_level<Point, Index>::fill(const basic_mesh<Point, Index>& mesh, const output& to) const
+{
+    constexpr std::size_t cached_bytes = std::size_t(4) << 20;
+    const bool past_caches = vertices_ * sizeof(Point) > cached_bytes;
+    detail::for_shared_parts(batches_.size(), batches_at_once, is_worth_threads_, [&](detail::parts_to_do parts) {
+        filler one(mesh, to, past_caches);
+        storage<Index> here;
+        parts.for_each([&](std::size_t begin, std::size_t end) {
+            for (const batch& b : std::span(batches_).subspan(begin, end - begin)) {
+                const auto& t = *templates_[b.of];
+                std::span<const Index> found;
+                if (found_.size() != 0) {
+                    found = found_of(b);
+                } else {
+                    ensure_size(here, filler::numbers_found(t));
+                    one.find(t, faces_of(b), here);
+                    found = here;
+                }
+                one.call_for(t, found);
+                one.fill(t, bases_[b.of], found, b.count);
+            }
+        });
+        publish();
+    });
+    if (clusters_)
+        clusters_->fill(mesh, to, is_worth_threads_);
+}
+
+/// Makes the patches of a level, its scheme being this one. Returns nothing where they are no gain, or where the counts
+/// of the level are not those of the plan. Cost: O(faces), and that of the templates.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+    requires patchable_scheme<Scheme, Point, Index>
+std::optional<patched_level<Point, Index>>
+make_patches(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
+             const patch_plan& plan, const patch_costs& costs, bool with_edges = false,
+             const patch_output_kind<Point, Index, Scheme>& kind = {})
+{
+    if (not plan.has_counts_of(mesh.topology(), scheme, mesh.generation()))
+        return {};
+    using refiner = detail::part_refiner_of<Scheme, Point, Index>;
+    auto parts = std::make_shared<const refiner>(scheme, plan, mesh.generation(), kind);
+    return patched_level<Point, Index>::make(mesh, classes, std::move(parts), plan, costs, with_edges);
+}
 
 #endif
 

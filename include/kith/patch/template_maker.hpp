@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "patch_plan.hpp"
-#include "refine_part.hpp"
+#include "part_refiner.hpp"
 #include "template_assembler.hpp"
 
 #include <kith/level/native_level.hpp>
@@ -55,31 +54,21 @@ private:
     std::vector<std::uint32_t> places_;
 };
 
-/// Makes templates of a scheme for the faces of one level, of points or what follows from them.
-template <scheme Scheme, class Point, std::unsigned_integral Index>
+/// Makes templates for the faces of one level, of points or what follows from them.
+template <class Point, std::unsigned_integral Index>
 class template_maker {
     using scalar = scalar_of<Point>;
     using value = recorded<scalar>;
-    using numbering = numbering_of<Scheme, Index>;
-    static constexpr int degree = int(numbering::common_degree);
-    static constexpr double cost_of_cut = 0; // what is written down costs more
 
 public:
-    using output_kind = patch_output_kind<Point, Index, Scheme>;
-
-    /// For the level of a mesh that a plan begins with, which has its edges and, if there is one, the degree of refined
-    /// faces, and the scheme there. All must outlive this. Cost: O(elements).
-    template_maker(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, const patch_plan& plan,
-                   const output_kind& kind)
+    /// For the level of a mesh that a plan begins with. It has its edges and, if there is one, the degree of refined
+    /// faces. `rings` are those of the plan. Both objects must outlive this. Cost: O(elements).
+    template_maker(const basic_mesh<Point, Index>& mesh, const part_refiner<Point, Index>& refiner, int rings)
         : mesh_(mesh)
-        , scheme_(scheme)
-        , kind_(kind)
-        , plain_(without_state(scheme))
-        , bases_(plan.bases)
-        , rings_(rings_before_steps(scheme, plan.bases.size(), plan.last_rings))
+        , refiner_(refiner)
         , cutter_(mesh)
-        , walk_(mesh.topology(), plan.rings)
-        , marks_(mesh.topology(), scheme)
+        , walk_(mesh.topology(), rings)
+        , marks_(refiner.marks_on(mesh.topology()))
     {
     }
 
@@ -90,7 +79,7 @@ public:
     void make(std::span<const Index> models, const Take& take)
     {
         // Neighbourhoods of one ring have little in common, and what is written down of few stays in the caches.
-        const std::size_t most_at_once = rings_.front() == 1 ? 8 : 64;
+        const std::size_t most_at_once = refiner_.rings() == 1 ? 8 : 64;
         constexpr std::size_t most_faces = 4096; // around them: some megabytes are written down of these
         std::size_t count = 0;
         for (std::size_t first = 0; first < models.size(); first += count) {
@@ -112,48 +101,23 @@ private:
     {
         std::vector<Index> seeds(models.begin(), models.end());
         std::ranges::sort(seeds);
-        return cutter_.faces_around(seeds, rings_.front());
+        return cutter_.faces_around(seeds, refiner_.rings());
     }
     template <class Take>
     void make_together(std::span<const Index> models, std::span<const Index> faces_around_them, const Take& take)
     {
         const auto part = cutter_.cut(faces_around_them);
         sources_of_part<Index> sources(
-            part.mesh.topology(), std::size_t(degree), part.face_from, part.edge_is_turned, models);
-
-        auto numbers = sources.numbers();
+            part.mesh.topology(), refiner_.degree(), part.face_from, part.edge_is_turned, models);
         storage<value> points(part.mesh.vertex_count());
         for (std::size_t v = 0; v < points.size(); ++v)
             points[v] = value(std::uint32_t(v));
         tape_.restart(points.size());
         const recording<scalar> here(tape_);
-        const auto refine = [&](const basic_mesh<value, Index>& mesh, const Scheme& of_level, numbering& ids) {
-            if constexpr (degree == 0)
-                return refine_mesh<connect::everything>(mesh, of_level, ids);
-            else
-                return refine_level<connect::everything>(
-                    level_elements<native_level<value, Index, degree>>(mesh), of_level, mesh.generation(), ids);
-        };
-        Scheme scheme = plain_;
-        take_state_of_part(scheme, scheme_, part.numbers());
-        const auto before_last = refine_part(
+        const auto [fine, numbers] = refiner_.record(
             basic_mesh<value, Index>(std::move(points), part.mesh.topology(), mesh_.generation()),
-            scheme,
-            numbers,
-            bases_,
-            rings_,
-            [&](const affine_number<Index>& face) { return sources.owner(face.source) != sources.no_model; },
-            cost_of_cut,
-            refine);
-        numbering ids;
-        auto fine = refine(before_last, scheme, ids);
-        numbers = numbers.next(before_last.topology(), ids, bases_.back());
-        if (not kind_.are_points()) {
-            advance(scheme, level_of<basic_mesh<value, Index>>(before_last), before_last.generation(), ids, fine);
-            kind_.replace_recorded(fine, scheme, [&](std::size_t v) {
-                return sources.owner(numbers.vertices[v].source) != sources.no_model;
-            });
-        }
+            part.numbers(),
+            sources);
 
         owned_elements vertices(numbers.vertices, sources, models.size());
         owned_elements faces(numbers.faces, sources, models.size());
@@ -166,11 +130,7 @@ private:
     }
 
     const basic_mesh<Point, Index>& mesh_;
-    const Scheme& scheme_;
-    const output_kind& kind_;
-    Scheme plain_; // without its state
-    std::span<const column_bases> bases_;
-    std::vector<int> rings_;
+    const part_refiner<Point, Index>& refiner_;
     submesh_cutter<Point, Index> cutter_;
     face_walk<Index> walk_;
     state_marks<Index> marks_;
