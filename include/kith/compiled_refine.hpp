@@ -55,7 +55,7 @@
         const patch_plan&,                                                                                             \
         const patch_costs&,                                                                                            \
         bool,                                                                                                          \
-        const patch_output_kind<std::array<double, 3>, std::uint32_t, Scheme>&);                                       \
+        const patch_output_kind<double, std::uint32_t, Scheme>&);                                                      \
     How class patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
 #define KITH_PATCH_PARTS(How, Number)                                                                                  \
     How class lane_program_maker<Number>;                                                                              \

@@ -24,7 +24,7 @@ struct possible_patches {
 template <class Point, class Index, class Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 struct possible_patches<Point, Index, Scheme> {
-    using kind = patch_output_kind<Point, Index, Scheme>;
+    using kind = patch_output_kind<scalar_of<Point>, Index, Scheme>;
     using type = patched_level<Point, Index>;
 };
 

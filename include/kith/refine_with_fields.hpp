@@ -3,6 +3,7 @@
 
 #include "refine.hpp"
 
+#include <kith/field/values_in_patches.hpp>
 #include <kith/field/with_fields.hpp>
 
 #include <concepts>
@@ -47,6 +48,29 @@ basic_mesh<Point, Index> refine_with(basic_mesh<Point, Index> mesh, Scheme& sche
     return mesh;
 }
 
+#ifdef KITH_HAS_LANES
+/// Refines a native mesh and makes fields those of the last level. Where it is a gain the last steps are made at once.
+template <class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
+basic_mesh<Point, Index> refine_with_in_patches(basic_mesh<Point, Index> mesh, Scheme scheme, Fields& fields,
+                                                int levels, connect last_level)
+{
+    const patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, last_level);
+    if (not patches.is_worth_looking())
+        return refine_with(std::move(mesh), scheme, fields, levels, last_level);
+    const int begin = patches.begin();
+    mesh = refine_with(std::move(mesh), scheme, fields, begin, connect::everything);
+    auto fine = patches.refine_from(mesh, scheme);
+    if (not fine)
+        return refine_with(std::move(mesh), scheme, fields, levels - begin, last_level);
+    std::apply(
+        [&](auto&... each) {
+            ((each = after_patches(each, mesh.topology(), mesh.generation(), scheme, patches.plan())), ...);
+        },
+        fields);
+    return std::move(*fine);
+}
+#endif
+
 /// `refine` that makes scheme and fields those of the last level, as far as it got.
 template <class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Scheme& scheme, Fields& fields, int levels,
@@ -56,6 +80,10 @@ basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Schem
     auto control = with_edges(mesh);
     require_refinable(control, scheme, levels, options);
     require_fields(level_of<basic_mesh<Point, Index>>(control), fields);
+#ifdef KITH_HAS_LANES
+    if constexpr (patchable_scheme<Scheme, Point, Index> and go_in_patches<Fields, Scheme, Index>)
+        return refine_with_in_patches(std::move(control), scheme, fields, levels, options.last_level);
+#endif
     return refine_with(std::move(control), scheme, fields, levels, options.last_level);
 }
 template <mesh M, scheme Scheme, class Fields>

@@ -13,30 +13,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace kith {
 
-namespace detail {
-
-/// Returns true if all new faces come from faces or corners of faces. Then who owns a face owns its descendants.
-template <class... Columns>
-constexpr bool come_from_faces(const std::tuple<Columns...>*)
-{
-    return ((parent_kind(Columns::kind) == element_kind::face) and ...);
-}
-
-} // namespace detail
-
 /// A scheme whose last steps on a tile may be made in patches: its new faces come from faces, and its numbers follow in
 /// one way from the first level on.
 template <class Scheme, class Point, class Index>
-concept patchable_in_tiles = patchable_scheme<Scheme, Point, Index> and not has_numbers_by_marks<Scheme> and
-                             not has_faces_by_valence<Scheme> and not detail::may_ask_state<Scheme>() and
-                             numbering_of<Scheme, Index>::common_degree != 0 and
-                             detail::come_from_faces(
-                                 static_cast<const decltype(columns_type<Scheme>::faces.list)*>(nullptr));
+concept patchable_in_tiles = patchable_scheme<Scheme, Point, Index> and faces_descend_from_faces<Scheme, Index>;
 
 namespace detail {
 

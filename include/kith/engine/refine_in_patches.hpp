@@ -27,25 +27,29 @@ public:
     /// that of a look at some of its faces.
     patch_refinement(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, connect last_level,
                      const patch_costs& costs = {})
+        : patch_refinement(control.topology(), control.generation(), scheme, levels, last_level, costs)
+    {
+    }
+    /// Same, but for points or values at the vertices of a control mesh of this connectivity and generation.
+    patch_refinement(const connectivity<Index>& control, int generation, const Scheme& scheme, int levels,
+                     connect last_level, const patch_costs& costs = {})
         : costs_(costs)
         , last_level_(last_level)
-        , last_generation_(control.generation() + levels)
-        , plan_(
-              plan_patches(count(control.topology()), control.topology().degree, scheme, levels, control.generation()))
+        , last_generation_(generation + levels)
+        , plan_(plan_patches(count(control), control.degree, scheme, levels, generation))
     {
         if (not plan_)
             return;
         faces_ = double(plan_->last().faces);
         if (faces_ * plan_->faces_of_patch() < std::min(costs.least_faces, costs.least_faces_again))
             return;
-        kept_ = templates::of(
-            without_state(scheme), control.generation() + plan_->begin, plan_->rings, plan_->bases.size());
+        kept_ = templates::of(without_state(scheme), generation + plan_->begin, plan_->rings, plan_->bases.size());
         demand_ = kept_->demand(plan_->last().faces, last_level_);
         ask_whether_to_look(costs);
         if (not is_worth_looking_)
             return;
         const std::size_t looks = std::clamp<std::size_t>(plan_->last().faces / 1024, 128, 1024);
-        if (share_of_classes(control.topology(), 1, looks) > costs_.share_if_alike) // one ring tells
+        if (share_of_classes(control, 1, looks) > costs_.share_if_alike) // one ring tells
             begin_where_faces_are_alike(scheme, levels, costs);
     }
 
@@ -55,6 +59,8 @@ public:
 
     /// The level whose faces own patches, counted from the control mesh. Precondition: is_worth_looking().
     [[nodiscard]] int begin() const { return plan_->begin; }
+    /// Which steps are made in patches. Precondition: is_worth_looking().
+    [[nodiscard]] const patch_plan& plan() const { return *plan_; }
 
     /// Returns the last level, with the bits of refining level by level, or nothing if patches are no gain. Then
     /// `mesh`, which is the control mesh before the call, and its scheme are a level to go on from.
@@ -73,14 +79,24 @@ public:
     {
         std::optional<basic_mesh<Point, Index>> fine;
         look([&] {
-            if (not is_worth_while_if_scattered() and is_scattered(level.topology()))
-                return false;
-            const auto made = patches_of(level, scheme);
-            if (made)
+            if (const auto made = patches_if_worth(level, scheme))
                 fine = filled(level, *made, nullptr);
-            return made.has_value();
+            return fine.has_value();
         });
         return fine;
+    }
+    /// Returns the values at the vertices of the last level, of which the points of `level` are those there. Returns
+    /// nothing if that is no gain. Preconditions: is_worth_looking(), and connect::nothing was asked for.
+    [[nodiscard]] std::optional<storage<Point>> values_from(const basic_mesh<Point, Index>& level,
+                                                            const Scheme& scheme) const
+    {
+        std::optional<storage<Point>> values;
+        look([&] {
+            if (const auto made = patches_if_worth(level, scheme))
+                made->fill(level, {values.emplace(plan_->last().vertices).data()});
+            return values.has_value();
+        });
+        return values;
     }
     /// The same into a mesh of another library; false where it is no gain. Precondition: all connectivity is asked for.
     /// Errors: those of `make_room`.
@@ -179,6 +195,14 @@ private:
         if (made)
             f(mesh, *made, nullptr);
         return made.has_value();
+    }
+    /// The same as patches_of, but nothing either for a level whose faces lie in no order if these are no gain.
+    [[nodiscard]] std::optional<patches> patches_if_worth(const basic_mesh<Point, Index>& level,
+                                                          const Scheme& scheme) const
+    {
+        if (not is_worth_while_if_scattered() and is_scattered(level.topology()))
+            return {};
+        return patches_of(level, scheme);
     }
     /// Of the level that the plan begins with and its scheme; nothing where they are no gain.
     [[nodiscard]] std::optional<patches> patches_of(const basic_mesh<Point, Index>& level, const Scheme& scheme) const

@@ -71,6 +71,9 @@ public:
     {
     }
 
+    /// Takes the array itself.
+    explicit field(storage<T>&& values, Rule rule = Rule()) : values_(std::move(values)), rule_(std::move(rule)) {}
+
     [[nodiscard]] std::size_t size() const { return values_.size(); }
     [[nodiscard]] bool empty() const { return values_.empty(); }
     [[nodiscard]] std::span<const T> values() const { return values_.all(); }

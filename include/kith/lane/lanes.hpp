@@ -14,9 +14,23 @@
 
 namespace kith {
 
-/// Points that are arrays of numbers, which fit into lanes where there are any.
-template <class Point>
+/// Values that are numbers, or arrays of a few numbers, which fit into lanes where there are any.
+template <class Value>
 inline constexpr bool fits_lanes = false;
+/// How many numbers such a value has.
+template <class Value>
+inline constexpr std::size_t lane_numbers = 1;
+template <class Scalar, std::size_t N>
+inline constexpr std::size_t lane_numbers<std::array<Scalar, N>> = N;
+/// Returns the first of its numbers.
+template <class Scalar>
+auto* first_number(Scalar& value)
+{
+    if constexpr (requires { value.data(); })
+        return value.data();
+    else
+        return &value;
+}
 
 } // namespace kith
 
@@ -40,6 +54,9 @@ namespace kith {
 template <std::floating_point Scalar, std::size_t N>
     requires(N > 0 and N <= 4 and sizeof(Scalar) <= sizeof(double))
 inline constexpr bool fits_lanes<std::array<Scalar, N>> = true;
+template <std::floating_point Scalar>
+    requires(sizeof(Scalar) <= sizeof(double))
+inline constexpr bool fits_lanes<Scalar> = true;
 
 /// The bytes of the widest registers that this processor can use at its usual clock: the first ones that had 64 slow
 /// down for them; VBMI2 came with those that do not. Cost: that of a look.

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <kith/base/affine.hpp>
+#include <kith/base/storage.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace kith {
@@ -60,6 +62,47 @@ public:
 
 private:
     tape<Scalar>* before_;
+};
+
+/// Makes the values of a tape, one operation after the other, of numbers or arrays of numbers. It has the bits of the
+/// text that was recorded.
+template <class Point>
+class tape_player {
+    using scalar = typename affine<Point>::scalar;
+    using sum = typename affine<Point>::sum;
+
+public:
+    /// Plays a tape from the values that are there before, which must outlive the use of the others. Cost: O(nodes).
+    void play(const tape<scalar>& played, std::span<const Point> before)
+    {
+        using operation = typename tape<scalar>::operation;
+        played_ = &played;
+        before_ = before;
+        ensure_size(sums_, played.nodes.size());
+        sum* to = sums_.data();
+        for (const auto& n : played.nodes) {
+            if (n.kind == operation::load)
+                *to = affine<Point>::load(value(n.a));
+            else
+                *to = sums_[n.a];
+            if (n.kind == operation::add)
+                affine<Point>::add(*to, sums_[n.b]);
+            else if (n.kind == operation::scale)
+                affine<Point>::scale(*to, n.weight);
+            ++to;
+        }
+    }
+    /// Returns a value of the tape that was played last.
+    [[nodiscard]] Point value(std::uint32_t number) const
+    {
+        const std::uint32_t node = played_->values[number];
+        return node == tape<scalar>::none ? before_[number] : Point(affine<Point>::store(sums_[node]));
+    }
+
+private:
+    const tape<scalar>* played_ = nullptr;
+    std::span<const Point> before_;
+    storage<sum> sums_; // by node
 };
 
 /// The number of a value on the tape. Its copy constructor is not trivial, because loops over such values run on one

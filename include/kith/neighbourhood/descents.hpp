@@ -2,14 +2,38 @@
 #pragma once
 
 #include "affine_columns.hpp"
+#include "coming_scheme.hpp"
+
+#include <kith/step/children.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace kith {
+
+namespace detail {
+
+/// Returns true if all new faces come from faces or corners of faces.
+template <class... Columns>
+constexpr bool come_from_faces(const std::tuple<Columns...>*)
+{
+    return ((parent_kind(Columns::kind) == element_kind::face) and ...);
+}
+
+} // namespace detail
+
+/// A scheme whose new faces come from faces, of one degree, and whose numbers follow in one way from the first level
+/// on. Then who owns a face owns its descendants.
+template <class Scheme, class Index>
+concept faces_descend_from_faces = has_affine_numbers<Scheme> and not has_numbers_by_marks<Scheme> and
+                                   not has_faces_by_valence<Scheme> and not detail::may_ask_state<Scheme>() and
+                                   numbering_of<Scheme, Index>::common_degree != 0 and
+                                   detail::come_from_faces(
+                                       static_cast<const decltype(columns_type<Scheme>::faces.list)*>(nullptr));
 
 /// A way of descent: elements of a later level that come by the same columns from those of an earlier one. The
 /// descendants of element x are `each` in number, from first + each * x on.

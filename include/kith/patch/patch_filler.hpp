@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tuple>
 
 namespace kith {
 
@@ -25,7 +24,7 @@ template <class Point, std::unsigned_integral Index>
 class patch_filler {
     using scalar = scalar_of<Point>;
     using writer = patch_writer<Point, Index>;
-    static constexpr std::size_t size = std::tuple_size_v<Point>;
+    static constexpr std::size_t size = lane_numbers<Point>;
 
 public:
     using template_type = typename writer::template_type;
@@ -139,9 +138,9 @@ private:
         scalar* to = slots_.data();
         for (std::size_t input = 0; input < t.inputs.size(); ++input, to += size * Width, found += at_once)
             for (std::size_t lane = 0; lane < Width; ++lane) {
-                const Point& point = coarse_->point(found[lane]);
+                const scalar* const from = first_number(coarse_->point(found[lane]));
                 for (std::size_t i = 0; i < size; ++i)
-                    to[i * Width + lane] = point[i];
+                    to[i * Width + lane] = from[i];
             }
     }
 

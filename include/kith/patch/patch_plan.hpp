@@ -12,6 +12,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -139,6 +140,13 @@ struct patch_costs {
     double of_class_again = 0;       ///< of finding the template of a class there
     double least_of_class = 1;       ///< filling fewer faces of a class takes as long as filling so many
 
+    /// Returns the costs of who has no other way than patches: each class of some faces is worth a template.
+    [[nodiscard]] static patch_costs without_choice()
+    {
+        patch_costs result;
+        result.to_be_cheaper = std::numeric_limits<double>::infinity();
+        return result;
+    }
     /// Returns the faces of the last level below which classes are not sought. More rings tell more classes apart.
     [[nodiscard]] double least_to_look(const patch_plan& plan) const
     {

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace kith {
@@ -43,7 +42,7 @@ template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patch_writer {
     using scalar = scalar_of<Point>;
-    static constexpr std::size_t size = std::tuple_size_v<Point>;
+    static constexpr std::size_t size = lane_numbers<Point>;
 
 public:
     using template_type = patch_template<scalar, Index>;
@@ -142,7 +141,7 @@ private:
             const std::size_t count = r.count, step = r.step * size;
             const auto all = [&](const auto& store) __attribute__((always_inline)) {
                 for (std::size_t lane = 0; lane < Width; ++lane) {
-                    scalar* to = to_.points[Index(r.offset + multiple<Width>(r.of, lane))].data();
+                    scalar* to = first_number(to_.points[Index(r.offset + multiple<Width>(r.of, lane))]);
                     const scalar* const in_lane = slots + lane;
                     for (std::size_t v = 0; v < count; ++v, to += step) {
                         const scalar* const from = in_lane + slot[v] * (size * Width);

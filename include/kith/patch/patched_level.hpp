@@ -3,7 +3,7 @@
 
 #include "face_clusters.hpp"
 #include "kept_templates.hpp"
-#include "part_refiner.hpp"
+#include "part_recorder.hpp"
 #include "patch_filler.hpp"
 #include "patch_plan.hpp"
 #include "template_maker.hpp"
@@ -28,19 +28,19 @@ namespace kith {
 #ifdef KITH_HAS_LANES
 
 /// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of
-/// other classes are refined as meshes of their own. It knows the scheme by its part_refiner alone.
+/// other classes are refined as meshes of their own. It knows the scheme by its part_recorder alone.
 template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patched_level {
 public:
     using output = patch_output<Point, Index>;
-    using refiner_pointer = std::shared_ptr<const part_refiner<Point, Index>>;
+    using recorder_pointer = std::shared_ptr<const part_recorder<scalar_of<Point>, Index>>;
 
     /// Of the level that the plan begins with, with its classes by the rings of the plan, to make faces or all
     /// connectivity. Returns nothing where it is no gain. Cost: O(faces), and that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                                             refiner_pointer refiner, const patch_plan& plan, const patch_costs& costs,
-                                             bool with_edges);
+                                             recorder_pointer recorder, const patch_plan& plan,
+                                             const patch_costs& costs, bool with_edges);
 
     /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some
     /// hundred bytes for a face.
@@ -99,7 +99,7 @@ private:
 
     /// With the templates of the classes that have one.
     patched_level(const face_classes<Index>& classes, std::vector<typename templates::pointer> of_class,
-                  refiner_pointer refiner, const patch_plan& plan)
+                  recorder_pointer recorder, const patch_plan& plan)
         : vertices_(plan.last().vertices), is_worth_threads_(detail::is_worth_threads(plan.last().faces))
     {
         std::vector<class_number> template_of_class(of_class.size(), none);
@@ -108,12 +108,12 @@ private:
                 template_of_class[c] = class_number(templates_.size());
                 std::vector<Index>& bases = bases_.emplace_back();
                 for (const auto& m : of_class[c]->multiples)
-                    bases.push_back(patch_numbers<Index>::base(m, plan.bases, refiner->degree()));
+                    bases.push_back(patch_numbers<Index>::base(m, plan.bases, recorder->degree()));
                 templates_.push_back(std::move(of_class[c]));
             }
         auto without_template = put_into_batches(classes, template_of_class);
         if (not without_template.empty())
-            clusters_.emplace(std::move(refiner), std::move(without_template));
+            clusters_.emplace(std::move(recorder), std::move(without_template));
     }
 
     /// As faces of one template come together, in their order. Those that have none are returned.
@@ -178,17 +178,17 @@ template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 std::optional<patched_level<Point, Index>>
 patched_level<Point, Index>::make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                                  refiner_pointer refiner, const patch_plan& plan, const patch_costs& costs,
+                                  recorder_pointer recorder, const patch_plan& plan, const patch_costs& costs,
                                   bool with_edges)
 {
     const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
-    const templates& kept = refiner->templates();
+    const templates& kept = recorder->templates();
     constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little
     const bool may_be_kept = not kept.empty() and classes.count() * least_per_class <= mesh.face_count();
     if (not may_be_kept and not estimate.is_gain_without_kept())
         return {};
     face_walk<Index> walk(mesh.topology(), plan.rings);
-    state_marks<Index> marks = refiner->marks_on(mesh.topology());
+    state_marks<Index> marks = recorder->marks_on(mesh.topology());
     std::vector<typename templates::pointer> of_class(classes.count());
     std::vector<template_choice> choices(classes.count(), template_choice::none);
     const auto models = models_of(
@@ -217,14 +217,14 @@ patched_level<Point, Index>::make(const basic_mesh<Point, Index>& mesh, const fa
         [&](std::size_t begin, std::size_t end) {
             if (begin == end) // often all are kept ones
                 return;
-            template_maker<Point, Index> maker(mesh, *refiner, plan.rings);
+            template_maker<Point, Index> maker(mesh, *recorder, plan.rings);
             maker.make(std::span(models_of_wanted).subspan(begin, end - begin),
                        [&](std::size_t i, const std::u16string& key, auto&& made) {
                            of_class[wanted[begin + i]] = kept.keep(key, std::move(made));
                        });
         },
         worth_threads);
-    return patched_level(classes, std::move(of_class), std::move(refiner), plan);
+    return patched_level(classes, std::move(of_class), std::move(recorder), plan);
 }
 
 template <class Point, std::unsigned_integral Index>
@@ -281,13 +281,12 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::optional<patched_level<Point, Index>>
 make_patches(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
              const patch_plan& plan, const patch_costs& costs, bool with_edges = false,
-             const patch_output_kind<Point, Index, Scheme>& kind = {})
+             const patch_output_kind<scalar_of<Point>, Index, Scheme>& kind = {})
 {
     if (not plan.has_counts_of(mesh.topology(), scheme, mesh.generation()))
         return {};
-    using refiner = detail::part_refiner_of<Scheme, Point, Index>;
-    auto parts = std::make_shared<const refiner>(scheme, plan, mesh.generation(), kind);
-    return patched_level<Point, Index>::make(mesh, classes, std::move(parts), plan, costs, with_edges);
+    return patched_level<Point, Index>::make(
+        mesh, classes, recorder_of(scheme, plan, mesh.generation(), kind), plan, costs, with_edges);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "part_refiner.hpp"
+#include "part_recorder.hpp"
 #include "template_assembler.hpp"
 
 #include <kith/level/native_level.hpp>
@@ -63,12 +63,13 @@ class template_maker {
 public:
     /// For the level of a mesh that a plan begins with. It has its edges and, if there is one, the degree of refined
     /// faces. `rings` are those of the plan. Both objects must outlive this. Cost: O(elements).
-    template_maker(const basic_mesh<Point, Index>& mesh, const part_refiner<Point, Index>& refiner, int rings)
+    template_maker(const basic_mesh<Point, Index>& mesh, const part_recorder<scalar_of<Point>, Index>& recorder,
+                   int rings)
         : mesh_(mesh)
-        , refiner_(refiner)
+        , recorder_(recorder)
         , cutter_(mesh)
         , walk_(mesh.topology(), rings)
-        , marks_(refiner.marks_on(mesh.topology()))
+        , marks_(recorder.marks_on(mesh.topology()))
     {
     }
 
@@ -79,7 +80,7 @@ public:
     void make(std::span<const Index> models, const Take& take)
     {
         // Neighbourhoods of one ring have little in common, and what is written down of few stays in the caches.
-        const std::size_t most_at_once = refiner_.rings() == 1 ? 8 : 64;
+        const std::size_t most_at_once = recorder_.rings() == 1 ? 8 : 64;
         constexpr std::size_t most_faces = 4096; // around them: some megabytes are written down of these
         std::size_t count = 0;
         for (std::size_t first = 0; first < models.size(); first += count) {
@@ -101,20 +102,20 @@ private:
     {
         std::vector<Index> seeds(models.begin(), models.end());
         std::ranges::sort(seeds);
-        return cutter_.faces_around(seeds, refiner_.rings());
+        return cutter_.faces_around(seeds, recorder_.rings());
     }
     template <class Take>
     void make_together(std::span<const Index> models, std::span<const Index> faces_around_them, const Take& take)
     {
         const auto part = cutter_.cut(faces_around_them);
         sources_of_part<Index> sources(
-            part.mesh.topology(), refiner_.degree(), part.face_from, part.edge_is_turned, models);
+            part.mesh.topology(), recorder_.degree(), part.face_from, part.edge_is_turned, models);
         storage<value> points(part.mesh.vertex_count());
         for (std::size_t v = 0; v < points.size(); ++v)
             points[v] = value(std::uint32_t(v));
         tape_.restart(points.size());
         const recording<scalar> here(tape_);
-        const auto [fine, numbers] = refiner_.record(
+        const auto [fine, numbers] = recorder_.record(
             basic_mesh<value, Index>(std::move(points), part.mesh.topology(), mesh_.generation()),
             part.numbers(),
             sources);
@@ -130,7 +131,7 @@ private:
     }
 
     const basic_mesh<Point, Index>& mesh_;
-    const part_refiner<Point, Index>& refiner_;
+    const part_recorder<scalar, Index>& recorder_;
     submesh_cutter<Point, Index> cutter_;
     face_walk<Index> walk_;
     state_marks<Index> marks_;

@@ -91,10 +91,9 @@ private:
     static kind kind_of()
     {
         if constexpr (patchable_scheme<Scheme, Point, Index>) {
-            const auto replace = [](auto& last, const Scheme& scheme, const auto& is_wanted) {
-                limits_in_place<Part>::replace(last, scheme, is_wanted);
-            };
-            return {1 + std::size_t(Part), replace, replace};
+            return {1 + std::size_t(Part), [](auto& last, const Scheme& scheme, const auto& is_wanted) {
+                        limits_in_place<Part>::replace(last, scheme, is_wanted);
+                    }};
         } else {
             return {};
         }
