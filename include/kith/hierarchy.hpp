@@ -236,10 +236,11 @@ public:
     {
         require_order(levels_, from, to);
         values.require_one_each(elements(from));
+#ifdef KITH_HAS_LANES
         if constexpr (is_masked_in_patches<field<Where, T, Rule>, Scheme, index_type>)
             return carry_in_patches(from, to, std::move(values));
-        else
-            return carry_by_levels(from, to, std::move(values));
+#endif
+        return carry_by_levels(from, to, std::move(values));
     }
 
     /// The subdivision matrix from the vertices of one level to those of a finer one. Errors: mesh_error unless from <=
@@ -274,6 +275,7 @@ private:
                                             levels_.at(level + 1).here->mesh});
         return values;
     }
+#ifdef KITH_HAS_LANES
     /// The same, with the last steps at once where that is a gain.
     template <field_on Where, class T, class Rule>
     [[nodiscard]] field<Where, T, Rule> carry_in_patches(int from, int to, field<Where, T, Rule> values) const
@@ -295,6 +297,7 @@ private:
             return field<Where, T, Rule>(std::move(*last), values.rule());
         return carry_by_levels(begin, to, std::move(values));
     }
+#endif
 
     /// The control mesh with its edges. Errors: mesh_error for all that is wrong with it.
     static M&& checked(M& control)
