@@ -6,6 +6,7 @@
 
 #include <kith/compiled_schemes.hpp>
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,33 +24,31 @@ struct scheme_entry {
                             attribute_fields&) = nullptr; ///< makes of any mesh one that the scheme can start from
 };
 
-/// All verbs take their schemes from here; a new scheme is one more entry.
-inline constexpr std::tuple known_schemes{
-    scheme_entry<catmull_clark>{"Catmull & Clark 1978"},
-    scheme_entry<loop>{"Loop 1987; boundary Hoppe et al. 1994"},
-    scheme_entry<doo_sabin>{"Doo & Sabin 1978"},
-    scheme_entry<sqrt3>{"Kobbelt 2000"},
-    scheme_entry<interpolatory_sqrt3>{"Labsik & Greiner 2000"},
-    scheme_entry<butterfly>{"Dyn, Gregory & Levin 1990; Zorin, Schroeder & Sweldens 1996"},
-    scheme_entry<kobbelt>{"Kobbelt 1996"},
-    scheme_entry<nasri_hasbini>{"Nasri, Hasbini, Zheng & Sederberg; irregular masks derived, docs/schemes.md"},
-    scheme_entry<four_eight>{
-        "Velho & Zorin 2001",
-        [](const basic_mesh<>& mesh, attribute_fields& attributes) { return tri_quad(mesh, std::tie(attributes)); }},
-    scheme_entry<mid_edge>{"Peters & Reif 1997"},
-    scheme_entry<unified>{"Zorin & Schroeder 2001"},
-    scheme_entry<linear>{"midpoints and centroids"},
-    scheme_entry<linear_triangles>{"midpoints"},
-};
-
 namespace detail {
 
+template <class Scheme>
+constexpr scheme_entry<Scheme> entry_of()
+{
+    if constexpr (std::same_as<Scheme, four_eight>)
+        return {paper_of<Scheme>, [](const basic_mesh<>& mesh, attribute_fields& attributes) {
+                    return tri_quad(mesh, std::tie(attributes));
+                }};
+    else
+        return {paper_of<Scheme>};
+}
 template <class... Schemes>
-std::variant<Schemes...> variant_of(const std::tuple<scheme_entry<Schemes>...>&);
+constexpr std::tuple<scheme_entry<Schemes>...> entries_of(const std::tuple<Schemes...>*)
+{
+    return {entry_of<Schemes>()...};
+}
+template <class... Schemes>
+std::variant<Schemes...> variant_of(const std::tuple<Schemes...>*);
 
 } // namespace detail
 
-using any_scheme = decltype(detail::variant_of(known_schemes));
+/// All verbs take their schemes from here: those of the registry.
+inline constexpr auto known_schemes = detail::entries_of(static_cast<const all_schemes*>(nullptr));
+using any_scheme = decltype(detail::variant_of(static_cast<const all_schemes*>(nullptr)));
 
 /// What the command line says about the form of a scheme; empty: nothing.
 struct scheme_words {

@@ -3,6 +3,7 @@
 
 namespace kith {
 
-KITH_DOUBLES_IN_PLACE(template)
+#define KITH_HOW template
+KITH_SCHEMES(KITH_DOUBLES_IN_PLACE)
 
 } // namespace kith

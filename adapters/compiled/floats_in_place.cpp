@@ -3,6 +3,7 @@
 
 namespace kith {
 
-KITH_FLOATS_IN_PLACE(template)
+#define KITH_HOW template
+KITH_SCHEMES(KITH_FLOATS_IN_PLACE)
 
 } // namespace kith

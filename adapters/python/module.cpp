@@ -313,9 +313,9 @@ struct scheme_list {
         return result;
     }
 };
-using all_schemes = scheme_list<kith::butterfly, kith::catmull_clark, kith::doo_sabin, kith::four_eight,
-                                kith::interpolatory_sqrt3, kith::kobbelt, kith::linear, kith::linear_triangles,
-                                kith::loop, kith::mid_edge, kith::nasri_hasbini, kith::sqrt3, kith::unified>;
+template <class... Schemes>
+scheme_list<Schemes...> list_of(const std::tuple<Schemes...>*);
+using known_schemes = decltype(list_of(static_cast<const kith::all_schemes*>(nullptr)));
 
 /// What scipy.sparse.csr_matrix takes: weights, columns, where rows begin, and the shape.
 py::tuple compressed_rows(kith::subdivision_matrix matrix)
@@ -332,7 +332,7 @@ py::tuple compressed_rows(kith::subdivision_matrix matrix)
 PYBIND11_MODULE(_kith, module)
 {
     py::register_exception<kith::mesh_error>(module, "MeshError", PyExc_ValueError);
-    module.attr("schemes") = py::tuple(py::cast(all_schemes::names()));
+    module.attr("schemes") = py::tuple(py::cast(known_schemes::names()));
     py::class_<levels>(module, "Levels")
         .def(py::init([](const numbers& points,
                          const py::object& faces,
@@ -347,7 +347,7 @@ PYBIND11_MODULE(_kith, module)
                              sharp_edges,
                          std::vector<std::pair<std::size_t, double>>
                              sharp_vertices) {
-                 return all_schemes::make(
+                 return known_schemes::make(
                      scheme,
                      points,
                      faces,

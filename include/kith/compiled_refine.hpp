@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 /// KITH_COMPILED_REFINE(scheme, mesh): `refine` of this type of mesh by this scheme is compiled once, in the one file
@@ -19,12 +20,10 @@
     extern template __VA_ARGS__ kith::refine(const __VA_ARGS__&, const Scheme&, int, const kith::refine_options&);
 #endif
 
-/// KITH_COMPILED_SCHEME(scheme), in the folder `compiled` of the schemes: a program that links kith::compiled_schemes,
-/// which defines KITH_COMPILED_SCHEMES, finds the steps on native meshes of doubles there, and compiles only what reads
-/// and writes its own meshes, if their coordinates are doubles. The results are the same bits. KITH_COMPILED_FLOATS: so
-/// for floats, but for the schemes that take longest to compile. KITH_COMPILED_ORDER, KITH_COMPILED_PATCHES: the order
-/// of the surface and patches, for the schemes that have them. KITH_PATCH_PARTS: what patches of all schemes share;
-/// KITH_PATCH_NUMBERS: what of it does not depend on the type of coordinates.
+/// KITH_SCHEME_STEPS(How, Scheme): the steps of a scheme on native meshes of doubles. A program that links
+/// kith::compiled_schemes, which defines KITH_COMPILED_SCHEMES, finds them there. It compiles only what reads and writes
+/// its own meshes. The results are the same bits. KITH_STEPS_OVER is what of it depends on the type of coordinates.
+/// KITH_PATCH_PARTS is what patches of all schemes share; KITH_PATCH_NUMBERS is what of that depends on no coordinates.
 
 #define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
     How basic_mesh<std::array<Number, 3>> refine_mesh<connect::everything>(                                            \
@@ -39,24 +38,17 @@
                                         int,                                                                           \
                                         const refine_options&);                                                        \
     How void detail::require_control_level(                                                                            \
-        const Scheme&, const named_level<std::array<Number, 3>, std::uint32_t>&, int);
+        const Scheme&, const named_level<std::array<Number, 3>, std::uint32_t>&, int);                                 \
+    KITH_PATCHES(How, Scheme, Number)
 #define KITH_SCHEME_STEPS(How, Scheme)                                                                                 \
     KITH_STEPS_OVER(How, Scheme, double)                                                                               \
     How basic_mesh<> refine_mesh<connect::faces>(                                                                      \
         const basic_mesh<>&, const Scheme&, numbering_of<Scheme, std::uint32_t>&);                                     \
     How basic_mesh<> refine(const basic_mesh<>&, const Scheme&, int, const refine_options&);
-#define KITH_ORDERED_LEVELS(How, Scheme) How basic_mesh<> refine_in_surface_order(basic_mesh<>, Scheme, int, connect);
 #ifdef KITH_HAS_LANES
-#define KITH_PATCHES(How, Scheme)                                                                                      \
-    How std::optional<patched_level<std::array<double, 3>, std::uint32_t>> make_patches(                               \
-        const basic_mesh<>&,                                                                                           \
-        const face_classes<std::uint32_t>&,                                                                            \
-        const Scheme&,                                                                                                 \
-        const patch_plan&,                                                                                             \
-        const patch_costs&,                                                                                            \
-        bool,                                                                                                          \
-        const patch_output_kind<double, std::uint32_t, Scheme>&);                                                      \
-    How class patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
+#define KITH_PATCHES(How, Scheme, Number)                                                                              \
+    How std::shared_ptr<const part_recorder<Number, std::uint32_t>> recorder_of(                                       \
+        const Scheme&, const patch_plan&, int, const patch_output_kind<Number, std::uint32_t, Scheme>&);
 #define KITH_PATCH_PARTS(How, Number)                                                                                  \
     How class lane_program_maker<Number>;                                                                              \
     How class template_assembler<Number, std::uint32_t>;                                                               \
@@ -75,20 +67,10 @@
     How void allocate_faces(                                                                                           \
         connectivity<std::uint32_t>&, const connectivity<std::uint32_t>&, std::span<const column_bases>);
 #else
-#define KITH_PATCHES(How, Scheme)
+#define KITH_PATCHES(How, Scheme, Number)
 #define KITH_PATCH_PARTS(How, Number)
 #define KITH_PATCH_NUMBERS(How)
 #endif
-
-#define KITH_COMPILED_SCHEME(Scheme) KITH_SCHEME_STEPS(extern template, Scheme)
-#define KITH_COMPILED_FLOATS(Scheme) KITH_STEPS_OVER(extern template, Scheme, float)
-#define KITH_COMPILED_ORDER(Scheme) KITH_ORDERED_LEVELS(extern template, Scheme)
-#define KITH_COMPILED_PATCHES(Scheme) KITH_PATCHES(extern template, Scheme)
-// The same in the files of kith::compiled_schemes.
-#define KITH_COMPILE_SCHEME(Scheme) KITH_SCHEME_STEPS(template, Scheme)
-#define KITH_COMPILE_FLOATS(Scheme) KITH_STEPS_OVER(template, Scheme, float)
-#define KITH_COMPILE_ORDER(Scheme) KITH_ORDERED_LEVELS(template, Scheme)
-#define KITH_COMPILE_PATCHES(Scheme) KITH_PATCHES(template, Scheme)
 
 #ifdef KITH_COMPILED_SCHEMES
 namespace kith {

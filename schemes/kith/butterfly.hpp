@@ -82,4 +82,5 @@ private:
 };
 
 } // namespace kith
-#include <kith/compiled/butterfly.hpp>
+#define KITH_SCHEME butterfly
+#include <kith/compiled/in_library.hpp>

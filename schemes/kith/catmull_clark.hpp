@@ -49,4 +49,5 @@ struct catmull_clark {
 };
 
 } // namespace kith
-#include <kith/compiled/catmull_clark.hpp>
+#define KITH_SCHEME catmull_clark
+#include <kith/compiled/in_library.hpp>

@@ -13,6 +13,35 @@
 #include "loop.hpp"
 #include "mid_edge.hpp"
 #include "nasri_hasbini.hpp"
+#include "registry.hpp"
 #include "sqrt3.hpp"
 #include "tri_quad.hpp"
 #include "unified.hpp"
+
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace kith {
+
+namespace detail {
+
+#define KITH_AS_TUPLE(type, header, numbers, paper) std::declval<std::tuple<type>>(),
+using tuple_of_schemes = decltype(std::tuple_cat(KITH_SCHEMES(KITH_AS_TUPLE) std::declval<std::tuple<>>()));
+#undef KITH_AS_TUPLE
+
+} // namespace detail
+
+/// All schemes of the library: std::tuple<catmull_clark, ...>.
+using all_schemes = detail::tuple_of_schemes;
+
+/// What a scheme of the library comes from.
+template <class Scheme>
+inline constexpr std::string_view paper_of{};
+#define KITH_PAPER(type, header, numbers, paper)                                                                       \
+    template <>                                                                                                        \
+    inline constexpr std::string_view paper_of<type> = paper;
+KITH_SCHEMES(KITH_PAPER)
+#undef KITH_PAPER
+
+} // namespace kith

@@ -96,4 +96,5 @@ struct doo_sabin {
 };
 
 } // namespace kith
-#include <kith/compiled/doo_sabin.hpp>
+#define KITH_SCHEME doo_sabin
+#include <kith/compiled/in_library.hpp>

@@ -66,4 +66,5 @@ struct four_eight {
 };
 
 } // namespace kith
-#include <kith/compiled/four_eight.hpp>
+#define KITH_SCHEME four_eight
+#include <kith/compiled/in_library.hpp>

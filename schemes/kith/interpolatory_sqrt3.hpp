@@ -79,4 +79,5 @@ struct interpolatory_sqrt3 {
 };
 
 } // namespace kith
-#include <kith/compiled/interpolatory_sqrt3.hpp>
+#define KITH_SCHEME interpolatory_sqrt3
+#include <kith/compiled/in_library.hpp>

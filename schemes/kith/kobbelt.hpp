@@ -81,4 +81,5 @@ struct kobbelt {
 };
 
 } // namespace kith
-#include <kith/compiled/kobbelt.hpp>
+#define KITH_SCHEME kobbelt
+#include <kith/compiled/in_library.hpp>

@@ -52,4 +52,7 @@ struct linear_triangles {
 };
 
 } // namespace kith
-#include <kith/compiled/linear.hpp>
+#define KITH_SCHEME linear
+#include <kith/compiled/in_library.hpp>
+#define KITH_SCHEME linear_triangles
+#include <kith/compiled/in_library.hpp>

@@ -57,4 +57,5 @@ struct loop {
 };
 
 } // namespace kith
-#include <kith/compiled/loop.hpp>
+#define KITH_SCHEME loop
+#include <kith/compiled/in_library.hpp>

@@ -41,4 +41,5 @@ struct mid_edge {
 };
 
 } // namespace kith
-#include <kith/compiled/mid_edge.hpp>
+#define KITH_SCHEME mid_edge
+#include <kith/compiled/in_library.hpp>

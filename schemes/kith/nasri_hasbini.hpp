@@ -43,4 +43,6 @@ struct nasri_hasbini {
 };
 
 } // namespace kith
-#include <kith/compiled/nasri_hasbini.hpp>
+#define KITH_SCHEME nasri_hasbini
+#define KITH_SCHEME_OF_DOUBLES
+#include <kith/compiled/in_library.hpp>

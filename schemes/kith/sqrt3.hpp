@@ -79,4 +79,5 @@ struct sqrt3 {
 };
 
 } // namespace kith
-#include <kith/compiled/sqrt3.hpp>
+#define KITH_SCHEME sqrt3
+#include <kith/compiled/in_library.hpp>

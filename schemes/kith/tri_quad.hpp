@@ -97,4 +97,7 @@ auto marked_edges(const M& mesh)
 }
 
 } // namespace kith
-#include <kith/split/compiled_tri_quad.hpp>
+#define KITH_SCHEME detail::centroid_split
+#include <kith/compiled/in_library.hpp>
+#define KITH_SCHEME detail::diagonal_split
+#include <kith/compiled/in_library.hpp>

@@ -97,4 +97,6 @@ private:
 };
 
 } // namespace kith
-#include <kith/compiled/unified.hpp>
+#define KITH_SCHEME unified
+#define KITH_SCHEME_OF_DOUBLES
+#include <kith/compiled/in_library.hpp>

@@ -4,6 +4,7 @@
 #include "carried_properties.hpp"
 #include "refine_in_place.hpp"
 
+#include <kith/compiled_schemes.hpp>
 #include <kith/presets.hpp>
 
 #include <array>
@@ -12,7 +13,6 @@
 
 /// How meshes with properties are refined for the dialects, by all schemes; kith::compiled_dialects has it, which is
 /// linked with kith::compiled_cgal and kith::compiled_openmesh and defines KITH_COMPILED_DIALECTS.
-/// KITH_FLOATS_IN_PLACE: by those that kith::compiled_schemes has for floats.
 #define KITH_REFINE_IN_PLACE(How, Number, Scheme)                                                                      \
     How std::optional<in_place::refined<std::array<Number, 3>>> in_place::refine(                                      \
         in_place::native_mesh<std::array<Number, 3>>,                                                                  \
@@ -21,30 +21,20 @@
         in_place::carried_values<double>&,                                                                             \
         bool,                                                                                                          \
         const std::function<bool(double)>&);
-#define KITH_MANY_IN_PLACE(How, Number)                                                                                \
-    KITH_REFINE_IN_PLACE(How, Number, butterfly)                                                                       \
-    KITH_REFINE_IN_PLACE(How, Number, catmull_clark)                                                                   \
-    KITH_REFINE_IN_PLACE(How, Number, doo_sabin)                                                                       \
-    KITH_REFINE_IN_PLACE(How, Number, four_eight)                                                                      \
-    KITH_REFINE_IN_PLACE(How, Number, interpolatory_sqrt3)                                                             \
-    KITH_REFINE_IN_PLACE(How, Number, kobbelt)                                                                         \
-    KITH_REFINE_IN_PLACE(How, Number, linear)                                                                          \
-    KITH_REFINE_IN_PLACE(How, Number, linear_triangles)                                                                \
-    KITH_REFINE_IN_PLACE(How, Number, loop)                                                                            \
-    KITH_REFINE_IN_PLACE(How, Number, mid_edge)                                                                        \
-    KITH_REFINE_IN_PLACE(How, Number, sqrt3)
-#define KITH_FLOATS_IN_PLACE(How) KITH_MANY_IN_PLACE(How, float)
-#define KITH_DOUBLES_IN_PLACE(How)                                                                                     \
-    KITH_MANY_IN_PLACE(How, double)                                                                                    \
-    KITH_REFINE_IN_PLACE(How, double, nasri_hasbini)                                                                   \
-    KITH_REFINE_IN_PLACE(How, double, unified)
+// Of a line of the registry of schemes; KITH_HOW says what is made of it.
+#define KITH_DOUBLES_IN_PLACE(type, header, numbers, paper) KITH_REFINE_IN_PLACE(KITH_HOW, double, type)
+#define KITH_FLOATS_IN_PLACE(type, header, numbers, paper) KITH_FLOATS_IF_##numbers(type)
+#define KITH_FLOATS_IF_floats(type) KITH_REFINE_IN_PLACE(KITH_HOW, float, type)
+#define KITH_FLOATS_IF_doubles(type)
 
 #ifdef KITH_COMPILED_DIALECTS
 
 namespace kith {
 
-KITH_DOUBLES_IN_PLACE(extern template)
-KITH_FLOATS_IN_PLACE(extern template)
+#define KITH_HOW extern template
+KITH_SCHEMES(KITH_DOUBLES_IN_PLACE)
+KITH_SCHEMES(KITH_FLOATS_IN_PLACE)
+#undef KITH_HOW
 
 } // namespace kith
 

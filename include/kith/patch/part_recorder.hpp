@@ -181,13 +181,17 @@ private:
 
 } // namespace detail
 
-/// Returns the recorder of a scheme for the level of this generation that a plan begins with.
+/// Returns the recorder of a scheme for the level of this generation that a plan begins with. There is none of a scheme
+/// without patches.
 template <std::floating_point Scalar, std::unsigned_integral Index, scheme Scheme>
-std::shared_ptr<const part_recorder<Scalar, Index>> recorder_of(const Scheme& scheme, const patch_plan& plan,
-                                                                int generation,
-                                                                const patch_output_kind<Scalar, Index, Scheme>& kind)
+std::shared_ptr<const part_recorder<Scalar, Index>>
+recorder_of([[maybe_unused]] const Scheme& scheme, [[maybe_unused]] const patch_plan& plan,
+            [[maybe_unused]] int generation, [[maybe_unused]] const patch_output_kind<Scalar, Index, Scheme>& kind)
 {
-    return std::make_shared<const detail::part_recorder_of<Scheme, Scalar, Index>>(scheme, plan, generation, kind);
+    if constexpr (patchable_scheme<Scheme, Scalar, Index>)
+        return std::make_shared<const detail::part_recorder_of<Scheme, Scalar, Index>>(scheme, plan, generation, kind);
+    else
+        return nullptr;
 }
 
 } // namespace kith
