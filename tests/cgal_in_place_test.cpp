@@ -349,6 +349,47 @@ void expect_old_or_new(const base& control, const Call& call)
     EXPECT_GT(thrown, 100);
 }
 
+/// A torus with a weight at each vertex and a label on each face.
+base torus_with_values()
+{
+    const auto shape = shapes::shaken(shapes::torus(12, 24));
+    base mesh;
+    for (const auto& p : shape.points)
+        mesh.add_vertex(point(p[0], p[1], p[2]));
+    for (const auto& f : shape.faces)
+        mesh.add_face(vertex(f[0]), vertex(f[1]), vertex(f[2]), vertex(f[3]));
+    auto weight = mesh.add_property_map<vertex, double>("v:weight").first;
+    for (const vertex v : mesh.vertices())
+        weight[v] = mesh.point(v).x() / 3 + mesh.point(v).y();
+    auto label = mesh.add_property_map<face, int>("f:label").first;
+    for (const face f : mesh.faces())
+        label[f] = int(f) * 7 + 1;
+    return mesh;
+}
+
+TEST(cgal_in_place, makes_several_levels_at_once_with_the_bits_of_one_after_the_other)
+{
+    constexpr unsigned levels = 5; // enough for patches
+    base mesh = torus_with_values(), expected = mesh;
+    kith::cgal::subdivision(mesh, kith::catmull_clark(), kith::cgal::parameters::number_of_iterations(levels));
+    for (unsigned i = 0; i < levels; ++i)
+        kith::cgal::subdivision(expected, kith::catmull_clark(), kith::cgal::parameters::number_of_iterations(1));
+    ASSERT_EQ(mesh.number_of_vertices(), expected.number_of_vertices());
+    ASSERT_EQ(mesh.number_of_faces(), expected.number_of_faces());
+    const auto weight = mesh.add_property_map<vertex, double>("v:weight").first,
+               expected_weight = expected.add_property_map<vertex, double>("v:weight").first;
+    for (const vertex v : mesh.vertices()) {
+        ASSERT_EQ(mesh.point(v), expected.point(v)) << v;
+        ASSERT_EQ(weight[v], expected_weight[v]) << v;
+    }
+    const auto label = mesh.add_property_map<face, int>("f:label").first,
+               expected_label = expected.add_property_map<face, int>("f:label").first;
+    for (const face f : mesh.faces()) {
+        ASSERT_EQ(mesh.target(mesh.halfedge(f)), expected.target(expected.halfedge(f))) << f;
+        ASSERT_EQ(label[f], expected_label[f]) << f;
+    }
+}
+
 } // namespace
 
 TEST(cgal_in_place, a_mesh_is_as_it_was_when_memory_ends)

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <kith/carry_properties.hpp>
+#include <kith/field/values_in_patches.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -48,6 +50,27 @@ struct carried_values {
         else
             edge_heirs = {};
     }
+
+#ifdef KITH_HAS_LANES
+    /// Returns true if all of them can go through several steps of a scheme at once.
+    template <scheme Scheme>
+    [[nodiscard]] bool goes_in_patches() const
+    {
+        constexpr bool with_labels = go_in_patches<std::tuple<decltype(face_heirs)>, Scheme, std::uint32_t>;
+        return corner_means.empty() and corner_heirs.empty() and vertex_heirs.empty() and edge_heirs.empty() and
+               (with_labels or face_heirs.empty());
+    }
+    /// Makes them those of the last level of a plan; see `after_patches`. Precondition: goes_in_patches().
+    template <scheme Scheme>
+    void advance_in_patches(const connectivity<std::uint32_t>& level, int generation, const Scheme& scheme,
+                            const patch_plan& plan)
+    {
+        for (auto& each : vertex_means)
+            each = after_patches(each, level, generation, scheme, plan);
+        if constexpr (go_in_patches<std::tuple<decltype(face_heirs)>, Scheme, std::uint32_t>)
+            face_heirs = after_patches(face_heirs, level, generation, scheme, plan);
+    }
+#endif
 
     using coordinates = kith::detail::four_numbers<Number>;
     std::vector<field<field_on::vertices, coordinates, by_mask>> vertex_means;

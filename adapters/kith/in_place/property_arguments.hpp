@@ -97,6 +97,13 @@ struct values_with_rules : carried_values<Number> {
         std::apply([&](Ruled&... each) { (each.advance(step, points_stay), ...); }, ruled);
     }
 
+    /// Rules of the user know single steps.
+    template <scheme Scheme>
+    [[nodiscard]] bool goes_in_patches() const
+    {
+        return false;
+    }
+
     std::tuple<Ruled...> ruled;
 };
 

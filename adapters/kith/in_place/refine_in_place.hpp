@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/engine/refine_in_patches.hpp>
 #include <kith/four_eight.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/plan.hpp>
@@ -8,6 +9,7 @@
 #include <kith/step/level_state.hpp>
 #include <kith/step/step.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -101,8 +103,33 @@ void require_faces(const M& mesh, const native_mesh<Point>& control, const Schem
         });
 }
 
-/// Refines, and makes scheme and values those of the last level. After each level go_on(share of the work) may say no;
-/// then nothing is returned. Errors: as `refine`.
+#ifdef KITH_HAS_LANES
+
+/// Makes the last steps of a surface at once, in the patches of its control mesh, and values those of the last level.
+/// Returns nothing if that is no gain; then all is as before. Preconditions: patches.is_worth_looking(), and the level
+/// is patches.begin().
+template <class Point, scheme Scheme, class Carried>
+std::optional<refined<Point>> last_in_patches(const refined<Point>& surface, const Scheme& scheme, Carried& carried,
+                                              const patch_refinement<Point, std::uint32_t, Scheme>& patches)
+{
+    const auto& topology = surface.mesh.topology();
+    // Nothing is said of later levels where there is state.
+    if (not state_marks<std::uint32_t>(topology, scheme).empty())
+        return {};
+    auto fine = patches.refine_from(surface.mesh, scheme);
+    if (not fine)
+        return {};
+    carried.advance_in_patches(topology, surface.mesh.generation(), scheme, patches.plan());
+    const bool keeps = std::ranges::all_of(patches.plan().bases, [](const column_bases& step) {
+        return step.count(tuple_kind::v, tuple_kind::v) != 0 and step.base(tuple_kind::v, tuple_kind::v) == 0;
+    });
+    return refined<Point>{std::move(*fine), surface.keeps_vertices and keeps};
+}
+
+#endif
+
+/// Refines, and makes scheme and values those of the last level. After each level that is made go_on(share of the work)
+/// may say no; then nothing is returned. Where it is a gain the last levels are made at once. Errors: as `refine`.
 template <class Point, scheme Scheme, class Carried>
 std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme, int levels, Carried& carried,
                                      bool points_stay, const std::function<bool(double)>& go_on)
@@ -111,12 +138,29 @@ std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme,
     prepare(surface, scheme, carried);
     detail::require_refinable(surface.mesh, scheme, levels, {});
     const auto done = shares_of_work(count(surface.mesh.topology()), scheme, levels, surface.mesh.generation());
-    for (int level = 1; level <= levels; ++level) {
-        step(surface, scheme, carried, points_stay);
-        if (not go_on(done[std::size_t(level)]))
-            return std::nullopt;
-    }
-    return surface;
+    int level = 0;
+    const auto go_to = [&](int last) {
+        bool goes_on = true;
+        while (goes_on and level < last) {
+            step(surface, scheme, carried, points_stay);
+            goes_on = go_on(done[std::size_t(++level)]);
+        }
+        return goes_on;
+    };
+#ifdef KITH_HAS_LANES
+    if constexpr (patchable_scheme<Scheme, Point, std::uint32_t>)
+        if (not points_stay and carried.template goes_in_patches<Scheme>()) {
+            const patch_refinement<Point, std::uint32_t, Scheme> patches(
+                surface.mesh, scheme, levels, connect::everything);
+            if (patches.is_worth_looking()) {
+                if (not go_to(patches.begin()))
+                    return std::nullopt;
+                if (auto last = last_in_patches(surface, scheme, carried, patches))
+                    return go_on(done.back()) ? std::move(last) : std::nullopt;
+            }
+        }
+#endif
+    return go_to(levels) ? std::optional(std::move(surface)) : std::nullopt;
 }
 
 } // namespace kith::in_place
