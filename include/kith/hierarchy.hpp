@@ -276,7 +276,7 @@ private:
         return values;
     }
 #ifdef KITH_HAS_LANES
-    /// The same, with the last steps at once where that is a gain.
+    /// Carries them with the last steps at once where that is a gain.
     template <field_on Where, class T, class Rule>
     [[nodiscard]] field<Where, T, Rule> carry_in_patches(int from, int to, field<Where, T, Rule> values) const
     {

@@ -35,7 +35,7 @@ using tuple_of_schemes = decltype(std::tuple_cat(KITH_SCHEMES(KITH_AS_TUPLE) std
 /// All schemes of the library: std::tuple<catmull_clark, ...>.
 using all_schemes = detail::tuple_of_schemes;
 
-/// What a scheme of the library comes from.
+/// The paper that a scheme of the library comes from.
 template <class Scheme>
 inline constexpr std::string_view paper_of{};
 #define KITH_PAPER(type, header, numbers, paper)                                                                       \

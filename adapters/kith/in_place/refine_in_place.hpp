@@ -29,7 +29,7 @@ struct refined {
     bool keeps_vertices; ///< the first vertices are those of the control mesh, in their order
 };
 
-/// Whether the new vertex of each vertex has its number.
+/// Returns true if the new vertex of each vertex has its number.
 template <element_ids Ids>
 bool keeps_vertices(const Ids& ids, std::size_t vertices)
 {

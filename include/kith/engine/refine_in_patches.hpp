@@ -30,7 +30,7 @@ public:
         : patch_refinement(control.topology(), control.generation(), scheme, levels, last_level, costs)
     {
     }
-    /// Same, but for points or values at the vertices of a control mesh of this connectivity and generation.
+    /// Plans the same for points or values at the vertices of a control mesh of this connectivity and generation.
     patch_refinement(const connectivity<Index>& control, int generation, const Scheme& scheme, int levels,
                      connect last_level, const patch_costs& costs = {})
         : costs_(costs)
@@ -53,8 +53,8 @@ public:
             begin_where_faces_are_alike(scheme, levels, costs);
     }
 
-    /// Whether there are so many faces that patches may be worth while, or have been again and again, and not just
-    /// been looked at in vain.
+    /// Returns true if patches may be worth while: there are so many faces, or there have been again and again. They
+    /// must not just have been looked at in vain.
     [[nodiscard]] bool is_worth_looking() const { return is_worth_looking_ and plan_; }
 
     /// The level whose faces own patches, counted from the control mesh. Precondition: is_worth_looking().
@@ -73,7 +73,7 @@ public:
         look([&] { return with_patches(mesh, scheme, fill); });
         return fine;
     }
-    /// Same, but from the level begin(), which stays as it is. Precondition: is_worth_looking().
+    /// Returns the same from the level begin(), which stays as it is. Precondition: is_worth_looking().
     [[nodiscard]] std::optional<basic_mesh<Point, Index>> refine_from(const basic_mesh<Point, Index>& level,
                                                                       const Scheme& scheme) const
     {
@@ -98,7 +98,7 @@ public:
         });
         return values;
     }
-    /// The same into a mesh of another library; false where it is no gain. Precondition: all connectivity is asked for.
+    /// Writes it into a mesh of another library; false where it is no gain. Precondition: all connectivity is wanted.
     /// Errors: those of `make_room`.
     [[nodiscard]] bool refine_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index>& mesh,
                                    Scheme& scheme) const
@@ -146,8 +146,8 @@ private:
         return is_gain;
     }
 
-    /// Where edges run and fans start in no order, as in many files, nearly each face of a control mesh is of a class
-    /// of its own. After as many steps as there are rings around a patch there are few classes; patches begin there.
+    /// Begins where few classes are left. If edges run and fans start in no order, as in many files, nearly each face
+    /// of a control mesh is of its own class. After as many steps as a patch has rings there are few classes.
     void begin_where_faces_are_alike(const Scheme& scheme, int levels, const patch_costs& costs)
     {
         if (plan_->begin < plan_->rings and plan_->rings < levels) {
@@ -160,8 +160,8 @@ private:
         else
             ask_whether_to_look(costs.if_unlike(is_late_));
     }
-    /// Whether patches gain where the faces of the control mesh lie in no order: small ones gain less than the order of
-    /// the surface alone does or, for a scheme that has no such order, less than looking at a large level costs there.
+    /// Returns true if patches gain where the faces of the control mesh lie in no order. Small ones gain less than the
+    /// order of the surface alone or, for a scheme without such an order, than looking at a large level costs there.
     [[nodiscard]] bool is_worth_while_if_scattered() const
     {
         if constexpr (orderable_scheme<Scheme, Index>)
@@ -196,7 +196,7 @@ private:
             f(mesh, *made, nullptr);
         return made.has_value();
     }
-    /// The same as patches_of, but nothing either for a level whose faces lie in no order if these are no gain.
+    /// Returns the patches of a level; nothing either for one whose faces lie in no order if those are no gain.
     [[nodiscard]] std::optional<patches> patches_if_worth(const basic_mesh<Point, Index>& level,
                                                           const Scheme& scheme) const
     {
@@ -204,7 +204,7 @@ private:
             return {};
         return patches_of(level, scheme);
     }
-    /// Of the level that the plan begins with and its scheme; nothing where they are no gain.
+    /// Returns those of the level that the plan begins with and its scheme; nothing where they are no gain.
     [[nodiscard]] std::optional<patches> patches_of(const basic_mesh<Point, Index>& level, const Scheme& scheme) const
     {
         const face_classes<Index> classes(level.topology(), plan_->rings, state_marks<Index>(level.topology(), scheme));

@@ -13,7 +13,7 @@
 
 namespace kith {
 
-/// What a scheme's text did to its operands, in order: each operation is a node, each value the node that it was stored
+/// The operations of a scheme's text on its operands, in order. Each is a node, each value the node that it was stored
 /// from. A tape knows no numbers but the weights, so that what was recorded on one part of a mesh can be replayed on
 /// all parts that look alike, operation by operation, to the same bits.
 template <std::floating_point Scalar>
@@ -45,7 +45,7 @@ struct tape {
 
 namespace detail {
 
-/// Where this thread records.
+/// The tape on which this thread records.
 template <std::floating_point Scalar>
 constinit inline thread_local tape<Scalar>* recording_on = nullptr;
 

@@ -29,7 +29,7 @@ class face_clusters {
 public:
     using output = patch_output<Point, Index>;
 
-    /// Of faces of a level, increasing, which this recorder is for.
+    /// Takes faces of the level that the recorder is for, increasing.
     face_clusters(std::shared_ptr<const part_recorder<scalar, Index>> recorder, std::vector<Index> faces)
         : recorder_(std::move(recorder)), faces_(std::move(faces))
     {
@@ -51,7 +51,7 @@ private:
     // Neighbours by their numbers: closer than in the order of the surface, where a mesh is in order.
     static constexpr std::size_t at_once = 64;
 
-    /// What a thread needs.
+    /// The memory of a thread.
     class worker {
     public:
         worker(const face_clusters& clusters, const basic_mesh<Point, Index>& mesh)

@@ -124,8 +124,8 @@ public:
         return shared;
     }
 
-    /// What these steps have made without templates of levels with so many faces and this connectivity: patches may be
-    /// a gain with the one and none with the other.
+    /// Returns what these steps have made without templates of levels with so many faces and this connectivity. Patches
+    /// may be a gain with the one and none with the other.
     [[nodiscard]] template_demand demand(std::size_t faces, connect last_level) const
     {
         return store_->demand(purpose_and(faces, last_level));

@@ -40,9 +40,9 @@ struct recorded_part {
     part_of_whole<Number> numbers;
 };
 
-/// Records what some steps of a scheme make of parts of the level whose faces own patches, whatever the scheme is. It is
-/// the bridge from the text of a scheme, which is a template, to the code of patches. That is compiled once for all
-/// schemes, and for values of any number of components. Virtual functions are called once per part, never per element.
+/// Records what some steps of a scheme make of parts of the level whose faces own patches, whatever the scheme is.
+/// It is the bridge from the text of a scheme, which is a template, to the code of patches. That is compiled once for
+/// all schemes and numbers of components. Virtual functions are called once per part, never per element.
 template <std::floating_point Scalar, std::unsigned_integral Index>
 class part_recorder {
 public:
@@ -97,7 +97,7 @@ class part_recorder_of final : public part_recorder<Scalar, Index> {
 public:
     using output_kind = patch_output_kind<Scalar, Index, Scheme>;
 
-    /// For the level of this generation that a plan begins with, and the scheme there.
+    /// Records from the level of this generation that a plan begins with, by the scheme there.
     part_recorder_of(const Scheme& scheme, const patch_plan& plan, int generation, output_kind kind)
         : base(numbering::common_degree, rings_before_steps(scheme, plan.bases.size(), plan.last_rings), plan.bases,
                kept_templates<Scalar, Index>::of(without_state(scheme), generation, plan.rings, plan.bases.size(),

@@ -34,7 +34,7 @@ public:
     /// How many numbers are found for the faces of a class that are filled in one call.
     static std::size_t numbers_found(const template_type& t) { return (t.inputs.size() + t.sources.size()) * at_once; }
 
-    /// For faces of a mesh: past the caches if the level that is written is too large to be in them when it is read.
+    /// Fills from a mesh, past the caches if the level that is written is too large to be in them when it is read.
     patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
         : coarse_(&coarse)
         , writer_(to, past_caches)

@@ -53,14 +53,14 @@ struct patch_plan {
     [[nodiscard]] const counts& of_begin() const { return levels[std::size_t(begin)]; }
     [[nodiscard]] const counts& last() const { return levels.back(); }
     [[nodiscard]] double faces_of_patch() const { return double(last().faces) / double(of_begin().faces); }
-    /// Whether the classes of the faces that own patches can be found.
+    /// Returns true if the classes of the faces that own patches can be found.
     [[nodiscard]] bool has_room_for_classes() const
     {
         return 2 * of_begin().edges <= face_classes<std::uint32_t>::most_corners;
     }
 
-    /// Whether these are the counts of a mesh where patches may begin, and of the next level by its scheme. Not so
-    /// where its state says of which tuples elements are made, in another way than it does of no elements at all.
+    /// Returns true if these are the counts of a mesh where patches may begin, and of the next level. They are not if
+    /// the state of the scheme says of which tuples elements are made, otherwise than it does of no elements at all.
     template <reaching_scheme Scheme, std::unsigned_integral Index>
     [[nodiscard]] bool has_counts_of(const connectivity<Index>& mesh, const Scheme& scheme, int generation) const
     {
@@ -153,9 +153,9 @@ struct patch_costs {
         return least_faces / plan.faces_of_patch() * (1 + plan.rings) / 2;
     }
 
-    /// The same where the faces of the control mesh are unlike and lie in no order: level by level takes two to three
-    /// times as long there, making a template does not, and who looks reads from all over the memory. Where patches
-    /// begin late for that reason, who looks has much to look at and finds many classes.
+    /// Returns the costs where the faces of the control mesh are unlike and lie in no order. Level by level takes two
+    /// to three times as long there, making a template does not, and looking reads from all over the memory. Where
+    /// patches begin late for that reason, there is much to look at, and there are many classes.
     [[nodiscard]] patch_costs if_unlike(bool is_late) const
     {
         patch_costs costs = *this;
@@ -165,8 +165,8 @@ struct patch_costs {
         costs.of_face_in_template /= 2;
         return costs;
     }
-    /// The same for levels of few faces, or for which templates were no gain before, that are made so many times, the
-    /// templates once.
+    /// Returns the costs of levels that are made so many times, and the templates once. Such levels have few faces, or
+    /// templates were no gain for them before.
     [[nodiscard]] patch_costs if_again(double times) const
     {
         patch_costs costs = *this;
@@ -190,13 +190,13 @@ struct patch_costs {
     }
 };
 
-/// Where the template of a class of faces comes from.
+/// The origin of the template of a class of faces.
 enum class template_choice : unsigned char { none, made, kept };
 
-/// What a level costs patch by patch, in final faces level by level.
+/// The cost of a level patch by patch, in final faces level by level.
 class patch_estimate {
 public:
-    /// For classes with so many faces, which own patches with faces only or with all connectivity.
+    /// Estimates it for classes of these sizes, which own patches with faces only or with all connectivity.
     patch_estimate(const patch_costs& costs, const patch_plan& plan, std::vector<std::size_t> sizes, bool with_edges)
         : costs_(costs)
         , sizes_(std::move(sizes))
@@ -206,12 +206,12 @@ public:
     {
     }
 
-    /// Whether making a template costs less than its class does without.
+    /// Returns true if making a template costs less than its class does without.
     [[nodiscard]] bool gains(std::size_t of_class) const
     {
         return alone(of_class) > filled(of_class) + of_template_ + costs_.of_class_again;
     }
-    /// Whether patches are cheaper than going level by level, if each class does what is best.
+    /// Returns true if patches are cheaper than going level by level, if each class does what is best.
     [[nodiscard]] bool is_gain_without_kept() const
     {
         std::vector<template_choice> choices(sizes_.size(), template_choice::none);
@@ -220,7 +220,7 @@ public:
                 choices[c] = template_choice::made;
         return is_gain(choices);
     }
-    /// The same with these choices.
+    /// Returns the same with these choices.
     [[nodiscard]] bool is_gain(std::span<const template_choice> choices) const
     {
         double cost = 0, faces = 0;

@@ -36,8 +36,8 @@ public:
     using output = patch_output<Point, Index>;
     using recorder_pointer = std::shared_ptr<const part_recorder<scalar_of<Point>, Index>>;
 
-    /// Of the level that the plan begins with, with its classes by the rings of the plan, to make faces or all
-    /// connectivity. Returns nothing where it is no gain. Cost: O(faces), and that of the templates.
+    /// Returns that of the level that the plan begins with, with its classes by the rings of the plan, to make faces or
+    /// all connectivity. Returns nothing where it is no gain. Cost: O(faces), and that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                                              recorder_pointer recorder, const patch_plan& plan,
                                              const patch_costs& costs, bool with_edges);
@@ -68,8 +68,8 @@ private:
         std::size_t found = 0; ///< where begins what is found for them
     };
 
-    /// For each class that may have a template a face for which it can be made: one of the first faces of the class, if
-    /// the neighbourhood of one of them is a disk. found(class) is called when it has been walked around.
+    /// Returns a face for each class that may have a template, for which it can be made: one of the first faces of the
+    /// class, if the neighbourhood of one of them is a disk. Calls found(class) when it has been walked around.
     template <class MayHaveOne, class Found>
     static std::vector<Index> models_of(const face_classes<Index>& classes, face_walk<Index>& walk,
                                         const MayHaveOne& may_have_one, const Found& found)
@@ -116,7 +116,7 @@ private:
             clusters_.emplace(std::move(recorder), std::move(without_template));
     }
 
-    /// As faces of one template come together, in their order. Those that have none are returned.
+    /// Brings faces of one template together, in their order. Returns those that have none.
     std::vector<Index> put_into_batches(const face_classes<Index>& classes,
                                         std::span<const class_number> template_of_class)
     {

@@ -21,7 +21,7 @@
 
 namespace kith {
 
-/// What each model owns of some elements, model by model, as places in their list.
+/// The elements of a list that each model owns, model by model, as places in the list.
 class owned_elements {
 public:
     template <std::unsigned_integral Index>
@@ -61,7 +61,7 @@ class template_maker {
     using value = recorded<scalar>;
 
 public:
-    /// For the level of a mesh that a plan begins with. It has its edges and, if there is one, the degree of refined
+    /// Looks at the level that a plan begins with. It has its edges and, if there is one, the degree of refined
     /// faces. `rings` are those of the plan. Both objects must outlive this. Cost: O(elements).
     template_maker(const basic_mesh<Point, Index>& mesh, const part_recorder<scalar_of<Point>, Index>& recorder,
                    int rings)
@@ -73,9 +73,9 @@ public:
     {
     }
 
-    /// Of some faces, the models. They are refined together, for their neighbourhoods often overlap. take(i, key,
-    /// template) is called for the i-th, with the key of its walk and of the state there, but not where it is too large
-    /// to be numbered.
+    /// Makes those of some faces, the models. They are refined together, for their neighbourhoods often overlap. Calls
+    /// take(i, key, template) for the i-th, with the key of its walk and of the state there, but not where it is too
+    /// large to be numbered.
     template <class Take>
     void make(std::span<const Index> models, const Take& take)
     {
