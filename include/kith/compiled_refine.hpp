@@ -21,9 +21,10 @@
 #endif
 
 /// KITH_SCHEME_STEPS(How, Scheme): the steps of a scheme on native meshes of doubles. A program that links
-/// kith::compiled_schemes, which defines KITH_COMPILED_SCHEMES, finds them there. It compiles only what reads and writes
-/// its own meshes. The results are the same bits. KITH_STEPS_OVER is what of it depends on the type of coordinates.
-/// KITH_PATCH_PARTS is what patches of all schemes share; KITH_PATCH_NUMBERS is what of that depends on no coordinates.
+/// kith::compiled_schemes, which defines KITH_COMPILED_SCHEMES, finds them there. It compiles only what reads and
+/// writes its own meshes. The results are the same bits. KITH_STEPS_OVER is what of it depends on the type of
+/// coordinates. KITH_PATCH_PARTS is what patches of all schemes share, KITH_PATCH_NUMBERS what of that has no
+/// coordinates.
 
 #define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
     How basic_mesh<std::array<Number, 3>> refine_mesh<connect::everything>(                                            \

@@ -4,7 +4,6 @@
 #include "refine.hpp"
 
 #include <kith/field/field.hpp>
-#include <kith/field/values_in_patches.hpp>
 #include <kith/lineage/level_store.hpp>
 #include <kith/lineage/moved_points.hpp>
 #include <kith/lineage/relatives.hpp>
@@ -236,16 +235,19 @@ public:
     {
         require_order(levels_, from, to);
         values.require_one_each(elements(from));
-#ifdef KITH_HAS_LANES
-        if constexpr (is_masked_in_patches<field<Where, T, Rule>, Scheme, index_type>)
-            return carry_in_patches(from, to, std::move(values));
-#endif
-        return carry_by_levels(from, to, std::move(values));
+        const auto by_levels = [&](int first, int last, auto each) {
+            for (int level = first; level < last; ++level) {
+                const auto &here = levels_.at(level), &next = levels_.at(level + 1);
+                const auto &coarse = elements(level), &fine = next.here->mesh;
+                each = each.after(made_step{here.scheme, coarse, levels_.generation(level), here.ids, fine});
+            }
+            return each;
+        };
+        return carry_in_patches<Scheme>(levels_, from, to, std::move(values), by_levels);
     }
 
     /// The subdivision matrix from the vertices of one level to those of a finer one. Errors: mesh_error unless from <=
-    /// to.
-    /// Cost per level: for each row the number of its operands times that of its entries; memory: the entries.
+    /// to. Cost per level: for each row the number of its operands times that of its entries; memory: the entries.
     [[nodiscard]] subdivision_matrix matrix(int from, int to) const
     {
         require_order(levels_, from, to);
@@ -264,41 +266,6 @@ public:
     }
 
 private:
-    template <field_on Where, class T, class Rule>
-    [[nodiscard]] field<Where, T, Rule> carry_by_levels(int from, int to, field<Where, T, Rule> values) const
-    {
-        for (int level = from; level < to; ++level)
-            values = values.after(made_step{levels_.at(level).scheme,
-                                            elements(level),
-                                            levels_.generation(level),
-                                            levels_.at(level).ids,
-                                            levels_.at(level + 1).here->mesh});
-        return values;
-    }
-#ifdef KITH_HAS_LANES
-    /// Carries them with the last steps at once where that is a gain.
-    template <field_on Where, class T, class Rule>
-    [[nodiscard]] field<Where, T, Rule> carry_in_patches(int from, int to, field<Where, T, Rule> values) const
-    {
-        const auto native = [&](int level) -> decltype(auto) {
-            return native_of((*this)[level], elements(level), levels_.generation(level));
-        };
-        const auto& control = native(from);
-        using refinement = patch_refinement<T, index_type, Scheme>;
-        const refinement patches(control.topology(), control.generation(), scheme(from), to - from, connect::nothing);
-        if (values.empty() or not patches.is_worth_looking() or not holds(from + patches.begin()))
-            return carry_by_levels(from, to, std::move(values));
-        const int begin = from + patches.begin();
-        values = carry_by_levels(from, begin, std::move(values));
-        const auto& level = native(begin);
-        const basic_mesh<T, index_type> points(
-            storage<T>(values.values()), connectivity<index_type>(level.topology()), level.generation());
-        if (auto last = patches.values_from(points, scheme(begin)))
-            return field<Where, T, Rule>(std::move(*last), values.rule());
-        return carry_by_levels(begin, to, std::move(values));
-    }
-#endif
-
     /// The control mesh with its edges. Errors: mesh_error for all that is wrong with it.
     static M&& checked(M& control)
     {

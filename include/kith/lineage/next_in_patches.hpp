@@ -2,9 +2,13 @@
 #pragma once
 
 #include <kith/engine/refine_in_patches.hpp>
+#include <kith/field/values_in_patches.hpp>
+#include <kith/level/lift.hpp>
 #include <kith/step/step.hpp>
 
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 namespace kith {
 
@@ -38,6 +42,37 @@ std::optional<Mesh> next_in_patches([[maybe_unused]] const Store& levels, [[mayb
     }
 #endif
     return {};
+}
+
+/// Returns a field of level `from` at level `to`, with the last steps at once where that is a gain.
+/// by_levels(first, last, field) carries it level by level. `levels` is a store of levels on any mesh.
+/// Errors: those of by_levels. Cost: that of the rule.
+template <scheme Scheme, class Store, class Field, class ByLevels>
+Field carry_in_patches([[maybe_unused]] const Store& levels, int from, int to, Field values, const ByLevels& by_levels)
+{
+#ifdef KITH_HAS_LANES
+    using index = typename std::remove_cvref_t<decltype(levels.elements(from))>::index_type;
+    if constexpr (is_masked_in_patches<Field, Scheme, index>) {
+        using value = typename Field::value_type;
+        const auto native = [&](int level) -> decltype(auto) {
+            return native_of(levels.at(level).here->mesh, levels.elements(level), levels.generation(level));
+        };
+        const auto& control = native(from);
+        const patch_refinement<value, index, Scheme> patches(
+            control.topology(), control.generation(), levels.at(from).scheme, to - from, connect::nothing);
+        const int begin = patches.is_worth_looking() ? from + patches.begin() : to;
+        if (values.empty() or begin == to or levels.entry_at(begin).here == nullptr)
+            return by_levels(from, to, std::move(values));
+        values = by_levels(from, begin, std::move(values));
+        const auto& level = native(begin);
+        const basic_mesh<value, index> points(
+            storage<value>(values.values()), connectivity<index>(level.topology()), level.generation());
+        if (auto last = patches.values_from(points, levels.at(begin).scheme))
+            return Field(std::move(*last), values.rule());
+        from = begin;
+    }
+#endif
+    return by_levels(from, to, std::move(values));
 }
 
 } // namespace kith
