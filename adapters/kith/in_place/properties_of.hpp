@@ -21,6 +21,15 @@ public:
     void advance(const Step&, bool) const
     {
     }
+    template <scheme Scheme>
+    [[nodiscard]] static bool goes_in_patches()
+    {
+        return true;
+    }
+    template <scheme Scheme, class Plan>
+    void advance_in_patches(const connectivity<std::uint32_t>&, int, const Scheme&, const Plan&) const
+    {
+    }
     template <class M, class Vertices>
     void write(M&, const Vertices&) const
     {
