@@ -49,7 +49,7 @@ public:
                                    control.generation(),
                                    true,
                                    {connect::everything, options.memory_limit});
-        make_patches(kinds, last_rings, control.generation());
+        find_patches(kinds, last_rings, control.generation());
         levels_.refine(has_patches() ? 0 : levels - levels_.depth());
     }
 
@@ -75,7 +75,7 @@ private:
     static constexpr patch_costs costs{
         .in_patch = .2, .of_template = 100, .of_face_in_template = 5, .to_be_cheaper = .5, .least_faces = 1};
 
-    void make_patches(const std::vector<kind>& kinds, int last_rings, int generation)
+    void find_patches(const std::vector<kind>& kinds, int last_rings, int generation)
     {
         if constexpr (patchable_scheme<Scheme, Point, Index>) {
             const connectivity<Index>& control = levels_[0].topology();
@@ -101,7 +101,7 @@ private:
         const auto& scheme = levels_.scheme(plan.begin);
         const face_classes<Index> classes(mesh.topology(), plan.rings, state_marks<Index>(mesh.topology(), scheme));
         for (const auto& kind : kinds) {
-            auto made = kith::make_patches(mesh, classes, scheme, plan, costs, false, kind);
+            auto made = make_patches(mesh, classes, scheme, plan, costs, false, kind);
             if (not made)
                 return patches_.clear(); // templates may be kept of one kind alone
             patches_.push_back(std::move(*made));
