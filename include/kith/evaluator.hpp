@@ -13,6 +13,11 @@
 
 namespace kith {
 
+// Defined where there are lanes.
+template <class Point, std::unsigned_integral Index>
+    requires fits_lanes<Point>
+class patched_level;
+
 namespace detail {
 
 /// The patches of a scheme, and the kinds of values that they make; for a scheme without patches the kinds alone.

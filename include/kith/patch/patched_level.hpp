@@ -25,10 +25,6 @@
 
 namespace kith {
 
-template <class Point, std::unsigned_integral Index>
-    requires fits_lanes<Point>
-class patched_level;
-
 #ifdef KITH_HAS_LANES
 
 /// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of
