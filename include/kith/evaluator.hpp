@@ -169,7 +169,7 @@ evaluator(const basic_mesh<Point, Index>&, const Scheme&, int, const refine_opti
 
 /// An evaluator of values at the vertices of level `from` of a hierarchy, of a type that masks combine: what
 /// `levels.carry(from, to, values)` makes, again and again and, where faces look alike, from templates. For these
-/// colours, weights or times are arrays of floats or doubles. `evaluate` refuses values that are not finite. Errors:
+/// colours, weights or times are numbers or arrays of up to four. `evaluate` refuses values that are not finite. Errors:
 /// mesh_error unless from <= to; those of the evaluator. Cost: that of the evaluator; the hierarchy need not stay.
 template <affine_value T, mesh M, scheme Scheme>
     requires(not selecting_scheme<Scheme, level_of<M>>)
