@@ -238,8 +238,8 @@ public:
         const auto by_levels = [&](int first, int last, auto each) {
             for (int level = first; level < last; ++level) {
                 const auto &here = levels_.at(level), &next = levels_.at(level + 1);
-                const auto &coarse = elements(level), &fine = next.here->mesh;
-                each = each.after(made_step{here.scheme, coarse, levels_.generation(level), here.ids, fine});
+                each = each.after(
+                    made_step{here.scheme, elements(level), levels_.generation(level), here.ids, next.here->mesh});
             }
             return each;
         };
