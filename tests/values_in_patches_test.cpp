@@ -77,7 +77,6 @@ TEST(values_in_patches, are_carried_by_the_masks_to_the_same_bits)
 {
     const auto torus = native(shapes::shaken(shapes::torus(12, 24)));
     expect_same_carried<kith::catmull_clark, double>(torus, {}, 5);
-    expect_same_carried<kith::catmull_clark, colour>(torus, {}, 5);
     expect_same_carried<kith::loop, float>(native(shapes::shaken(shapes::triangulated(shapes::torus(12, 24)))), {}, 5);
     expect_same_carried<kith::doo_sabin, double>(torus, {}, 5);
     const auto open = native(shapes::shaken(shapes::grid(17, 19)));
