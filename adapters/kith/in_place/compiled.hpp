@@ -21,7 +21,7 @@
         in_place::carried_values<double>&,                                                                             \
         bool,                                                                                                          \
         const std::function<bool(double)>&);
-// Of a line of the registry of schemes; KITH_HOW says what is made of it.
+// Makes what KITH_HOW says of a line of the registry of schemes: an instance, or its declaration.
 #define KITH_DOUBLES_IN_PLACE(type, header, numbers, paper) KITH_REFINE_IN_PLACE(KITH_HOW, double, type)
 #define KITH_FLOATS_IN_PLACE(type, header, numbers, paper) KITH_FLOATS_IF_##numbers(type)
 #define KITH_FLOATS_IF_floats(type) KITH_REFINE_IN_PLACE(KITH_HOW, float, type)

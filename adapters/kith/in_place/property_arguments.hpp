@@ -97,7 +97,7 @@ struct values_with_rules : carried_values<Number> {
         std::apply([&](Ruled&... each) { (each.advance(step, points_stay), ...); }, ruled);
     }
 
-    /// Rules of the user know single steps.
+    /// Returns false, since rules of the user know single steps.
     template <scheme Scheme>
     [[nodiscard]] bool goes_in_patches() const
     {

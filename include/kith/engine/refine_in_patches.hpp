@@ -59,7 +59,7 @@ public:
 
     /// The level whose faces own patches, counted from the control mesh. Precondition: is_worth_looking().
     [[nodiscard]] int begin() const { return plan_->begin; }
-    /// Which steps are made in patches. Precondition: is_worth_looking().
+    /// Returns which steps are made in patches. Precondition: is_worth_looking().
     [[nodiscard]] const patch_plan& plan() const { return *plan_; }
 
     /// Returns the last level, with the bits of refining level by level, or nothing if patches are no gain. Then

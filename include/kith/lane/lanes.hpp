@@ -17,7 +17,7 @@ namespace kith {
 /// Values that are numbers, or arrays of a few numbers, which fit into lanes where there are any.
 template <class Value>
 inline constexpr bool fits_lanes = false;
-/// How many numbers such a value has.
+/// The count of numbers that such a value has.
 template <class Value>
 inline constexpr std::size_t lane_numbers = 1;
 template <class Scalar, std::size_t N>
