@@ -10,6 +10,7 @@
 
 #include <kith/cgal_subdivision.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/split/quad_split.hpp>
 
 #include <gtest/gtest.h>
 
@@ -365,6 +366,61 @@ base torus_with_values()
     for (const face f : mesh.faces())
         label[f] = int(f) * 7 + 1;
     return mesh;
+}
+
+/// State that counts levels and says nothing of any element.
+struct rounds {
+    int count = 0;
+
+    friend bool operator==(const rounds&, const rounds&) = default;
+    template <class Level, class Numbering>
+    [[nodiscard]] rounds after(const Level&, const Numbering&) const
+    {
+        return {count + 1};
+    }
+    template <class Part>
+    [[nodiscard]] rounds of_part(const Part&) const
+    {
+        return *this;
+    }
+    template <class F>
+    void for_each_place(const F&) const
+    {
+    }
+};
+/// A scheme of a user's own with such state.
+struct counted {
+    rounds levels{};
+
+    friend bool operator==(const counted&, const counted&) = default;
+    static constexpr auto traits()
+    {
+        return kith::scheme_traits{.name = "counted",
+                                   .trusted = true,
+                                   .reach = [](int rings) { return rings / 2 + 1; },
+                                   .state = &counted::levels,
+                                   .ignores_numbers = [](const counted&) { return true; }};
+    }
+    static constexpr auto columns() { return kith::quad_split::columns(); }
+    template <kith::running_step R>
+    void operator()(const R& r) const
+    {
+        kith::catmull_clark()(r);
+    }
+};
+
+TEST(cgal_in_place, hands_on_state_that_counts_levels_made_at_once)
+{
+    const auto shape = shapes::shaken(shapes::torus(12, 24));
+    counted scheme;
+    const std::vector<std::uint32_t> none;
+    kith::in_place::no_properties carried(base(), none);
+    const auto fine = kith::in_place::refine(
+        kith::make_mesh(shape.points, shape.faces), scheme, 5, carried, false, [](double) { return true; });
+    ASSERT_TRUE(fine);
+    EXPECT_TRUE(fine->keeps_vertices);
+    EXPECT_EQ(fine->mesh.face_count(), 288U << 10);
+    EXPECT_EQ(scheme.levels.count, 5);
 }
 
 TEST(cgal_in_place, makes_several_levels_at_once_with_the_bits_of_one_after_the_other)

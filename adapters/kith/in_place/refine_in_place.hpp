@@ -4,6 +4,7 @@
 #include <kith/engine/refine_in_patches.hpp>
 #include <kith/four_eight.hpp>
 #include <kith/level/lift.hpp>
+#include <kith/neighbourhood/coming_scheme.hpp>
 #include <kith/plan.hpp>
 #include <kith/refine.hpp>
 #include <kith/step/level_state.hpp>
@@ -105,21 +106,22 @@ void require_faces(const M& mesh, const native_mesh<Point>& control, const Schem
 
 #ifdef KITH_HAS_LANES
 
-/// Makes the last steps of a surface at once, in the patches of its control mesh, and values those of the last level.
-/// Returns nothing if that is no gain; then all is as before. Preconditions: patches.is_worth_looking(), and the level
-/// is patches.begin().
+/// Makes the last steps of a surface at once, in the patches of its control mesh, and scheme and values those of the
+/// last level. Returns nothing if that is no gain, or if state says something of elements; then all is as before.
+/// Preconditions: patches.is_worth_looking(), and the level is patches.begin().
 template <class Point, scheme Scheme, class Carried>
-std::optional<refined<Point>> last_in_patches(const refined<Point>& surface, const Scheme& scheme, Carried& carried,
+std::optional<refined<Point>> last_in_patches(const refined<Point>& surface, Scheme& scheme, Carried& carried,
                                               const patch_refinement<Point, std::uint32_t, Scheme>& patches)
 {
     const auto& topology = surface.mesh.topology();
-    // Nothing is said of later levels where there is state.
-    if (not state_marks<std::uint32_t>(topology, scheme).empty())
+    if (not scheme_of_places<Scheme> or not state_marks<std::uint32_t>(topology, scheme).empty())
         return {};
     auto fine = patches.refine_from(surface.mesh, scheme);
     if (not fine)
         return {};
     carried.advance_in_patches(topology, surface.mesh.generation(), scheme, patches.plan());
+    for (int generation = surface.mesh.generation(); generation < fine->generation(); ++generation)
+        kith::detail::advance_without_elements<native_mesh<Point>>(scheme, generation);
     const bool keeps = std::ranges::all_of(patches.plan().bases, [](const column_bases& step) {
         return step.count(tuple_kind::v, tuple_kind::v) != 0 and step.base(tuple_kind::v, tuple_kind::v) == 0;
     });
