@@ -167,10 +167,10 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
 evaluator(const basic_mesh<Point, Index>&, const Scheme&, int, const refine_options& = {})
     -> evaluator<Point, Index, Scheme>;
 
-/// An evaluator of values at the vertices of level `from` of a hierarchy, of a type that masks combine: what
-/// `levels.carry(from, to, values)` makes, again and again and, where faces look alike, from templates. For these
-/// colours, weights or times are numbers or arrays of up to four. `evaluate` refuses values that are not finite. Errors:
-/// mesh_error unless from <= to; those of the evaluator. Cost: that of the evaluator; the hierarchy need not stay.
+/// An evaluator of values at the vertices of level `from` of a hierarchy, of a type that masks combine. It makes what
+/// `levels.carry(from, to, values)` makes, again and again. Where faces look alike, templates make colours, weights or
+/// times, which are numbers or arrays of up to four; `evaluate` refuses those that are not finite. Errors: mesh_error
+/// unless from <= to; those of the evaluator. Cost: that of the evaluator; the hierarchy need not stay.
 template <affine_value T, mesh M, scheme Scheme>
     requires(not selecting_scheme<Scheme, level_of<M>>)
 auto evaluator_of(const hierarchy<M, Scheme>& levels, int from, int to, const refine_options& options = {})

@@ -72,7 +72,7 @@ shows '^kith: note: tinted.ply: this format cannot mark missing values; it has 0
 leaves_no_bar
 rm -f tinted.off tinted.ply
 
-on_terminal "$kith" refine cube.off -s catmull-clark -n 10 -o fine.vtu --tiles 6 --threads 1
+on_terminal "$kith" refine cube.off -s doo-sabin -n 10 -o fine.vtu --tiles 6 --threads 1
 exits 0
 shows '^refining tiles \[#*\.*\] [0-9]+ %'
 leaves_no_bar
@@ -106,7 +106,7 @@ done
 # On ranks, of which rank 0 shows its share; mpirun passes it on.
 if [ -n "${2:-}" ] && command -v mpirun >/dev/null; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_pml=ob1
-    on_terminal mpirun -n 2 "$2" refine cube.off -s catmull-clark -n 10 -o ranks.vtu --tiles-per-rank 10
+    on_terminal mpirun -n 2 "$2" refine cube.off -s doo-sabin -n 10 -o ranks.vtu --tiles-per-rank 10
     exits 0
     shows 'refining tiles \[#*\.*\] [0-9]+ %'
     prints '^ranks.vtu: '
