@@ -6,6 +6,11 @@
 #include <kith/property/property_values.hpp>
 #include <kith/step/step.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace kith::detail {
 
 template <mesh M, class Point>
@@ -27,28 +32,32 @@ M make_in_library(const M& source, const level_source<Point>& write)
     return make_here<Point>(source, write);
 }
 
-template <class Handle, mesh_with_properties M>
-property_values<Handle, M> property_values<Handle, M>::read_in_library(const M& mesh, unset_values<M>& unset)
+template <class Handle, class Base>
+std::size_t read_in_library(typed_properties<Handle, Base>& properties_read, const Base& mesh, const std::string& name,
+                            std::size_t properties, const std::vector<Handle>& handles, unset_values<Base>& unset)
 {
-    return read_here(mesh, unset, static_cast<typename property_access<M>::value_types*>(nullptr));
+    static_assert(has_compiled_properties<Base>, "the adapter says which of them are compiled");
+    using types = typename property_access<Base>::value_types;
+    return properties_read.read(mesh, name, properties, handles, unset, static_cast<types*>(nullptr));
 }
 
 } // namespace kith::detail
 
-/// KITH_READ_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type and their properties are read.
+/// KITH_READ_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type are read.
 /// KITH_MESH_IN_LIBRARY(mesh): also how such meshes are made.
+/// KITH_PROPERTIES_IN_LIBRARY(element, mesh, base): how properties are read that such a base has on elements of one
+/// kind of this mesh.
 #define KITH_READ_MESH_IN_LIBRARY(...)                                                                                 \
     template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::lift_in_library(const __VA_ARGS__&);                  \
-    template numbers_in_mesh detail::read_numbers_in_library(const __VA_ARGS__&);                                      \
-    KITH_PROPERTIES_IN_LIBRARY(vertex, __VA_ARGS__)                                                                    \
-    KITH_PROPERTIES_IN_LIBRARY(halfedge, __VA_ARGS__)                                                                  \
-    KITH_PROPERTIES_IN_LIBRARY(edge, __VA_ARGS__)                                                                      \
-    KITH_PROPERTIES_IN_LIBRARY(face, __VA_ARGS__)
+    template numbers_in_mesh detail::read_numbers_in_library(const __VA_ARGS__&);
 #define KITH_MESH_IN_LIBRARY(...)                                                                                      \
     KITH_READ_MESH_IN_LIBRARY(__VA_ARGS__)                                                                             \
     template __VA_ARGS__ detail::make_in_library(const __VA_ARGS__&,                                                   \
                                                  const detail::level_source<lifted_point<__VA_ARGS__>::type>&);
-#define KITH_PROPERTIES_IN_LIBRARY(element, ...)                                                                       \
-    template detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>                                   \
-    detail::property_values<mesh_traits<__VA_ARGS__>::element, __VA_ARGS__>::read_in_library(                          \
-        const __VA_ARGS__&, detail::unset_values<__VA_ARGS__>&);
+#define KITH_PROPERTIES_IN_LIBRARY(element, mesh, base)                                                                \
+    template std::size_t detail::read_in_library(typed_properties<mesh_traits<mesh>::element, base>&,                  \
+                                                 const base&,                                                          \
+                                                 const std::string&,                                                   \
+                                                 std::size_t,                                                          \
+                                                 const std::vector<mesh_traits<mesh>::element>&,                       \
+                                                 unset_values<base>&);

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <typeindex>
 #include <vector>
 
 namespace kith {
@@ -52,11 +53,7 @@ struct property_access<M> {
                                                              mesh_traits<M>::odd_generation};
         return std::ranges::find(own, name) != own.end();
     }
-    template <class>
-    static bool is_unnamed(const std::string& name)
-    {
-        return name.starts_with("anonymous-property-");
-    }
+    static bool is_unnamed(const std::string& name, std::type_index) { return name.starts_with("anonymous-property-"); }
     /// There may be several properties with one name, each of another type.
     static constexpr bool types_share_names = true;
     static bool follows_from_points(const std::string&) { return false; }

@@ -16,7 +16,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <typeinfo>
+#include <typeindex>
 #include <vector>
 
 namespace kith {
@@ -83,6 +83,7 @@ void for_each_property(Kernel& m, const F& f)
 
 /// The part of a mesh's properties that its traits say nothing of.
 struct openmesh_properties {
+    using base = OpenMesh::BaseKernel;
     using number = double;
     template <class Scalar>
     using vectors = std::tuple<OpenMesh::VectorT<Scalar, 1>, OpenMesh::VectorT<Scalar, 2>, OpenMesh::VectorT<Scalar, 3>,
@@ -107,11 +108,48 @@ struct openmesh_properties {
 
 } // namespace detail
 
+/// What all meshes of OpenMesh have in common, so that types of values are compiled once for all.
+template <>
+struct property_access<OpenMesh::BaseKernel> {
+    using number = double;
+    using value_types = detail::openmesh_properties::value_types;
+
+    template <class Handle, class T>
+    static auto find(const OpenMesh::BaseKernel& m, const std::string& name)
+    {
+        return detail::find_property<Handle, T>(m, name);
+    }
+    template <class Handle, class T>
+    static auto add(OpenMesh::BaseKernel& m, const std::string& name)
+    {
+        return detail::add_property<Handle, T>(m, name);
+    }
+    template <class Handle>
+    static Handle at(std::size_t i)
+    {
+        return Handle(int(i));
+    }
+};
+
+namespace detail {
+
+template <class Handle>
+inline constexpr bool has_means<Handle, OpenMesh::BaseKernel> = std::same_as<Handle, OpenMesh::VertexHandle> or
+                                                                std::same_as<Handle, OpenMesh::HalfedgeHandle>;
+#ifdef KITH_COMPILED_OPENMESH
+template <>
+inline constexpr bool has_compiled_properties<OpenMesh::BaseKernel> = true;
+#endif
+
+} // namespace detail
+
 /// All properties of a mesh, for who overwrites it. Values of any type can be copied.
 template <class Scalar>
 struct property_access<openmesh::kernel_view<Scalar>> : detail::openmesh_properties {
     using mesh = openmesh::kernel_view<Scalar>;
 
+    static OpenMesh::BaseKernel& base_of(mesh& m) { return m.mesh(); }
+    static const OpenMesh::BaseKernel& base_of(const mesh& m) { return m.mesh(); }
     template <class Handle>
     static std::vector<std::string> names(const mesh& m)
     {
@@ -163,6 +201,8 @@ struct property_access<openmesh::kernel_view<Scalar>> : detail::openmesh_propert
 /// and texture coordinates are carried, normals are not; update_normals() makes them.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
 struct property_access<M> : detail::openmesh_properties {
+    static OpenMesh::BaseKernel& base_of(M& m) { return m; }
+    static const OpenMesh::BaseKernel& base_of(const M& m) { return m; }
     template <class Handle>
     static std::vector<std::string> names(const M& m)
     {
@@ -187,19 +227,35 @@ struct property_access<M> : detail::openmesh_properties {
         return result;
     }
     /// What the traits of the mesh say of elements has no name either, but is the same in each such mesh.
-    template <class T>
-    static bool is_unnamed(const std::string& name)
+    static bool is_unnamed(const std::string& name, std::type_index type)
     {
-        if (std::same_as<T, typename M::VertexData> or std::same_as<T, typename M::HalfedgeData> or
-            std::same_as<T, typename M::EdgeData> or std::same_as<T, typename M::FaceData>)
+        if (type == typeid(typename M::VertexData) or type == typeid(typename M::HalfedgeData) or
+            type == typeid(typename M::EdgeData) or type == typeid(typename M::FaceData))
             return false;
         return name == "<vprop>" or name == "<hprop>" or name == "<eprop>" or name == "<fprop>" or name == "<mprop>";
     }
     template <class Handle, class T>
     static auto add(M& m, const std::string& name)
     {
-        request_attribute<Handle>(m, name, typeid(T));
+        request<Handle>(m, name, typeid(T));
         return detail::add_property<Handle, T>(m, name);
+    }
+    /// Requests an attribute that has this name and type, so that the functions of the mesh see it, too.
+    template <class Handle>
+    static void request(M& m, const std::string& name, std::type_index type)
+    {
+        mesh_traits<M>::for_each_attribute([&](auto has, auto request, auto property) {
+            using attribute = std::invoke_result_t<decltype(property), M>;
+            using value = typename attribute::Value;
+            if constexpr (std::derived_from<attribute, detail::openmesh_property_handle<Handle, value>>) {
+                if (type != typeid(value) or (m.*has)())
+                    return;
+                M empty; // knows the name
+                (empty.*request)();
+                if (empty.property((empty.*property)()).name() == name)
+                    (m.*request)();
+            }
+        });
     }
 
     static std::vector<std::string> names_of_whole(const M& m)
@@ -217,7 +273,7 @@ struct property_access<M> : detail::openmesh_properties {
         std::vector<std::string> others;
         for (auto p = from.mprops_begin(); p != from.mprops_end(); ++p)
             if (*p != nullptr and not is_mark((*p)->name())) {
-                const bool is_known = not is_unnamed<void>((*p)->name()) and
+                const bool is_known = not is_unnamed((*p)->name(), typeid(void)) and
                                       copy_of_whole(
                                           from,
                                           to,
@@ -264,24 +320,6 @@ private:
             to.add_property(copy, property.name());
         to.property(copy) = from.property(handle);
         return true;
-    }
-
-    /// An attribute that has this name and type, so that the functions of the mesh see it, too.
-    template <class Handle>
-    static void request_attribute(M& m, const std::string& name, const std::type_info& type)
-    {
-        mesh_traits<M>::for_each_attribute([&](auto has, auto request, auto property) {
-            using attribute = std::invoke_result_t<decltype(property), M>;
-            using value = typename attribute::Value;
-            if constexpr (std::derived_from<attribute, detail::openmesh_property_handle<Handle, value>>) {
-                if (type != typeid(value) or (m.*has)())
-                    return;
-                M empty; // knows the name
-                (empty.*request)();
-                if (empty.property((empty.*property)()).name() == name)
-                    (m.*request)();
-            }
-        });
     }
 };
 

@@ -227,7 +227,7 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
             detail::carry_values(levels, from, to, fine, values);
         tell(can_carry ? carried : left_out, values.known(), where, can_carry ? "" : detail::edges_unknown);
         for (const std::string& name : values.unknown()) {
-            const bool has_mean = ((not detail::is_unnamed<M, More>(name) and
+            const bool has_mean = ((not detail::is_unnamed<M>(name, typeid(More)) and
                                     detail::carry_mean<On, More>(levels, from, to, fine, unset, name)) or
                                    ...);
             (has_mean ? carried : left_out).push_back({name, where, has_mean ? "" : detail::why_unknown<M>(name)});

@@ -142,7 +142,7 @@ private:
                            const kith::value_types<T...>&)
     {
         using more = kith::detail::types_without_own_means<Handle, M, T...>;
-        k.known.add(kith::detail::property_values<Handle, M>::read_here(mesh, unset, static_cast<more*>(nullptr)));
+        k.known.add(kith::detail::property_values<Handle, M>(mesh, unset, static_cast<more*>(nullptr)));
     }
     template <class Handle, class On, class T, class Rule>
     static void read_types(const M&, kith::detail::unset_values<M>&, kind<Handle>&,

@@ -71,7 +71,7 @@ struct properties_on {
     void write_means(M& mesh, const places& to, const Means& means)
     {
         for (std::size_t i = 0; i < means.size(); ++i)
-            swaps.push_back(known.means()[i].write(mesh, known.means()[i], to, means[i].values()));
+            swaps.push_back(known.write_mean(mesh, known.means()[i], to, means[i].values()));
     }
     /// Elements of schemes that do not tell what they inherit inherit nothing.
     template <class Heirs>

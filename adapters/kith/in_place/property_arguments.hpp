@@ -70,9 +70,8 @@ public:
             for (std::size_t i = 0; i < places.elements.size(); ++i)
                 to[places.elements[i]] = i < each.values.size() ? each.values[i] : each.nothing;
             kith::detail::store_nothing(to, places.beside_faces, each.nothing);
-            if constexpr (mesh_with_other_properties<M>)
-                if (swaps != nullptr)
-                    swaps->push_back(std::make_unique<kith::detail::value_exchange_in<M, Handle, T, decltype(to)>>(to));
+            if (auto swap = kith::detail::exchange_of<M, Handle, T>(to); swaps != nullptr and swap)
+                swaps->push_back(std::move(swap));
         }
     }
 

@@ -114,7 +114,7 @@ private:
     {
         const std::type_index type = typeid(T);
         if (copied.size() < properties and std::ranges::find(copied, type) == copied.end() and
-            not is_unnamed<From, T>(one.name) and copy<T>(one))
+            not is_unnamed<From>(one.name, type) and copy<T>(one))
             copied.push_back(type);
     }
     /// Whether it is of this type.

@@ -37,7 +37,14 @@ namespace kith {
 ///
 /// and where properties that were given no name get one of the library, which means nothing in another mesh:
 ///
-///   is_unnamed<T>(name)                whether it is such a name, for values of type T; void for those of any
+///   is_unnamed(name, type)             whether it is such a name, for values of a type; void for those of any
+///
+/// and where meshes of many types keep their properties in one base, so that types of values are compiled for it alone:
+///
+///   base                               its type; its own property_access has number, value_types, find and add as
+///                                      here, and at<Handle>(number), an element
+///   base_of(mesh)                      the base of a mesh
+///   request<Handle>(mesh, name, type)  what the mesh does before a property is added there
 ///
 /// and where there are properties of a mesh as a whole:
 ///
@@ -91,15 +98,32 @@ concept mesh_with_other_properties = mesh_with_properties<M> and
 
 namespace detail {
 
-/// Whether the library gives this name to properties that have none of their own.
-template <mesh_with_properties M, class T = void>
-bool is_unnamed([[maybe_unused]] const std::string& name)
+/// True if the library gives this name to properties that have none of their own, for values of this type.
+template <mesh_with_properties M>
+bool is_unnamed([[maybe_unused]] const std::string& name, [[maybe_unused]] std::type_index type = typeid(void))
 {
-    if constexpr (requires { property_access<M>::template is_unnamed<T>(name); })
-        return property_access<M>::template is_unnamed<T>(name);
+    if constexpr (requires { property_access<M>::is_unnamed(name, type); })
+        return property_access<M>::is_unnamed(name, type);
     else
         return false;
 }
+
+/// The part of a mesh that has its properties: the mesh itself where property_access names no base.
+template <class M>
+struct property_base {
+    using type = M;
+
+    static M& of(M& mesh) { return mesh; }
+    static const M& of(const M& mesh) { return mesh; }
+};
+template <class M>
+    requires requires { typename property_access<M>::base; }
+struct property_base<M> {
+    using type = typename property_access<M>::base;
+
+    static type& of(M& mesh) { return property_access<M>::base_of(mesh); }
+    static const type& of(const M& mesh) { return property_access<M>::base_of(mesh); }
+};
 
 /// Calls f(handle) in the order of dense numbers. A half-edge stands for the corner at its target, as is usual for
 /// texture coordinates.

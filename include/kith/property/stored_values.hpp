@@ -43,13 +43,13 @@ struct value_exchange {
     virtual ~value_exchange() = default;
     virtual void swap(std::size_t a, std::size_t b) noexcept = 0;
 };
-template <mesh M, class Handle, class T, class To>
+template <class M, class Handle, class T, class To>
 struct value_exchange_in final : value_exchange {
     explicit value_exchange_in(To map) : to(map) {}
 
     void swap(std::size_t a, std::size_t b) noexcept override
     {
-        const Handle x = mesh_traits<M>::template at<Handle>(a), y = mesh_traits<M>::template at<Handle>(b);
+        const Handle x = handle_at(a), y = handle_at(b);
         if constexpr (std::is_lvalue_reference_v<decltype(to[x])>) {
             using std::swap;
             swap(to[x], to[y]);
@@ -59,9 +59,25 @@ struct value_exchange_in final : value_exchange {
             to[y] = value;
         }
     }
+    static Handle handle_at(std::size_t i)
+    {
+        if constexpr (requires { property_access<M>::template at<Handle>(i); })
+            return property_access<M>::template at<Handle>(i);
+        else
+            return mesh_traits<M>::template at<Handle>(i);
+    }
 
     To to;
 };
+/// Returns how values of a map are exchanged where the handles of the mesh, or of the base, are numbers.
+template <class M, class Handle, class T, class To>
+std::unique_ptr<value_exchange> exchange_of(To to)
+{
+    if constexpr (mesh_with_other_properties<M> or requires { property_access<M>::template at<Handle>(0); })
+        return std::make_unique<value_exchange_in<M, Handle, T, To>>(to);
+    else
+        return nullptr;
+}
 
 /// The handles whose values are written, by the numbers of the elements, and the half-edges without a face.
 template <class Handle>

@@ -39,7 +39,7 @@ concept mesh_with_unset_values = mesh_with_properties<M> and requires(const M& m
 
 /// What elements have that inherit nothing: what the property has on new elements, else T(). Where the mesh has to be
 /// copied to find that out, once for all properties.
-template <mesh_with_properties M>
+template <class M>
 class unset_values {
 public:
     /// The mesh must outlive it.
@@ -63,7 +63,7 @@ private:
 };
 
 /// Returns a property to write to. Adds it if there is none; `nothing` is then the value of unassigned elements.
-template <class Handle, class T, mesh_with_properties M>
+template <class Handle, class T, class M>
 auto add_unset(M& mesh, const std::string& name, const T& nothing)
 {
     if constexpr (mesh_with_unset_values<M>)

@@ -5,8 +5,12 @@
 
 #include <kith/hierarchy.hpp>
 #include <kith/level/for_each.hpp>
+#ifdef KITH_COMPILED_SCHEMES
+#include <kith/compiled_schemes.hpp>
+#endif
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <functional>
@@ -241,5 +245,16 @@ auto limit_surface_of(const hierarchy<M, Scheme>& levels, int level)
     return limit_surface_of(native_of(levels[level], levels.elements(level), generation_of(levels[0]) + level),
                             levels.scheme(level));
 }
+
+/// KITH_LIMITS(How, Scheme): the limits of points of doubles, which kith::compiled_schemes has.
+#define KITH_LIMITS(How, Scheme)                                                                                       \
+    How limit_surface<std::array<double, 3>> limit_surface_around(                                                     \
+        const basic_mesh<>&, const Scheme&, std::span<const unsigned char>);
+
+#ifdef KITH_COMPILED_SCHEMES
+#define KITH_LIMITS_IN_LIBRARY(type, header, numbers, paper) KITH_LIMITS(extern template, type)
+KITH_SCHEMES(KITH_LIMITS_IN_LIBRARY)
+#undef KITH_LIMITS_IN_LIBRARY
+#endif
 
 } // namespace kith
