@@ -78,8 +78,8 @@ std::vector<unsigned char> needed_vertices(const basic_mesh<Point, Index>& mesh,
     return result;
 }
 
-/// Gives the marked vertices the mean normals of their faces at these positions and takes their marks, but where faces
-/// shrink to a point or have no area at all.
+/// Gives the marked vertices the mean normals of their faces at these positions and takes their marks. Vertices whose
+/// faces shrink to a point, or have no area at all, keep theirs.
 template <class Point, std::unsigned_integral Index>
 void fill_normals(const basic_mesh<Point, Index>& mesh, std::span<const Point> positions,
                   std::vector<unsigned char>& marks, storage<normal_vector>& normals)
@@ -223,15 +223,15 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
     return std::move(limits).complete(mesh, scheme, open, not marks.empty());
 }
 
-/// Where all vertices of a mesh end up when it is refined for ever. By closed masks where they are known; where not,
-/// what lies around the vertex is refined until what has become of it has one, or is a point; docs/schemes.md, Limit. A
-/// normal is that of the limit surface where it is known at once or a few steps on, and then the same on all levels. At
+/// Returns where all vertices of a mesh end up when it is refined for ever. Closed masks tell it where they are known.
+/// Elsewhere the neighbourhood is refined until it has such a mask or is a point; docs/schemes.md, Limit. A normal is
+/// that of the limit surface where it is known at once or a few steps on; it is then the same on all levels. At
 /// infinitely sharp edges each side has a normal, in corner_normals. Elsewhere it is the mean of the normals of the
-/// faces at their limit positions, weighed by area, or, if these have none, at their places; zero if these have none
-/// either. `scheme` is that of this level: the creases are its. For points of three coordinates. Errors: mesh_error for
-/// a mesh without edges or with faces that the scheme does not take, for creases of another level, and where what lies
-/// around a vertex does not come together in one point or the scheme leaves nothing of it. Cost: O(corners), and for
-/// each vertex without a mask that of refining its neighbourhood, seldom more than a few times.
+/// faces, weighed by area: at their limit positions or, if these have none, at their places. If there is none it is
+/// zero. `scheme` is that of this level: the creases are its. For points of three coordinates. Errors: mesh_error for a
+/// mesh without edges, for faces that the scheme does not take, and for creases of another level; also where the
+/// neighbourhood of a vertex does not shrink to one point, or the scheme leaves nothing of it. Cost: O(corners), and
+/// for each vertex without a mask that of refining its neighbourhood, seldom more than a few times.
 template <class Point, std::unsigned_integral Index, searchable_scheme Scheme>
 limit_surface<Point> limit_surface_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
 {
