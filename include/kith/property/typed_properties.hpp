@@ -65,8 +65,9 @@ public:
     /// Reads the properties of this name and of these types, and returns how many they are. `properties` is how many
     /// have the name; some of them may have other types. Cost: O(elements) for each.
     template <class... T>
-    std::size_t read(const Base& mesh, const std::string& name, std::size_t properties,
-                     const std::vector<Handle>& handles, unset_values<Base>& unset, std::tuple<T...>*)
+    std::size_t read([[maybe_unused]] const Base& mesh, [[maybe_unused]] const std::string& name,
+                     [[maybe_unused]] std::size_t properties, [[maybe_unused]] const std::vector<Handle>& handles,
+                     [[maybe_unused]] unset_values<Base>& unset, std::tuple<T...>*)
     {
         std::vector<std::type_index> read;
         (read_one<T>(mesh, name, properties, handles, unset, read), ...);
