@@ -45,8 +45,7 @@ std::size_t read_in_library(typed_properties<Handle, Base>& properties_read, con
 
 /// KITH_READ_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type are read.
 /// KITH_MESH_IN_LIBRARY(mesh): also how such meshes are made.
-/// KITH_PROPERTIES_IN_LIBRARY(element, mesh, base): how properties are read that such a base has on elements of one
-/// kind of this mesh.
+/// KITH_PROPERTIES_IN_LIBRARY(mesh, base): how properties are read that such a base has on the elements of this mesh.
 #define KITH_READ_MESH_IN_LIBRARY(...)                                                                                 \
     template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::lift_in_library(const __VA_ARGS__&);                  \
     template numbers_in_mesh detail::read_numbers_in_library(const __VA_ARGS__&);
@@ -54,7 +53,12 @@ std::size_t read_in_library(typed_properties<Handle, Base>& properties_read, con
     KITH_READ_MESH_IN_LIBRARY(__VA_ARGS__)                                                                             \
     template __VA_ARGS__ detail::make_in_library(const __VA_ARGS__&,                                                   \
                                                  const detail::level_source<lifted_point<__VA_ARGS__>::type>&);
-#define KITH_PROPERTIES_IN_LIBRARY(element, mesh, base)                                                                \
+#define KITH_PROPERTIES_IN_LIBRARY(mesh, base)                                                                         \
+    KITH_PROPERTIES_ON(vertex, mesh, base)                                                                             \
+    KITH_PROPERTIES_ON(halfedge, mesh, base)                                                                           \
+    KITH_PROPERTIES_ON(edge, mesh, base)                                                                               \
+    KITH_PROPERTIES_ON(face, mesh, base)
+#define KITH_PROPERTIES_ON(element, mesh, base)                                                                        \
     template std::size_t detail::read_in_library(typed_properties<mesh_traits<mesh>::element, base>&,                  \
                                                  const base&,                                                          \
                                                  const std::string&,                                                   \

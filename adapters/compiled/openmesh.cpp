@@ -11,11 +11,6 @@ KITH_MESH_IN_LIBRARY(OpenMesh::PolyMesh_ArrayKernelT<>)
 KITH_MESH_IN_LIBRARY(OpenMesh::TriMesh_ArrayKernelT<>)
 KITH_MESH_IN_LIBRARY(OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>)
 KITH_MESH_IN_LIBRARY(OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>)
-
-// Of one mesh, for all.
-KITH_PROPERTIES_IN_LIBRARY(vertex, openmesh::kernel_view<float>, OpenMesh::BaseKernel)
-KITH_PROPERTIES_IN_LIBRARY(halfedge, openmesh::kernel_view<float>, OpenMesh::BaseKernel)
-KITH_PROPERTIES_IN_LIBRARY(edge, openmesh::kernel_view<float>, OpenMesh::BaseKernel)
-KITH_PROPERTIES_IN_LIBRARY(face, openmesh::kernel_view<float>, OpenMesh::BaseKernel)
+KITH_PROPERTIES_IN_LIBRARY(openmesh::kernel_view<float>, OpenMesh::BaseKernel) // serves all meshes
 
 } // namespace kith

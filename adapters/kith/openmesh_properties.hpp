@@ -28,7 +28,7 @@ struct averaged_value<OpenMesh::VectorT<Scalar, N>>
 
 namespace detail {
 
-/// Of properties on elements with such handles.
+/// The handle of a property on elements with such handles.
 template <class Handle, class T>
 using openmesh_property_handle =
     std::conditional_t<std::same_as<Handle, OpenMesh::VertexHandle>, OpenMesh::VPropHandleT<T>,
@@ -45,22 +45,6 @@ struct openmesh_property {
     decltype(auto) operator[](OpenMesh::BaseHandle x) const { return (*values)[x.idx()]; }
     [[nodiscard]] const void* array() const { return static_cast<const OpenMesh::BaseProperty*>(values); }
 };
-
-// Of the part that all meshes of OpenMesh have in common, so that they are compiled once for all.
-template <class Handle, class T>
-openmesh_property<const OpenMesh::PropertyT<T>> find_property(const OpenMesh::BaseKernel& m, const std::string& name)
-{
-    openmesh_property_handle<Handle, T> handle;
-    return {m.get_property_handle(handle, name) ? &m.property(handle) : nullptr};
-}
-template <class Handle, class T>
-openmesh_property<OpenMesh::PropertyT<T>> add_property(OpenMesh::BaseKernel& m, const std::string& name)
-{
-    openmesh_property_handle<Handle, T> handle;
-    if (not m.get_property_handle(handle, name))
-        m.add_property(handle, name);
-    return {&m.property(handle)};
-}
 
 /// Calls f(property) for each property on elements with such handles.
 template <class Handle, class Kernel, class F>
@@ -81,9 +65,12 @@ void for_each_property(Kernel& m, const F& f)
         all(m.fprops_begin(), m.fprops_end());
 }
 
-/// The part of a mesh's properties that its traits say nothing of.
-struct openmesh_properties {
-    using base = OpenMesh::BaseKernel;
+} // namespace detail
+
+/// The properties of any mesh of OpenMesh, by the base class that has them, so that types of values are compiled once.
+template <>
+struct property_access<OpenMesh::BaseKernel> {
+    using mesh = OpenMesh::BaseKernel;
     using number = double;
     template <class Scalar>
     using vectors = std::tuple<OpenMesh::VectorT<Scalar, 1>, OpenMesh::VectorT<Scalar, 2>, OpenMesh::VectorT<Scalar, 3>,
@@ -95,34 +82,19 @@ struct openmesh_properties {
                    std::array<double, 3>, std::array<double, 4>>(),
         vectors<float>(), vectors<double>(), vectors<unsigned char>(), vectors<int>(), vectors<unsigned>()));
 
-    static bool is_reserved(const std::string& name) { return name == "v:points"; }
-    /// There may be several properties with one name, each of another type.
-    static constexpr bool types_share_names = true;
-    static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
     template <class Handle, class T>
-    static auto find(const OpenMesh::BaseKernel& m, const std::string& name)
+    static detail::openmesh_property<const OpenMesh::PropertyT<T>> find(const mesh& m, const std::string& name)
     {
-        return find_property<Handle, T>(m, name);
-    }
-};
-
-} // namespace detail
-
-/// What all meshes of OpenMesh have in common, so that types of values are compiled once for all.
-template <>
-struct property_access<OpenMesh::BaseKernel> {
-    using number = double;
-    using value_types = detail::openmesh_properties::value_types;
-
-    template <class Handle, class T>
-    static auto find(const OpenMesh::BaseKernel& m, const std::string& name)
-    {
-        return detail::find_property<Handle, T>(m, name);
+        detail::openmesh_property_handle<Handle, T> handle;
+        return {m.get_property_handle(handle, name) ? &m.property(handle) : nullptr};
     }
     template <class Handle, class T>
-    static auto add(OpenMesh::BaseKernel& m, const std::string& name)
+    static detail::openmesh_property<OpenMesh::PropertyT<T>> add(mesh& m, const std::string& name)
     {
-        return detail::add_property<Handle, T>(m, name);
+        detail::openmesh_property_handle<Handle, T> handle;
+        if (not m.get_property_handle(handle, name))
+            m.add_property(handle, name);
+        return {&m.property(handle)};
     }
     template <class Handle>
     static Handle at(std::size_t i)
@@ -141,61 +113,24 @@ template <>
 inline constexpr bool has_compiled_properties<OpenMesh::BaseKernel> = true;
 #endif
 
-} // namespace detail
+/// The part of a mesh's properties that its traits say nothing of.
+struct openmesh_properties {
+    using base = OpenMesh::BaseKernel;
+    using number = property_access<base>::number;
+    using value_types = property_access<base>::value_types;
 
-/// All properties of a mesh, for who overwrites it. Values of any type can be copied.
-template <class Scalar>
-struct property_access<openmesh::kernel_view<Scalar>> : detail::openmesh_properties {
-    using mesh = openmesh::kernel_view<Scalar>;
-
-    static OpenMesh::BaseKernel& base_of(mesh& m) { return m.mesh(); }
-    static const OpenMesh::BaseKernel& base_of(const mesh& m) { return m.mesh(); }
-    template <class Handle>
-    static std::vector<std::string> names(const mesh& m)
-    {
-        std::vector<std::string> result;
-        detail::for_each_property<Handle>(m.mesh(), [&](const OpenMesh::BaseProperty* p) {
-            if (not is_reserved(p->name()) and not m.is_hidden(p))
-                result.push_back(p->name());
-        });
-        return result;
-    }
+    static bool is_reserved(const std::string& name) { return name == "v:points"; }
+    /// There may be several properties with one name, each of another type.
+    static constexpr bool types_share_names = true;
+    static bool follows_from_points(const std::string& name) { return name.ends_with(":normals"); }
     template <class Handle, class T>
-    static auto find(const mesh& m, const std::string& name)
+    static auto find(const base& m, const std::string& name)
     {
-        return detail::find_property<Handle, T>(m.mesh(), name);
+        return property_access<base>::find<Handle, T>(m, name);
     }
-    template <class Handle, class T>
-    static auto add(mesh& m, const std::string& name)
-    {
-        return detail::add_property<Handle, T>(m.mesh(), name);
-    }
-    template <class Handle>
-    static std::vector<detail::any_property> other_properties(mesh& m, const std::vector<detail::known_property>& known)
-    {
-        std::vector<detail::any_property> result;
-        detail::for_each_property<Handle>(m.mesh(), [&](OpenMesh::BaseProperty* p) {
-            if (is_reserved(p->name()) or follows_from_points(p->name()) or m.is_hidden(p) or
-                std::ranges::find(known, static_cast<const void*>(p), &detail::known_property::array) != known.end())
-                return;
-            const auto copy = [](void* a, std::size_t from, std::size_t to) {
-                static_cast<OpenMesh::BaseProperty*>(a)->copy(from, to);
-            };
-            const auto swap = [](void* a, std::size_t x, std::size_t y) {
-                static_cast<OpenMesh::BaseProperty*>(a)->swap(x, y);
-            };
-            result.push_back({p->name(), p, copy, swap});
-        });
-        return result;
-    }
-    template <class Handle>
-    static std::string standard_name(standard_property)
-    {
-        return "";
-    }
-    template <standard_property>
-    using standard_type = void;
 };
+
+} // namespace detail
 
 /// The properties of a mesh of OpenMesh that have a name, and its attributes in traits or by request: status, colors
 /// and texture coordinates are carried, normals are not; update_normals() makes them.
@@ -238,7 +173,7 @@ struct property_access<M> : detail::openmesh_properties {
     static auto add(M& m, const std::string& name)
     {
         request<Handle>(m, name, typeid(T));
-        return detail::add_property<Handle, T>(m, name);
+        return property_access<base>::add<Handle, T>(m, name);
     }
     /// Requests an attribute that has this name and type, so that the functions of the mesh see it, too.
     template <class Handle>

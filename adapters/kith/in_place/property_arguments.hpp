@@ -70,8 +70,9 @@ public:
             for (std::size_t i = 0; i < places.elements.size(); ++i)
                 to[places.elements[i]] = i < each.values.size() ? each.values[i] : each.nothing;
             kith::detail::store_nothing(to, places.beside_faces, each.nothing);
-            if (auto swap = kith::detail::exchange_of<M, Handle, T>(to); swaps != nullptr and swap)
-                swaps->push_back(std::move(swap));
+            if (swaps != nullptr)
+                if (auto swap = kith::detail::exchange_of<M, Handle, T>(to))
+                    swaps->push_back(std::move(swap));
         }
     }
 

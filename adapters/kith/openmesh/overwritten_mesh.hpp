@@ -6,11 +6,71 @@
 #include <kith/in_place/refine_in_place.hpp>
 #include <kith/openmesh_properties.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
+
+namespace kith {
+
+/// All properties of a mesh, for who overwrites it. Values of any type can be copied.
+template <class Scalar>
+struct property_access<openmesh::kernel_view<Scalar>> : detail::openmesh_properties {
+    using mesh = openmesh::kernel_view<Scalar>;
+
+    static OpenMesh::BaseKernel& base_of(mesh& m) { return m.mesh(); }
+    static const OpenMesh::BaseKernel& base_of(const mesh& m) { return m.mesh(); }
+    template <class Handle>
+    static std::vector<std::string> names(const mesh& m)
+    {
+        std::vector<std::string> result;
+        detail::for_each_property<Handle>(m.mesh(), [&](const OpenMesh::BaseProperty* p) {
+            if (not is_reserved(p->name()) and not m.is_hidden(p))
+                result.push_back(p->name());
+        });
+        return result;
+    }
+    template <class Handle, class T>
+    static auto find(const mesh& m, const std::string& name)
+    {
+        return property_access<base>::find<Handle, T>(m.mesh(), name);
+    }
+    template <class Handle, class T>
+    static auto add(mesh& m, const std::string& name)
+    {
+        return property_access<base>::add<Handle, T>(m.mesh(), name);
+    }
+    template <class Handle>
+    static std::vector<detail::any_property> other_properties(mesh& m, const std::vector<detail::known_property>& known)
+    {
+        std::vector<detail::any_property> result;
+        detail::for_each_property<Handle>(m.mesh(), [&](OpenMesh::BaseProperty* p) {
+            if (is_reserved(p->name()) or follows_from_points(p->name()) or m.is_hidden(p) or
+                std::ranges::find(known, static_cast<const void*>(p), &detail::known_property::array) != known.end())
+                return;
+            const auto copy = [](void* a, std::size_t from, std::size_t to) {
+                static_cast<OpenMesh::BaseProperty*>(a)->copy(from, to);
+            };
+            const auto swap = [](void* a, std::size_t x, std::size_t y) {
+                static_cast<OpenMesh::BaseProperty*>(a)->swap(x, y);
+            };
+            result.push_back({p->name(), p, copy, swap});
+        });
+        return result;
+    }
+    template <class Handle>
+    static std::string standard_name(standard_property)
+    {
+        return "";
+    }
+    template <standard_property>
+    using standard_type = void;
+};
+
+} // namespace kith
 
 namespace kith::openmesh {
 
