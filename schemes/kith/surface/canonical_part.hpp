@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/base/storage.hpp>
+#include <kith/mesh/connectivity.hpp>
+#include <kith/neighbourhood/placed_state.hpp>
+#include <kith/step/level_state.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kith::detail {
+
+/// A part of a mesh around a face, with numbers that do not depend on those in the mesh. Faces are numbered in the order
+/// in which a walk from face 0 meets them, each from the corner at which it is entered; vertices and edges in the order
+/// of their corners.
+template <std::unsigned_integral Index, scheme Scheme>
+struct canonical_part {
+    connectivity<Index> mesh;
+    Scheme scheme;                  ///< with the state of the part
+    std::vector<Index> vertex_from; ///< for each vertex its number before
+    std::u16string key{};           ///< the same for the same parts; empty if the part keeps the numbers that it had
+    Index face = 0;                 ///< around which the part lies
+};
+
+/// Makes the canonical numbers of a part.
+template <std::unsigned_integral Index>
+class canonical_numbers {
+    static constexpr Index none = connectivity<Index>::none;
+
+public:
+    canonical_numbers(const connectivity<Index>& part, Index face)
+        : part_(part)
+        , vertex_(part.vertices, none)
+        , edge_(part.edges(), none)
+        , side_(part.edges())
+        , face_(part.faces, none)
+    {
+        enter(part.first_corner(face));
+        for (std::size_t f = 0; f < entries_.size(); ++f)
+            for_corners(f, [&](Index c) {
+                number(vertex_, vertex_from_, part.corner_vertex[c]);
+                const Index half = part.corner_halfedge[c];
+                if (number(edge_, edge_from_, Index(half / 2)))
+                    side_[half / 2] = half % 2;
+                if (const Index across = part.across(c); across != none and face_[part.face_of(across)] == none)
+                    enter(across);
+            });
+    }
+
+    /// Returns false if the part is not connected by edges: then it has no such numbers.
+    [[nodiscard]] bool has_all() const { return entries_.size() == part_.faces; }
+    [[nodiscard]] const std::vector<Index>& vertex_from() const { return vertex_from_; }
+
+    /// Returns the part in these numbers, and adds it to a key.
+    [[nodiscard]] connectivity<Index> connect(std::u16string& key) const
+    {
+        std::vector<std::size_t> degrees;
+        for (const Index entry : entries_)
+            degrees.push_back(degree_of(part_.face_of(entry)));
+        const bool are_alike = std::ranges::all_of(degrees, [&](std::size_t d) { return d == degrees[0]; });
+        connectivity<Index> result;
+        result.vertices = vertex_from_.size();
+        result.allocate_faces(degrees.size(),
+                              are_alike and (degrees[0] == 3 or degrees[0] == 4) ? int(degrees[0]) : 0,
+                              [&](std::size_t f) { return degrees[f]; });
+        result.allocate_edges(edge_from_.size());
+        result.vertex_corner = storage<Index>(result.vertices, none);
+        Index corner = 0;
+        for (std::size_t f = 0; f < entries_.size(); ++f) {
+            key += char16_t(degrees[f]);
+            for_corners(f, [&](Index c) {
+                const Index half = part_.corner_halfedge[c], v = vertex_[part_.corner_vertex[c]];
+                const Index new_half = Index(2 * edge_[half / 2] + (half % 2 == side_[half / 2] ? 0 : 1));
+                result.corner_vertex[corner] = v;
+                result.set_side(corner, new_half);
+                if (result.vertex_corner[v] == none or part_.across(c) == none)
+                    result.vertex_corner[v] = corner;
+                key += char16_t(v);
+                key += char16_t(new_half);
+                ++corner;
+            });
+        }
+        return result;
+    }
+    /// Calls f with the numbers of the elements of the part among the new ones.
+    template <class F>
+    void with_part_numbers(const F& f) const
+    {
+        f(part_numbers<Index>{vertex_, edge_, face_, std::size_t(part_.degree)});
+    }
+
+private:
+    [[nodiscard]] std::size_t degree_of(Index face) const
+    {
+        return std::size_t(part_.first_corner(face + std::size_t(1)) - part_.first_corner(face));
+    }
+    void enter(Index corner)
+    {
+        face_[part_.face_of(corner)] = Index(entries_.size());
+        entries_.push_back(corner);
+    }
+    /// Calls f for the corners of the f-th face, from its entry on.
+    template <class F>
+    void for_corners(std::size_t face, const F& f) const
+    {
+        const Index entry = entries_[face];
+        Index c = entry;
+        do {
+            f(c);
+            c = part_.next(c);
+        } while (c != entry);
+    }
+    /// Numbers an element. Returns false if it has a number.
+    static bool number(std::vector<Index>& numbers, std::vector<Index>& from, Index element)
+    {
+        if (numbers[element] != none)
+            return false;
+        numbers[element] = Index(from.size());
+        from.push_back(element);
+        return true;
+    }
+
+    const connectivity<Index>& part_;
+    std::vector<Index> vertex_, edge_, side_, face_; // the new numbers, and which side of an edge becomes side 0
+    std::vector<Index> entries_;                     // of the faces in the order of the walk
+    std::vector<Index> vertex_from_, edge_from_;
+};
+
+/// States that say where they are and can be given other numbers.
+template <class State>
+concept renumbered_state = placed_state<State> and requires(State& state, const part_numbers<std::uint32_t>& part) {
+    state.add_part(std::as_const(state), part);
+};
+
+/// Returns a part in canonical numbers. Parts keep their numbers if they have state that cannot be given others.
+/// Precondition: the numbers of elements of the part are below 65535. Cost: O(elements of the part).
+template <std::unsigned_integral Index, scheme Scheme>
+canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, const Scheme& scheme, Index face)
+{
+    const auto as_it_is = [&] {
+        std::vector<Index> same(part.vertices);
+        for (std::size_t v = 0; v < same.size(); ++v)
+            same[v] = Index(v);
+        return canonical_part<Index, Scheme>{part, scheme, std::move(same), {}, face};
+    };
+    if constexpr (scheme_of_places<Scheme>) {
+        constexpr std::size_t most_corners = 16384; // so that the numbers fit into the key
+        const canonical_numbers<Index> numbers(part, face);
+        bool can_be_renumbered = numbers.has_all() and part.corners() <= most_corners;
+        std::u16string key;
+        Scheme renumbered = without_state(scheme);
+        for_each_state(renumbered, scheme, [&](auto& to, const auto& from) {
+            if constexpr (renumbered_state<std::remove_cvref_t<decltype(from)>>)
+                numbers.with_part_numbers([&](const auto& new_numbers) { to.add_part(from, new_numbers); });
+            else
+                from.for_each_place([&](auto&&...) { can_be_renumbered = false; });
+        });
+        if (can_be_renumbered) {
+            auto mesh = numbers.connect(key);
+            char16_t which = 0;
+            for_each_state(std::as_const(renumbered), [&](const auto& state) {
+                state.for_each_place([&](tuple_kind kind, std::size_t element, const auto& value) {
+                    key += which;
+                    key += char16_t(kind);
+                    key += char16_t(element);
+                    for (const std::byte b : std::bit_cast<std::array<std::byte, sizeof(value)>>(value))
+                        key += char16_t(b);
+                });
+                ++which;
+            });
+            return {std::move(mesh), std::move(renumbered), numbers.vertex_from(), std::move(key)};
+        }
+    }
+    return as_it_is();
+}
+
+} // namespace kith::detail

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/crease/creases.hpp>
+#include <kith/neighbourhood/placed_state.hpp>
+#include <kith/split/quad_split.hpp>
+#include <kith/split/triangle_split.hpp>
+#include <kith/step/scheme.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace kith {
+
+namespace detail {
+
+template <class Scheme>
+concept splits_quads =
+    std::same_as<decltype(columns_of(std::declval<const Scheme&>(), 0)), decltype(quad_split::columns())>;
+template <class Scheme>
+concept splits_triangles =
+    std::same_as<decltype(columns_of(std::declval<const Scheme&>(), 0)), decltype(triangle_split::columns())>;
+
+} // namespace detail
+
+/// A scheme whose limit surface has parameters: each step splits a face into four that lie in it, or a polygon into
+/// quads.
+template <class Scheme>
+concept parametric_scheme = reaching_scheme<Scheme> and not needs_closed<Scheme> and
+                            (detail::splits_quads<Scheme> or detail::splits_triangles<Scheme>);
+
+namespace detail {
+
+/// Returns the rings around a face that its limit surface follows from: a step makes as many of as many.
+template <reaching_scheme Scheme>
+int rings_of_surface(const Scheme& scheme)
+{
+    int rings = 1;
+    while (reach_of(scheme, rings) > rings)
+        ++rings;
+    return rings;
+}
+
+/// Returns true if the state of the scheme says of all levels to come what it says of this one.
+template <scheme Scheme>
+bool is_settled(const Scheme& scheme)
+{
+    bool result = true;
+    for_each_state(scheme, [&](const auto& state) {
+        if constexpr (placed_state<std::remove_cvref_t<decltype(state)>>)
+            state.for_each_place([&](tuple_kind, std::size_t, const auto& value) {
+                if constexpr (requires { value == infinitely_sharp; })
+                    result = result and value == infinitely_sharp;
+                else
+                    result = false;
+            });
+        else
+            result = false;
+    });
+    return result;
+}
+
+/// Returns true if an edge is infinitely sharp. Precondition: the state is settled.
+template <scheme Scheme>
+bool is_sharp(const Scheme& scheme, std::size_t edge)
+{
+    bool result = false;
+    for_each_state(scheme, [&](const auto& state) {
+        if constexpr (requires { state.of_edge(edge) == infinitely_sharp; })
+            result = result or state.of_edge(edge) == infinitely_sharp;
+    });
+    return result;
+}
+
+} // namespace detail
+
+} // namespace kith

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surface_place.hpp"
+
+#include <kith/mask/stencil.hpp>
+#include <kith/spline/surface_polynomial.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace kith {
+
+namespace detail {
+
+/// Parameters in a piece of a limit surface, and the number of the place that they are of.
+struct placed_parameters {
+    face_parameters at;
+    std::size_t number;
+};
+/// The control points around a face that has places, or around a face that steps make of it.
+struct surface_net {
+    const subdivision_matrix* rows; ///< over those of `parent`; nullptr around a face of the control mesh
+    std::size_t parent;             ///< among the nets of the face; for a face of the control mesh where in the list of
+                                    ///< control vertices its own begin
+    std::size_t size;
+};
+/// A polynomial of a limit surface that has places.
+struct surface_piece {
+    const surface_polynomial* polynomial;
+    std::size_t net;        ///< over whose points, among those of the face
+    std::size_t end_places; ///< where its places end
+};
+/// The end of what belongs to one face of the control mesh.
+struct end_of_face {
+    std::size_t nets, pieces;
+};
+
+/// What `located_places` are made of, face by face.
+struct placed_pieces {
+    std::size_t vertices = 0;          ///< of the control mesh
+    std::vector<std::size_t> inputs{}; ///< control vertices around the faces
+    std::vector<surface_net> nets{};   ///< each after its parent
+    std::vector<surface_piece> pieces{};
+    std::vector<placed_parameters> places{}; ///< piece by piece
+    std::vector<end_of_face> faces{};
+    std::shared_ptr<const void> owner{}; ///< of polynomials and rows
+};
+
+} // namespace detail
+
+} // namespace kith

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <kith/surface.hpp>
+
+#include "error_text.hpp"
+#include "every_scheme.hpp"
+#include "own_state.hpp"
+#include "thread_count.hpp"
+
+#include <kith/face_varying.hpp>
+#include <kith/hierarchy.hpp>
+#include <kith/limit/limit_surface.hpp>
+#include <kith/surface/curvature.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace {
+
+using kith::derivatives;
+using kith::surface_place;
+using parameters = std::array<double, 2>;
+
+/// A face of a level as a part of a face of the control mesh.
+struct part_of_face {
+    std::size_t face, corner;
+    std::vector<parameters> corners;
+};
+
+parameters middle(const parameters& a, const parameters& b)
+{
+    return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+}
+
+/// Returns the faces of the next level, whose numbers follow from those of the corners.
+template <class Scheme>
+std::vector<part_of_face> next_parts(const std::vector<part_of_face>& parts)
+{
+    std::vector<part_of_face> result;
+    constexpr bool has_quads = kith::detail::splits_quads<Scheme>;
+    for (const auto& [face, corner, p] : parts) {
+        const std::size_t n = p.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const auto after = middle(p[k], p[(k + 1) % n]), before = middle(p[k], p[(k + n - 1) % n]);
+            if (not has_quads)
+                result.push_back({face, corner, {p[k], after, before}});
+            else if (n == 4)
+                result.push_back({face, corner, {p[k], after, middle(p[0], p[2]), before}});
+            else
+                result.push_back({face, k, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+        }
+    }
+    if (not has_quads)
+        for (const auto& [face, corner, p] : parts)
+            result.push_back({face, corner, {middle(p[2], p[0]), middle(p[0], p[1]), middle(p[1], p[2])}});
+    return result;
+}
+
+/// Returns a place for each corner of a level.
+template <class Scheme>
+std::vector<surface_place> places_of_level(const mesh3d& control, int level)
+{
+    constexpr std::size_t degree = kith::detail::splits_quads<Scheme> ? 4 : 3;
+    const std::array<parameters, 4> of_quad{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    const std::array<parameters, 3> of_triangle{{{0, 0}, {1, 0}, {0, 1}}};
+    std::vector<part_of_face> parts;
+    for (std::size_t f = 0; f < control.face_count(); ++f) {
+        parts.push_back({f, 0, std::vector<parameters>(control.face(f).size())});
+        if (control.face(f).size() == degree)
+            for (std::size_t k = 0; k < degree; ++k)
+                parts.back().corners[k] = degree == 4 ? of_quad[k] : of_triangle[k];
+    }
+    for (int step = 0; step < level; ++step)
+        parts = next_parts<Scheme>(parts);
+    std::vector<surface_place> result;
+    for (const auto& [face, corner, corners] : parts)
+        for (const auto& [u, v] : corners)
+            result.push_back({face, u, v, corner});
+    return result;
+}
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Expects the places of the vertices of a level to have the limits that are found by refining, with their normals.
+template <class Scheme>
+void expect_limits_of_level(const mesh3d& control, const Scheme& scheme, int level)
+{
+    constexpr bool is_smooth = not kith::detail::is_linear<Scheme>;
+    kith::hierarchy<mesh3d, Scheme> levels(control, scheme);
+    levels.refine(level);
+    const auto expected = limit_surface_of(levels, level);
+    const auto normals = normals_of_corners(levels[level], expected);
+    kith::surface_locator surface(control, scheme);
+    const auto made = surface.locate(places_of_level<Scheme>(control, level))
+                          .evaluate(control.points(), derivatives::first);
+    const auto made_normals = normals_of(made);
+    const auto& corner_vertex = levels[level].topology().corner_vertex;
+    ASSERT_EQ(made.points.size(), corner_vertex.size());
+    for (std::size_t c = 0; c < corner_vertex.size(); ++c) {
+        ASSERT_LT(distance(made.points[c], expected.positions[corner_vertex[c]]), 2e-13) << "corner " << c;
+        if (is_smooth and made_normals[c] != kith::normal_vector{} and normals[c] != kith::normal_vector{}) {
+            ASSERT_LT(distance(made_normals[c], normals[c]), 1e-6) << "corner " << c;
+        }
+    }
+}
+
+template <class Scheme>
+Scheme with_creases(Scheme scheme, const mesh3d& mesh, double sharpness)
+{
+    for (std::size_t e = 0; e < mesh.edge_count(); e += 3)
+        scheme.sharpness.sharpen_edge(e, sharpness);
+    scheme.sharpness.sharpen_vertex(0, sharpness);
+    return scheme;
+}
+
+TEST(surface, goes_through_the_limits_of_all_levels)
+{
+    const auto test = [](const auto& scheme, const mesh3d& mesh) {
+        if constexpr (kith::parametric_scheme<std::remove_cvref_t<decltype(scheme)>>)
+            for (const int level : {1, 3})
+                expect_limits_of_level(mesh, scheme, level);
+    };
+    for_each_scheme_and_shape(test);
+    for (const auto& [name, shape] : shapes::all_shapes()) {
+        SCOPED_TRACE("linear of " + name);
+        expect_limits_of_level(native(shape), kith::linear{}, 2);
+    }
+    for (const auto& [name, shape] : shapes::triangle_shapes()) {
+        SCOPED_TRACE("linear triangles of " + name);
+        expect_limits_of_level(native(shape), kith::linear_triangles{}, 2);
+    }
+}
+
+TEST(surface, keeps_creases_and_corners)
+{
+    for (const double sharpness : {.5, 1.75, kith::infinitely_sharp})
+        for (const auto method : {kith::crease_method::uniform, kith::crease_method::chaikin}) {
+            const auto quads = native(shapes::shaken(shapes::torus(5, 6)));
+            kith::catmull_clark catmull_clark;
+            catmull_clark.sharpness.method = method;
+            expect_limits_of_level(quads, with_creases(catmull_clark, quads, sharpness), 3);
+            const auto triangles = native(shapes::shaken(shapes::triangulated(shapes::torus(4, 5))));
+            kith::loop loop;
+            loop.sharpness.method = method;
+            expect_limits_of_level(triangles, with_creases(loop, triangles, sharpness), 3);
+        }
+}
+
+TEST(surface, has_the_slopes_of_its_points)
+{
+    const auto test = [](const mesh3d& mesh, const auto& scheme) {
+        constexpr double step = 1. / 16384;
+        kith::surface_locator surface(mesh, scheme);
+        std::vector<surface_place> places;
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            for (const auto& [u, v] : {parameters{.3, .1}, {.07, .84}, {.4375, .47}, {.26, .01}})
+                for (const auto& [x, y] : {parameters{0, 0}, {step, 0}, {-step, 0}, {0, step}, {0, -step}})
+                    places.push_back({f, u + x, v + y, 0});
+        const auto made = surface.locate(places).evaluate(mesh.points(), derivatives::second);
+        const auto expect_slope = [&](const auto& of, std::size_t i, const auto& slope) {
+            std::array<double, 3> difference{};
+            for (std::size_t k = 0; k < 3; ++k)
+                difference[k] = (of[i + 1][k] - of[i + 2][k]) / (2 * step);
+            EXPECT_LT(distance(difference, slope), 4e-6) << "place " << i;
+        };
+        for (std::size_t i = 0; i < places.size(); i += 5) {
+            expect_slope(made.points, i, made.du[i]);
+            expect_slope(made.points, i + 2, made.dv[i]);
+            expect_slope(made.du, i, made.duu[i]);
+            expect_slope(made.du, i + 2, made.duv[i]);
+            expect_slope(made.dv, i, made.duv[i]);
+            expect_slope(made.dv, i + 2, made.dvv[i]);
+        }
+    };
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::catmull_clark{});
+    test(native(shapes::shaken(shapes::pentacube())), kith::catmull_clark{});
+    test(native(shapes::shaken(shapes::triangulated(shapes::torus(5, 6)))), kith::loop{});
+    test(native(shapes::shaken(shapes::with_flips(shapes::triangulated(shapes::torus(6, 6)), 3))), kith::loop{});
+    test(native(shapes::shaken(shapes::grid(3, 3))), kith::linear{});
+}
+
+/// Splines have quadratic polynomials, up to a constant, where the control points are values of one.
+TEST(surface, reproduces_quadratic_surfaces)
+{
+    const auto height = [](double x, double y) { return (.5 * x * x - .25 * x * y + .125 * y * y) / 9; };
+    const auto test = [&](shapes::shape shape, const auto& scheme, const parameters& origin) {
+        for (auto& p : shape.points)
+            p[2] = height(p[0], p[1]);
+        const auto mesh = native(shape);
+        const std::size_t face = mesh.face_count() / 2;
+        const std::vector<surface_place> places{{face, .25, .375, 0}, {face, 0, 0, 0}, {face, 1. / 3, .6, 0}};
+        kith::surface_locator surface(mesh, scheme);
+        const auto made = surface.locate(places).evaluate(mesh.points(), derivatives::second);
+        const auto curvatures = curvatures_of(made);
+        static_cast<void>(origin);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const auto [x, y, z] = made.points[i];
+            const double by_x = (x - .25 * y) / 9, by_y = (-.25 * x + .25 * y) / 9;
+            const double xx = 1. / 9, xy = -.25 / 9, yy = .25 / 9, w = 1 + by_x * by_x + by_y * by_y;
+            EXPECT_NEAR(curvatures[i].gaussian, (xx * yy - xy * xy) / (w * w), 1e-13);
+            EXPECT_NEAR(curvatures[i].mean,
+                        ((1 + by_x * by_x) * yy - 2 * by_x * by_y * xy + (1 + by_y * by_y) * xx) /
+                            (2 * std::pow(w, 1.5)),
+                        1e-13);
+            EXPECT_NEAR(curvatures[i].least * curvatures[i].most, curvatures[i].gaussian, 1e-13);
+            EXPECT_NEAR(curvatures[i].least + curvatures[i].most, 2 * curvatures[i].mean, 1e-13);
+        }
+    };
+    test(shapes::grid(7, 7), kith::catmull_clark{}, {0, 0});
+    test(shapes::triangulated(shapes::grid(7, 7)), kith::loop{}, {0, 0});
+}
+
+TEST(surface, says_what_is_known_at_irregular_vertices)
+{
+    const auto mesh = native(shapes::shaken(shapes::cube()));
+    kith::surface_locator surface(mesh, kith::catmull_clark{});
+    const std::vector<surface_place> corners{{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 1, 1, 0}, {0, 0, 1, 0}, {0, .5, .5, 0}};
+    const auto at = surface.locate(corners);
+    const auto made = at.evaluate(mesh.points(), derivatives::second);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_TRUE(std::isfinite(made.du[i][0]) and std::isfinite(made.dv[i][2]));
+        EXPECT_TRUE(std::isnan(made.duu[i][0]) and std::isnan(made.dvv[i][2]));
+        EXPECT_TRUE(std::isnan(curvatures_of(made)[i].mean));
+    }
+    EXPECT_TRUE(std::isfinite(curvatures_of(made)[4].mean));
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([&] { static_cast<void>(at.weights(derivatives::second)); }),
+        "place 0 is an irregular vertex, at which such derivatives have no finite value; ask for fewer derivatives "
+        "or move the place");
+}
+
+/// Near irregular vertices, and as near as doubles tell, points go to the limit.
+TEST(surface, is_continuous_at_irregular_vertices)
+{
+    const auto mesh = native(shapes::shaken(shapes::triangulated(shapes::cube())));
+    kith::surface_locator surface(mesh, kith::loop{});
+    std::vector<surface_place> places{{2, 0, 0, 0}};
+    for (const int exponent : {-10, -20, -52, -200, -1074})
+        places.push_back({2, std::ldexp(1., exponent), std::ldexp(1., exponent), 0});
+    const auto made = surface.locate(places).evaluate(mesh.points());
+    for (std::size_t i = 1; i < places.size(); ++i)
+        EXPECT_LT(distance(made.points[i], made.points[0]), i == 1 ? 1e-2 : i == 2 ? 1e-5 : 1e-13) << i;
+}
+
+TEST(surface, evaluates_any_values_and_weights)
+{
+    const auto mesh = native(shapes::shaken(shapes::pentacube()));
+    kith::surface_locator surface(mesh, kith::catmull_clark{});
+    const std::vector<surface_place> places{{0, .2, .7, 0}, {3, .99, .01, 0}, {5, 0, 0, 0}, {7, .5, .5, 0}};
+    const auto at = surface.locate(places);
+    const auto points = at.evaluate(mesh.points(), derivatives::first);
+    const auto weights = at.weights(derivatives::first);
+    const auto expect_rows = [&](const kith::storage<kith::stencil_row>& rows, const auto& values, double sum) {
+        const auto matrix = kith::make_matrix(std::span(rows.data(), rows.size()), mesh.vertex_count());
+        const auto made = matrix.apply(mesh.points());
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            EXPECT_LT(distance(made[i], values[i]), 1e-13);
+            double total = 0;
+            for (const auto& [vertex, weight] : rows[i].entries)
+                total += weight;
+            EXPECT_NEAR(total, sum, 1e-13);
+        }
+    };
+    expect_rows(weights.points, points.points, 1);
+    expect_rows(weights.du, points.du, 0);
+    expect_rows(weights.dv, points.dv, 0);
+    std::vector<double> heights;
+    for (const auto& p : mesh.points())
+        heights.push_back(p[2]);
+    const auto made = at.evaluate(heights, derivatives::first);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_EQ(made.points[i], points.points[i][2]);
+        EXPECT_EQ(made.du[i], points.du[i][2]);
+    }
+    EXPECT_TRUE(made.duu.empty());
+}
+
+TEST(surface, has_the_same_bits_in_any_order_on_any_threads_and_for_moved_points)
+{
+    auto mesh = native(shapes::shaken(shapes::with_flips(shapes::triangulated(shapes::torus(12, 12)), 5)));
+    std::vector<surface_place> places;
+    for (std::size_t i = 0; i < 5000; ++i) {
+        const double u = double(i * 37 % 1000 + 1) / 1002, v = (1 - u) * double(i * 71 % 997 + 1) / 999;
+        places.push_back({i * 13 % mesh.face_count(), u, v, 0});
+    }
+    kith::surface_locator surface(mesh, kith::loop{});
+    const auto at = surface.locate(places);
+    const auto made = at.evaluate(mesh.points(), derivatives::second);
+    {
+        const thread_count threads(3);
+        const auto on_threads = at.evaluate(mesh.points(), derivatives::second);
+        EXPECT_TRUE(std::ranges::equal(on_threads.points, made.points));
+        EXPECT_TRUE(std::ranges::equal(on_threads.duv, made.duv));
+    }
+    kith::surface_locator again(mesh, kith::loop{});
+    for (std::size_t i = places.size(); i > 0; i -= 50) {
+        const auto one = again.locate(std::span(places).subspan(i - 1, 1)).evaluate(mesh.points(), derivatives::second);
+        EXPECT_EQ(one.points[0], made.points[i - 1]);
+        EXPECT_EQ(one.dvv[0], made.dvv[i - 1]);
+    }
+    for (auto& p : mesh.points())
+        p[0] *= 1.5;
+    const auto moved = at.evaluate(mesh.points());
+    EXPECT_TRUE(std::ranges::equal(
+        moved.points, kith::surface_locator(mesh, kith::loop{}).locate(places).evaluate(mesh.points()).points));
+    EXPECT_NE(moved.points[0], made.points[0]);
+}
+
+/// A scheme of a user's own with state is refined by its own text, too.
+TEST(surface, takes_a_scheme_that_carries_state)
+{
+    const auto mesh = native(shapes::shaken(shapes::torus(5, 6)));
+    const auto inner = with_creases(kith::catmull_clark{}, mesh, 1.5);
+    const std::vector<surface_place> places{{0, .2, .7, 0}, {3, .99, .01, 0}, {5, 0, 0, 0}, {7, .5, .5, 0}};
+    const auto expected =
+        kith::surface_locator(mesh, inner).locate(places).evaluate(mesh.points(), derivatives::second);
+    const auto made = kith::surface_locator(mesh, own_state::wrapped{inner})
+                          .locate(places)
+                          .evaluate(mesh.points(), derivatives::second);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        EXPECT_LT(distance(made.points[i], expected.points[i]), 1e-13);
+}
+
+TEST(surface, refuses_what_is_no_place)
+{
+    const auto quads = native(shapes::cube());
+    const auto triangles = native(shapes::tetrahedron());
+    const auto polygons = native(shapes::polygon(5));
+    const auto text = [](const mesh3d& mesh, const auto& scheme, const surface_place& place) {
+        return error_text<kith::mesh_error>([&] {
+            kith::surface_locator surface(mesh, scheme);
+            static_cast<void>(surface.locate(std::vector{surface_place{0, .25, .25, 0}, place}));
+        });
+    };
+    const double no_number = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(text(quads, kith::catmull_clark{}, {6, 0, 0, 0}),
+              "place 1: face 6 does not exist, there are 6; give the number of a face of the control mesh");
+    EXPECT_EQ(text(quads, kith::catmull_clark{}, {5, 0, 1.5, 0}),
+              "place 1: u is 0.000000 and v is 1.500000; give numbers from 0 to 1");
+    EXPECT_EQ(text(quads, kith::catmull_clark{}, {5, no_number, 0, 0}),
+              "place 1: u is nan and v is 0.000000; give numbers from 0 to 1");
+    EXPECT_EQ(text(quads, kith::catmull_clark{}, {5, 0, 0, 1}),
+              "place 1: face 5 has no sub-face 1, there are 1; give 0 to 0");
+    EXPECT_EQ(text(polygons, kith::catmull_clark{}, {0, 0, 0, 5}),
+              "place 1: face 0 has no sub-face 5, there are 5; give 0 to 4");
+    EXPECT_EQ(text(triangles, kith::loop{}, {0, .75, .5, 0}),
+              "place 1: u + v is 1.250000 in a triangle; give at most 1");
+    EXPECT_EQ(text(quads, kith::loop{}, {0, 0, 0, 0}).find("loop"), 0U);
+    kith::surface_locator surface(quads, kith::catmull_clark{});
+    EXPECT_EQ(error_text<kith::mesh_error>([&] {
+                  static_cast<void>(surface.locate(std::vector{surface_place{}}).evaluate(std::vector<double>(7)));
+              }),
+              "places on a surface with 8 control vertices were given 7 values; give one for each vertex");
+}
+
+} // namespace
