@@ -54,6 +54,11 @@ public:
                     return {};
                 net.at(k, 0, -1) = part.row(mesh.prev(mesh.across(side)));
                 net.at(k, -1, 0) = mirrored(net.at(k, 0, -1), net.at(k, 1, -1), net.at(k, 0, 0));
+            } else if (part.is_wall(mesh.next(mesh.across(corner[k])))) { // the face touches a boundary at the vertex
+                if (not part.is_wall(mesh.prev(mesh.across(before))))
+                    return {};
+                net.at(k, 0, -1) = mirrored(net.at(k, 1, -1), net.at(k, 1, 0), net.at(k, 0, 0));
+                net.at(k, -1, 0) = mirrored(net.at(k, -1, 1), net.at(k, 0, 1), net.at(k, 0, 0));
             } else {
                 std::array<Index, 4> around{mesh.across(corner[k])}; // each leads to the vertex of corner k
                 for (std::size_t i = 0; i < 3; ++i) {

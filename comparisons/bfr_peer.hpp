@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "opensubdiv_peer.hpp"
+
+#include <kith/surface.hpp>
+
+#include <opensubdiv/bfr/refinerSurfaceFactory.h>
+#include <opensubdiv/bfr/surface.h>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace kith::comparison {
+
+/// The limit surfaces of all faces of a mesh by OpenSubdiv's Bfr, with their patch points.
+class bfr_peer {
+public:
+    using surface = OpenSubdiv::Bfr::Surface<double>;
+
+    /// Point and derivatives as Bfr has them: P, Du, Dv, Duu, Duv, Dvv.
+    using values = std::array<std::array<double, 3>, 6>;
+
+    /// `smooth` and `sharp` are the levels up to which Bfr refines at irregular vertices and at creases; 2 and 6 are its
+    /// own choice. The mesh must outlive this object.
+    bfr_peer(const opensubdiv_peer::mesh& mesh, std::span<const std::array<double, 3>> control, int smooth = 2,
+             int sharp = 6)
+        : surfaces_(std::size_t(mesh->GetLevel(0).GetNumFaces())), points_(surfaces_.size())
+    {
+        OpenSubdiv::Bfr::RefinerSurfaceFactory<>::Options options;
+        options.SetApproxLevelSmooth(smooth).SetApproxLevelSharp(sharp);
+        const OpenSubdiv::Bfr::RefinerSurfaceFactory<> factory(*mesh, options);
+        for (std::size_t f = 0; f < surfaces_.size(); ++f) {
+            if (not factory.InitVertexSurface(int(f), &surfaces_[f]))
+                continue;
+            points_[f].resize(std::size_t(surfaces_[f].GetNumPatchPoints()) * 3);
+        }
+        move(control);
+    }
+
+    /// Makes the patch points of other control points.
+    void move(std::span<const std::array<double, 3>> control)
+    {
+        for (std::size_t f = 0; f < surfaces_.size(); ++f)
+            if (surfaces_[f].IsValid())
+                surfaces_[f].PreparePatchPoints(control.data()->data(), 3, points_[f].data(), 3);
+    }
+
+    [[nodiscard]] const surface& of_face(std::size_t face) const { return surfaces_[face]; }
+
+    /// Returns the parameters of a place as Bfr has them.
+    [[nodiscard]] std::array<double, 2> parameters(const surface_place& place) const
+    {
+        const auto parameterization = surfaces_[place.face].GetParameterization();
+        const std::array<double, 2> here{place.u, place.v};
+        if (not parameterization.HasSubFaces())
+            return here;
+        std::array<double, 2> result{};
+        parameterization.ConvertNormalizedSubFaceToCoord(int(place.corner), here.data(), result.data());
+        return result;
+    }
+    void evaluate_point(std::size_t face, const std::array<double, 2>& at, std::array<double, 3>& to) const
+    {
+        surfaces_[face].Evaluate(at.data(), points_[face].data(), 3, to.data());
+    }
+    /// Evaluates point and first derivatives.
+    void evaluate_first(std::size_t face, const std::array<double, 2>& at, values& to) const
+    {
+        surfaces_[face].Evaluate(at.data(), points_[face].data(), 3, to[0].data(), to[1].data(), to[2].data());
+    }
+    /// Evaluates point and all derivatives.
+    void evaluate(std::size_t face, const std::array<double, 2>& at, values& to) const
+    {
+        surfaces_[face].Evaluate(at.data(),
+                                 points_[face].data(),
+                                 3,
+                                 to[0].data(),
+                                 to[1].data(),
+                                 to[2].data(),
+                                 to[3].data(),
+                                 to[4].data(),
+                                 to[5].data());
+    }
+
+private:
+    std::vector<surface> surfaces_;
+    std::vector<std::vector<double>> points_;
+};
+
+} // namespace kith::comparison
