@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/surface.hpp>
+#include <kith/surface/surface_locator.hpp>
 
 namespace kith {
 
