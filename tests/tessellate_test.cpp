@@ -4,6 +4,8 @@
 #include "error_text.hpp"
 #include "every_scheme.hpp"
 
+#include <kith/limit/limit_surface.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,6 +38,10 @@ kith::tessellation<point> expect_conforming(const mesh3d& control, const Scheme&
     const auto there = kith::surface_locator(control, scheme).locate(made.places).evaluate(control.points());
     EXPECT_TRUE(std::ranges::equal(made.mesh.points(), there.points));
     EXPECT_EQ(made.faces.size(), made.mesh.face_count());
+    const auto limits = limit_surface_of(control, scheme);
+    for (std::size_t v = 0; v < control.vertex_count(); ++v) // these come first
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(made.mesh.point(v)[k], limits.positions[v][k], 1e-12);
     for (const auto& [x, y, z] : made.normals)
         EXPECT_NEAR(x * x + y * y + z * z, 1, 1e-9);
     return made;

@@ -35,6 +35,12 @@ constexpr std::array verbs{
          "The extension of a file selects OFF, OBJ, PLY, STL or VTU; - is standard input or output, as OFF.\n"
          "IN may be .vtu, .vtp, .pvtu or .pvtp; OUT may be .vtu or .pvtu, which need no --tiles.\n"
          "With tiles, the output is .vtu, .pvtu or .ply, and always binary.\n"},
+    verb{"tessellate",
+         "Writes triangles on the limit surface of a mesh, as fine as asked for.",
+         run_tessellate,
+         "Examples:\n"
+         "  kith tessellate cow.off -s loop --chord-error 0.001 -o cow.ply\n"
+         "  kith tessellate house.obj -s catmull-clark --segments 8 -o house.obj\n"},
     verb{"info",
          "Reports the contents and the problems of a mesh file; exit code 1 if it has problems.",
          run_info,
@@ -64,7 +70,7 @@ void print_help(std::ostream& out)
 {
     out << "kith VERB [arguments]: subdivision surfaces\n\n";
     for (const auto& verb : verbs)
-        out << "  " << std::left << std::setw(9) << verb.name << verb.summary << '\n';
+        out << "  " << std::left << std::setw(12) << verb.name << verb.summary << '\n';
     out << "\n`kith VERB --help` lists the options of a verb, with examples. The extension of a file selects\n"
            "OFF, OBJ, PLY, STL or VTU; `-` is standard input or output, as OFF.\n"
            "Only `kith refine` writes VTU (.vtu, .pvtu).\n"
@@ -123,7 +129,8 @@ int main(int count, char** arguments)
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     // A refined mesh may go to standard output, and as fast as it can.
-    const bool may_write_mesh = count > 1 and std::string_view(arguments[1]) == "refine";
+    const bool may_write_mesh = count > 1 and (std::string_view(arguments[1]) == "refine" or
+                                               std::string_view(arguments[1]) == "tessellate");
     const kith::tool::printable_output printable(not may_write_mesh);
     return kith::tool::run_and_report({arguments + 1, arguments + count});
 }

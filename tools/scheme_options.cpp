@@ -7,10 +7,11 @@
 
 namespace kith::tool {
 
-void add_scheme_options(boost::program_options::options_description& options)
+void add_scheme_options(boost::program_options::options_description& options, bool with_levels)
 {
     add_option<std::string>(options, "scheme,s", "SCHEME", scheme_names());
-    add_option<int>(options, "levels,n", "LEVELS", "number of refinement steps");
+    if (with_levels)
+        add_option<int>(options, "levels,n", "LEVELS", "number of refinement steps");
     add_option<std::string>(options, "preset", "WORD", "use the rules of this library: " + all_words<library>());
     add_option<std::string>(options,
                             "boundary-corners",

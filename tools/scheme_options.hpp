@@ -8,8 +8,8 @@
 
 namespace kith::tool {
 
-/// --scheme, --levels and what chooses between the forms of a scheme.
-void add_scheme_options(boost::program_options::options_description& options);
+/// Adds --scheme and what chooses between the forms of a scheme, and --levels unless it is left out.
+void add_scheme_options(boost::program_options::options_description& options, bool with_levels = true);
 
 scheme_words scheme_words_of(const boost::program_options::variables_map& values);
 

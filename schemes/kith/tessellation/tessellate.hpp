@@ -16,10 +16,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -75,16 +73,19 @@ private:
         places_.clear();
         triangles_.clear();
         face_of_.clear();
-        constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-        std::vector<std::size_t> corner(faces_.corners(), none);
+        std::vector<std::size_t> corner(faces_.corners(), 0);
         const auto add = [&](const surface_place& place) {
             places_.push_back(place);
             return places_.size() - 1;
         };
+        std::vector<const shared_curve*> curve_at(corner.size(), nullptr);
         for (const shared_curve& curve : faces_.curves())
             for (const std::size_t end : {curve.first, curve.last})
-                if (corner[end] == none)
-                    corner[end] = add(faces_.place_on(curve, end == curve.first ? 0 : 1));
+                if (curve_at[end] == nullptr)
+                    curve_at[end] = &curve;
+        for (std::size_t x = 0; x < corner.size(); ++x) // vertices of the mesh come first, in their order
+            if (curve_at[x] != nullptr)
+                corner[x] = add(faces_.place_on(*curve_at[x], x == curve_at[x]->first ? 0 : 1));
         corners_ = places_.size();
         std::vector<std::size_t> first_on_curve;
         for (std::size_t c = 0; c < rates_.of_curves.size(); ++c) {
@@ -209,10 +210,10 @@ private:
             const auto normal = unit_normal(difference(corner(1), corner(0)), difference(corner(2), corner(0)));
             for (std::size_t i = 0; i < weights.size(); ++i) {
                 const normal_vector from_corner = difference(on_surface[weights.size() * t + i], corner(0));
-                note_error(normal ? std::abs(dot(from_corner, *normal)) : length(from_corner), factors[face_of_[t]]);
+                note_error(normal ? std::abs(dot(from_corner, *normal)) : length_of(from_corner), factors[face_of_[t]]);
             }
             for (std::size_t k = 0; k < 3; ++k)
-                note_length(length(difference(corner((k + 1) % 3), corner(k))), factors[face_of_[t]]);
+                note_length(length_of(difference(corner((k + 1) % 3), corner(k))), factors[face_of_[t]]);
         }
     }
     void measure_walls(std::vector<double>& factors)
@@ -274,7 +275,7 @@ private:
 } // namespace detail
 
 /// Tessellates the limit surface of a mesh: returns triangles that fit together without cracks, whose vertices lie on
-/// the surface. Each edge of the mesh is cut as often as its curve and the faces beside it need. For points of three
+/// the surface. The vertices of the mesh come first, in their order. Each edge of the mesh is cut as often as its curve and the faces beside it need. For points of three
 /// coordinates. Errors: mesh_error for options that are not positive, for more than 4096 segments of an edge, and those
 /// of `surface_locator`. Cost: that of some evaluations per vertex; with a chord error four more per triangle.
 template <class Point, std::unsigned_integral Index, parametric_scheme Scheme>

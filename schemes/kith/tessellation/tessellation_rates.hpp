@@ -6,6 +6,7 @@
 #include <kith/base/affine.hpp>
 #include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
+#include <kith/limit/limit_sides.hpp>
 #include <kith/limit/unit_normal.hpp>
 #include <kith/surface/surface_place.hpp>
 
@@ -42,22 +43,12 @@ normal_vector difference(const Point& to, const Point& from)
     return {double(a[0] - b[0]), double(a[1] - b[1]), double(a[2] - b[2])};
 }
 
-inline double dot(const normal_vector& a, const normal_vector& b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline double length(const normal_vector& a)
-{
-    return std::sqrt(dot(a, a));
-}
-
 /// Returns the length of the part of a vector that is orthogonal to a direction.
 inline double length_across(const normal_vector& a, const normal_vector& direction)
 {
     const double square = dot(direction, direction);
     if (square == 0)
-        return length(a);
+        return length_of(a);
     return std::sqrt(std::max(dot(a, a) - dot(a, direction) * dot(a, direction) / square, 0.));
 }
 
@@ -69,12 +60,12 @@ double segments_of(std::span<const Point> points, const tessellation_options& op
     normal_vector before{};
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const normal_vector step = difference(points[i + 1], points[i]);
-        whole_length += length(step);
+        whole_length += length_of(step);
         if (i > 0) {
             const normal_vector change{step[0] - before[0], step[1] - before[1], step[2] - before[2]};
             const normal_vector direction{step[0] + before[0], step[1] + before[1], step[2] + before[2]};
             bend = std::max(bend, length_across(change, direction));
-            if (const double product = length(step) * length(before); product > 0)
+            if (const double product = length_of(step) * length_of(before); product > 0)
                 turn += std::acos(std::clamp(dot(step, before) / product, -1., 1.));
         }
         before = step;
