@@ -23,8 +23,8 @@ public:
     /// Point and derivatives as Bfr has them: P, Du, Dv, Duu, Duv, Dvv.
     using values = std::array<std::array<double, 3>, 6>;
 
-    /// `smooth` and `sharp` are the levels up to which Bfr refines at irregular vertices and at creases; 2 and 6 are its
-    /// own choice. The mesh must outlive this object.
+    /// `smooth` and `sharp` are the levels up to which Bfr refines at irregular vertices and at creases. Its own choice
+    /// is 2 and 6. The mesh must outlive this object.
     bfr_peer(const opensubdiv_peer::mesh& mesh, std::span<const std::array<double, 3>> control, int smooth = 2,
              int sharp = 6)
         : surfaces_(std::size_t(mesh->GetLevel(0).GetNumFaces())), points_(surfaces_.size())

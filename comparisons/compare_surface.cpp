@@ -96,8 +96,8 @@ void compare(const basic_mesh<>& mesh, const Scheme& scheme, random_numbers& ran
         ++kind.places;
         for (int order = 0; order < 3; ++order) {
             double here = difference(ours, i, values, order, std::pow(scale, order));
-            // In a triangle that was turned Bfr's second derivatives have the wrong sign: not that of the differences of
-            // its own first derivatives.
+            // In a triangle that was turned, Bfr's second derivatives have the wrong sign. Differences of its own first
+            // derivatives have the other one.
             if (order == 2 and std::is_same_v<Scheme, kith::loop> and not surface.IsRegular())
                 if (const double other = difference(ours, i, values, order, -1); other < here) {
                     here = other;

@@ -9,7 +9,7 @@
 #include <kith/face_varying.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/limit/limit_surface.hpp>
-#include <kith/surface/curvature.hpp>
+#include <kith/step/submesh.hpp>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
@@ -27,6 +28,7 @@ namespace {
 using kith::derivatives;
 using kith::surface_place;
 using parameters = std::array<double, 2>;
+using point = std::array<double, 3>;
 
 /// A face of a level as a part of a face of the control mesh.
 struct part_of_face {
@@ -193,7 +195,7 @@ TEST(surface, has_the_slopes_of_its_points)
 TEST(surface, reproduces_quadratic_surfaces)
 {
     const auto height = [](double x, double y) { return (.5 * x * x - .25 * x * y + .125 * y * y) / 9; };
-    const auto test = [&](shapes::shape shape, const auto& scheme, const parameters& origin) {
+    const auto test = [&](shapes::shape shape, const auto& scheme) {
         for (auto& p : shape.points)
             p[2] = height(p[0], p[1]);
         const auto mesh = native(shape);
@@ -202,7 +204,6 @@ TEST(surface, reproduces_quadratic_surfaces)
         kith::surface_locator surface(mesh, scheme);
         const auto made = surface.locate(places).evaluate(mesh.points(), derivatives::second);
         const auto curvatures = curvatures_of(made);
-        static_cast<void>(origin);
         for (std::size_t i = 0; i < places.size(); ++i) {
             const auto [x, y, z] = made.points[i];
             const double by_x = (x - .25 * y) / 9, by_y = (-.25 * x + .25 * y) / 9;
@@ -216,8 +217,8 @@ TEST(surface, reproduces_quadratic_surfaces)
             EXPECT_NEAR(curvatures[i].least + curvatures[i].most, 2 * curvatures[i].mean, 1e-13);
         }
     };
-    test(shapes::grid(7, 7), kith::catmull_clark{}, {0, 0});
-    test(shapes::triangulated(shapes::grid(7, 7)), kith::loop{}, {0, 0});
+    test(shapes::grid(7, 7), kith::catmull_clark{});
+    test(shapes::triangulated(shapes::grid(7, 7)), kith::loop{});
 }
 
 TEST(surface, says_what_is_known_at_irregular_vertices)
@@ -314,6 +315,34 @@ TEST(surface, has_the_same_bits_in_any_order_on_any_threads_and_for_moved_points
     EXPECT_TRUE(std::ranges::equal(
         moved.points, kith::surface_locator(mesh, kith::loop{}).locate(places).evaluate(mesh.points()).points));
     EXPECT_NE(moved.points[0], made.points[0]);
+}
+
+/// Numbers of faces and edges change nothing, and a part of the mesh is enough, such as a tile.
+TEST(surface, has_the_same_bits_in_any_numbers_and_in_parts)
+{
+    auto shape = shapes::shaken(shapes::with_flips(shapes::triangulated(shapes::torus(8, 9)), 7));
+    const auto mesh = native(shape);
+    std::ranges::reverse(shape.faces);
+    const auto reversed = native(shape);
+    kith::surface_locator surface(mesh, kith::loop{}), of_reversed(reversed, kith::loop{});
+    kith::submesh_cutter<point, std::uint32_t> cutter(mesh);
+    for (std::uint32_t f = 0; f < mesh.face_count(); f += 5) {
+        const std::vector<surface_place> places{{f, .3, .2, 0}, {f, .01, .98, 0}, {f, 0, 0, 0}, {f, .5, .25, 0}};
+        const auto made = surface.locate(places).evaluate(mesh.points(), derivatives::first);
+        const auto part = cutter.cut(cutter.faces_around(std::array{f}, 1));
+        const auto here = std::size_t(std::ranges::find(part.face_from, f) - part.face_from.begin());
+        auto there = places, in_part = places;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            there[i].face = mesh.face_count() - 1 - f;
+            in_part[i].face = here;
+        }
+        const auto by_reversed = of_reversed.locate(there).evaluate(reversed.points(), derivatives::first);
+        const auto by_part =
+            kith::surface_locator(part.mesh, kith::loop{}).locate(in_part).evaluate(part.mesh.points());
+        EXPECT_TRUE(std::ranges::equal(made.points, by_reversed.points));
+        EXPECT_TRUE(std::ranges::equal(made.dv, by_reversed.dv));
+        EXPECT_TRUE(std::ranges::equal(made.points, by_part.points));
+    }
 }
 
 /// A scheme of a user's own with state is refined by its own text, too.

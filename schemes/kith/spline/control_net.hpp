@@ -19,7 +19,8 @@ namespace kith::detail {
 template <std::unsigned_integral Index>
 struct rows_of_part {
     const connectivity<Index>& mesh;
-    std::span<const control_row> rows; ///< of the vertices
+    std::span<const stencil_row> rows; ///< of the vertices
+    std::size_t inputs;                ///< that the rows have weights of
     std::function<bool(Index edge)> is_sharp;
 
     /// Returns true if the surface ends or bends at the edge of a corner: control points beyond it have no weight.
@@ -32,7 +33,7 @@ struct rows_of_part {
         const std::size_t face = mesh.face_of(corner);
         return std::size_t(mesh.first_corner(face + 1) - mesh.first_corner(face));
     }
-    [[nodiscard]] const control_row& row(Index corner) const { return rows[mesh.corner_vertex[corner]]; }
+    [[nodiscard]] control_row row(Index corner) const { return dense(rows[mesh.corner_vertex[corner]], inputs); }
 };
 
 /// Returns a - b + c. Mirrors a point at an edge, so that a spline goes on beyond a boundary.

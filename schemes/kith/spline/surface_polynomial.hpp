@@ -13,6 +13,15 @@ namespace kith::detail {
 /// A weighted sum of control points: the weight of each.
 using control_row = std::vector<double>;
 
+/// Returns a row with all weights.
+inline control_row dense(const stencil_row& sparse, std::size_t inputs)
+{
+    control_row row(inputs);
+    for (const auto& [input, weight] : sparse.entries)
+        row[input] = weight;
+    return row;
+}
+
 /// Adds a multiple of a row.
 inline void add(control_row& total, double weight, const control_row& row)
 {

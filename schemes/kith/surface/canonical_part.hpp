@@ -17,15 +17,15 @@
 
 namespace kith::detail {
 
-/// A part of a mesh around a face, with numbers that do not depend on those in the mesh. Faces are numbered in the order
-/// in which a walk from face 0 meets them, each from the corner at which it is entered; vertices and edges in the order
+/// A part of a mesh around a face, with numbers that do not depend on those in the mesh. Faces have the order in which
+/// a walk from face 0 meets them, each from the corner at which the walk enters it. Vertices and edges have the order
 /// of their corners.
 template <std::unsigned_integral Index, scheme Scheme>
 struct canonical_part {
     connectivity<Index> mesh;
     Scheme scheme;                  ///< with the state of the part
     std::vector<Index> vertex_from; ///< for each vertex its number before
-    std::u16string key{};           ///< the same for the same parts; empty if the part keeps the numbers that it had
+    std::u32string key{};           ///< the same for the same parts; empty if the part keeps the numbers that it had
     Index face = 0;                 ///< around which the part lies
 };
 
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] const std::vector<Index>& vertex_from() const { return vertex_from_; }
 
     /// Returns the part in these numbers, and adds it to a key.
-    [[nodiscard]] connectivity<Index> connect(std::u16string& key) const
+    [[nodiscard]] connectivity<Index> connect(std::u32string& key) const
     {
         std::vector<std::size_t> degrees;
         for (const Index entry : entries_)
@@ -74,7 +74,7 @@ public:
         result.vertex_corner = storage<Index>(result.vertices, none);
         Index corner = 0;
         for (std::size_t f = 0; f < entries_.size(); ++f) {
-            key += char16_t(degrees[f]);
+            key += char32_t(degrees[f]);
             for_corners(f, [&](Index c) {
                 const Index half = part_.corner_halfedge[c], v = vertex_[part_.corner_vertex[c]];
                 const Index new_half = Index(2 * edge_[half / 2] + (half % 2 == side_[half / 2] ? 0 : 1));
@@ -82,8 +82,8 @@ public:
                 result.set_side(corner, new_half);
                 if (result.vertex_corner[v] == none or part_.across(c) == none)
                     result.vertex_corner[v] = corner;
-                key += char16_t(v);
-                key += char16_t(new_half);
+                key += char32_t(v);
+                key += char32_t(new_half);
                 ++corner;
             });
         }
@@ -140,7 +140,7 @@ concept renumbered_state = placed_state<State> and requires(State& state, const 
 };
 
 /// Returns a part in canonical numbers. Parts keep their numbers if they have state that cannot be given others.
-/// Precondition: the numbers of elements of the part are below 65535. Cost: O(elements of the part).
+/// Cost: O(elements of the part).
 template <std::unsigned_integral Index, scheme Scheme>
 canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, const Scheme& scheme, Index face)
 {
@@ -151,10 +151,9 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, co
         return canonical_part<Index, Scheme>{part, scheme, std::move(same), {}, face};
     };
     if constexpr (scheme_of_places<Scheme>) {
-        constexpr std::size_t most_corners = 16384; // so that the numbers fit into the key
         const canonical_numbers<Index> numbers(part, face);
-        bool can_be_renumbered = numbers.has_all() and part.corners() <= most_corners;
-        std::u16string key;
+        bool can_be_renumbered = numbers.has_all();
+        std::u32string key;
         Scheme renumbered = without_state(scheme);
         for_each_state(renumbered, scheme, [&](auto& to, const auto& from) {
             if constexpr (renumbered_state<std::remove_cvref_t<decltype(from)>>)
@@ -164,14 +163,14 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, co
         });
         if (can_be_renumbered) {
             auto mesh = numbers.connect(key);
-            char16_t which = 0;
+            char32_t which = 0;
             for_each_state(std::as_const(renumbered), [&](const auto& state) {
                 state.for_each_place([&](tuple_kind kind, std::size_t element, const auto& value) {
                     key += which;
-                    key += char16_t(kind);
-                    key += char16_t(element);
+                    key += char32_t(kind);
+                    key += char32_t(element);
                     for (const std::byte b : std::bit_cast<std::array<std::byte, sizeof(value)>>(value))
-                        key += char16_t(b);
+                        key += char32_t(b);
                 });
                 ++which;
             });

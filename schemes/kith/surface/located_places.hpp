@@ -23,7 +23,7 @@
 
 namespace kith {
 
-/// Which derivatives of a limit surface are asked for; second ones with first ones.
+/// The derivatives of a limit surface that a caller asks for; second ones come with first ones.
 enum class derivatives : unsigned char { none, first, second };
 
 /// Values of a limit surface at some places, in the order of the places, and their derivatives by the parameters of the
@@ -40,7 +40,7 @@ struct surface_values {
 class located_places {
 public:
     located_places() = default;
-    /// For `surface_locator`.
+    /// Takes over what `surface_locator` has found.
     explicit located_places(detail::placed_pieces pieces) : all_(std::move(pieces)) {}
 
     [[nodiscard]] std::size_t size() const { return all_.places.size(); }
@@ -69,9 +69,9 @@ public:
             all_.faces.size(),
             is_parallel,
             [&](std::size_t begin, std::size_t end) {
-                std::vector<typename detail::fast_affine<T>::sum> points;
+                face_memory<typename detail::fast_affine<T>::sum> memory;
                 for (std::size_t face = begin; face < end; ++face)
-                    evaluate_face(face, control, wanted, points, result);
+                    evaluate_face(face, control, wanted, memory, result);
             },
             2);
         return result;
@@ -99,6 +99,13 @@ public:
     }
 
 private:
+    /// The memory of a thread while it evaluates faces.
+    template <class Sum>
+    struct face_memory {
+        std::vector<Sum> points, coefficients;
+        std::vector<std::size_t> first_point; ///< of each net
+    };
+
     /// Returns weight * x.
     template <class T>
     static typename detail::fast_affine<T>::sum scaled(typename detail::fast_affine<T>::sum x, double weight)
@@ -106,15 +113,16 @@ private:
         detail::fast_affine<T>::scale(x, static_cast<typename detail::fast_affine<T>::scalar>(weight));
         return x;
     }
-    /// Evaluates the places of one face. `points` is memory.
+    /// Evaluates the places of one face.
     template <class T, class Sum>
-    void evaluate_face(std::size_t face, std::span<const T> control, derivatives wanted, std::vector<Sum>& points,
+    void evaluate_face(std::size_t face, std::span<const T> control, derivatives wanted, face_memory<Sum>& memory,
                        surface_values<T>& result) const
     {
         const detail::end_of_face begin = face == 0 ? detail::end_of_face{0, 0} : all_.faces[face - 1];
         const detail::end_of_face end = all_.faces[face];
+        auto& [points, coefficients, first_point] = memory;
         points.clear();
-        std::vector<std::size_t> first_point;
+        first_point.clear();
         for (std::size_t n = begin.nets; n < end.nets; ++n) {
             const detail::surface_net& net = all_.nets[n];
             first_point.push_back(points.size());
@@ -128,8 +136,10 @@ private:
         for (std::size_t p = begin.pieces; p < end.pieces; ++p) {
             const detail::surface_piece& piece = all_.pieces[p];
             const std::size_t first_place = p == 0 ? 0 : all_.pieces[p - 1].end_places;
-            const auto coefficients = coefficients_of<T>(*piece.polynomial,
-                                                         std::span<const Sum>(points).subspan(first_point[piece.net]));
+            const auto of_net = std::span<const Sum>(points).subspan(first_point[piece.net]);
+            coefficients.clear();
+            for (std::size_t term = 0; term < piece.polynomial->terms(); ++term)
+                coefficients.push_back(row_of<T>(piece.polynomial->rows, term, of_net));
             for (const auto& place : std::span(all_.places).subspan(first_place, piece.end_places - first_place))
                 switch (wanted) {
                 case derivatives::none: store<T, 1>(*piece.polynomial, coefficients, place, result); break;
@@ -146,16 +156,6 @@ private:
         for (++k; k < rows.begin_of_row(row + 1); ++k)
             detail::fast_affine<T>::add(total, scaled<T>(points[std::size_t(rows.column[k])], rows.weight[k]));
         return total;
-    }
-    template <class T, class Sum>
-    static std::vector<Sum> coefficients_of(const detail::surface_polynomial& polynomial, std::span<const Sum> points)
-    {
-        std::vector<Sum> result;
-        result.reserve(polynomial.terms());
-        for (std::size_t term = 0; term < polynomial.terms(); ++term) {
-            result.push_back(row_of<T>(polynomial.rows, term, points));
-        }
-        return result;
     }
     /// Writes the value at a place and, if there are 3 or 6 outputs, its first or first and second derivatives.
     template <class T, std::size_t Outputs, class Sum>

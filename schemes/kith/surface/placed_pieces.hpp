@@ -37,7 +37,7 @@ struct end_of_face {
     std::size_t nets, pieces;
 };
 
-/// What `located_places` are made of, face by face.
+/// The parts of `located_places`, face by face.
 struct placed_pieces {
     std::size_t vertices = 0;          ///< of the control mesh
     std::vector<std::size_t> inputs{}; ///< control vertices around the faces

@@ -40,8 +40,8 @@ namespace kith {
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class surface_locator {
 public:
-    /// Errors: mesh_error for everything that `validate` finds, for faces that the scheme does not take, and for creases
-    /// of another level. Cost: O(corners).
+    /// Errors: mesh_error for everything that `validate` finds, for faces that the scheme does not take, and for
+    /// creases of another level. Cost: O(corners).
     template <std::same_as<Index> I, class Point>
     explicit surface_locator(const basic_mesh<Point, I>& mesh, const Scheme& scheme = Scheme())
         : surface_locator(mesh.topology(), mesh.generation(), checked(mesh, scheme))
@@ -56,22 +56,9 @@ public:
 
     /// Returns places in the numbers of the faces of the mesh, ready to be evaluated.
     /// Errors: mesh_error, with the number of the place, for a face or corner that does not exist and for parameters
-    /// outside of the face. Cost: O(places), and that of a few steps around a face for each kind of irregular face.
-    [[nodiscard]] located_places locate(std::span<const surface_place> places)
-    {
-        detail::placed_pieces result;
-        result.vertices = mesh_.vertex_count();
-        result.owner = shapes_;
-        result.places.reserve(places.size());
-        const std::vector<std::size_t> by_face = in_order_of_faces(places);
-        for (std::size_t begin = 0, end = 0; begin < by_face.size(); begin = end) {
-            const std::size_t face = places[by_face[begin]].face;
-            while (end < by_face.size() and places[by_face[end]].face == face)
-                ++end;
-            locate_in_face(Index(face), places, std::span(by_face).subspan(begin, end - begin), result);
-        }
-        return located_places(std::move(result));
-    }
+    /// outside of the face. Cost: O(places), and that of a few steps around a face for each kind of irregular face. Of
+    /// a polygon or fan of n corners that is O(n^2).
+    [[nodiscard]] located_places locate(std::span<const surface_place> places);
 
 private:
     using shapes = detail::surface_shapes<Index, Scheme>;
@@ -95,21 +82,7 @@ private:
             mesh, [&](const auto& level) { detail::require_control_level(scheme, level, mesh.generation()); });
         return scheme;
     }
-    surface_locator(const connectivity<Index>& topology, int generation, const Scheme& scheme)
-        : mesh_(storage<float>(topology.vertices, 0), topology, generation)
-        , scheme_(scheme)
-        , shapes_(std::make_shared<shapes>(scheme))
-        , rings_(detail::rings_of_surface(scheme))
-        , cutter_(mesh_)
-        , walk_(mesh_.topology(), rings_)
-        , finder_(mesh_.topology())
-        , classes_(mesh_.topology(), rings_, state_marks<Index>(mesh_.topology(), scheme))
-        , of_class_(classes_.count())
-        , model_of_class_(classes_.count(), none)
-    {
-        for (std::size_t f = mesh_.face_count(); f > 0; --f)
-            model_of_class_[classes_.of_faces()[f - 1]] = Index(f - 1);
-    }
+    surface_locator(const connectivity<Index>& topology, int generation, const Scheme& scheme);
 
     /// Returns the numbers of the places, those in one face together. Errors: those of `locate`.
     [[nodiscard]] std::vector<std::size_t> in_order_of_faces(std::span<const surface_place> places) const
@@ -265,6 +238,43 @@ private:
     std::vector<found_net> nets_;                    // in the face at work
     std::vector<found_piece> found_;
 };
+
+// Outside of the class, so that what declares it `extern template` does not compile them.
+
+template <parametric_scheme Scheme, std::unsigned_integral Index>
+surface_locator<Scheme, Index>::surface_locator(const connectivity<Index>& topology, int generation,
+                                                const Scheme& scheme)
+    : mesh_(storage<float>(topology.vertices, 0), topology, generation)
+    , scheme_(scheme)
+    , shapes_(std::make_shared<shapes>(scheme))
+    , rings_(detail::rings_of_surface(scheme))
+    , cutter_(mesh_)
+    , walk_(mesh_.topology(), rings_)
+    , finder_(mesh_.topology())
+    , classes_(mesh_.topology(), rings_, state_marks<Index>(mesh_.topology(), scheme))
+    , of_class_(classes_.count())
+    , model_of_class_(classes_.count(), none)
+{
+    for (std::size_t f = mesh_.face_count(); f > 0; --f)
+        model_of_class_[classes_.of_faces()[f - 1]] = Index(f - 1);
+}
+
+template <parametric_scheme Scheme, std::unsigned_integral Index>
+located_places surface_locator<Scheme, Index>::locate(std::span<const surface_place> places)
+{
+    detail::placed_pieces result;
+    result.vertices = mesh_.vertex_count();
+    result.owner = shapes_;
+    result.places.reserve(places.size());
+    const std::vector<std::size_t> by_face = in_order_of_faces(places);
+    for (std::size_t begin = 0, end = 0; begin < by_face.size(); begin = end) {
+        const std::size_t face = places[by_face[begin]].face;
+        while (end < by_face.size() and places[by_face[end]].face == face)
+            ++end;
+        locate_in_face(Index(face), places, std::span(by_face).subspan(begin, end - begin), result);
+    }
+    return located_places(std::move(result));
+}
 
 template <mesh M, parametric_scheme Scheme>
 surface_locator(const M&, const Scheme&) -> surface_locator<Scheme>;

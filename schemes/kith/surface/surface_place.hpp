@@ -59,7 +59,7 @@ inline std::size_t descend_in_quad(face_parameters& at)
     return 3;
 }
 
-/// Does the same in a triangle. Returns 3 for the child in the middle.
+/// Same as descend_in_quad, but in a triangle. Returns 3 for the child in the middle.
 inline std::size_t descend_in_triangle(face_parameters& at)
 {
     const double s = at.s, t = at.t, r = std::max(1 - s - t, 0.);

@@ -40,8 +40,8 @@ class surface_shapes {
 public:
     using polynomial_pointer = std::unique_ptr<const surface_polynomial>;
 
-    /// What lies around a face. Its children, if it is no polynomial, are shapes again, whose control points are
-    /// weighted sums of its own.
+    /// The neighbourhood of a face. If the surface there is no polynomial, its children are shapes again, whose control
+    /// points are weighted sums of its own.
     struct shape {
         struct child {
             shape* of;
@@ -126,22 +126,13 @@ private:
         const auto units = unit_rows(topology.vertices);
         return {storage<stencil_row>(units), std::move(topology), generation};
     }
-    static control_row dense(const stencil_row& sparse, std::size_t size)
-    {
-        control_row row(size);
-        for (const auto& [input, weight] : sparse.entries)
-            row[input] = weight;
-        return row;
-    }
     /// Returns the control net of a face. `inputs` is the number of entries of the rows of the mesh.
     template <class Net>
     static std::optional<Net> net_of(const mesh_type& mesh, const Scheme& scheme, Index face, std::size_t inputs)
     {
-        std::vector<control_row> rows;
-        for (const stencil_row& sparse : mesh.points())
-            rows.push_back(dense(sparse, inputs));
-        return Net::around(rows_of_part<Index>{mesh.topology(), rows, [&](Index e) { return is_sharp(scheme, e); }},
-                           face);
+        const std::span<const stencil_row> rows(mesh.points());
+        return Net::around(
+            rows_of_part<Index>{mesh.topology(), rows, inputs, [&](Index e) { return is_sharp(scheme, e); }}, face);
     }
 
     /// Finds out whether the surface over the face of a shape is a polynomial, and else makes its children.
@@ -172,8 +163,8 @@ private:
     {
         return here.mesh.face(here.face).size() == degree and is_settled(here.scheme);
     }
-    /// Returns the polynomial of the first kind of net that the scheme subdivides as splines are subdivided. Then it does
-    /// so on all levels, since the children look like the shape.
+    /// Returns the polynomial of the first kind of net that the scheme subdivides as splines are subdivided. The scheme
+    /// then does so on all levels, since the children look like the shape.
     template <class... Nets>
     static polynomial_pointer polynomial_of_any(const shape& here, std::span<const made_face> made)
     {
@@ -229,7 +220,7 @@ private:
     }
 
     /// Returns the limit of a corner of the face, and tangents there, if a place is at that corner, the corner is
-    /// irregular, and there are closed masks. The child at a regular corner is a polynomial, which tells the derivatives.
+    /// irregular, and there are closed masks. At a regular corner the child is a polynomial, which has derivatives.
     const surface_polynomial* limit_of_corner(shape& here, const face_parameters& at)
     {
         constexpr std::array<std::array<double, 2>, 4> of_quad{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -250,24 +241,8 @@ private:
     /// Returns the limit of a vertex by closed masks; nothing if there is none.
     static polynomial_pointer limit_by_masks(const shape& here, Index vertex_number)
     {
-        std::vector<control_row> coefficients;
-        with_native_level<Scheme>(here.mesh, [&]<level Level>(const Level& level) {
-            const auto& rules = limit_rules<Scheme>::on(here.scheme, level);
-            const auto v = level.vertices()[vertex_number];
-            const auto value = [&](const auto& mask) {
-                return dense(affine<stencil_row>::store(mask.evaluate(point_values<Level>())), here.vertices);
-            };
-            if constexpr (has_limit_positions<Scheme, vertex<Level>, Level>)
-                limit_rules<Scheme>::position(rules, v, [&](const auto& mask) { coefficients.assign(1, value(mask)); });
-            if constexpr (has_limit_tangents<Scheme, vertex<Level>, Level>)
-                if (not coefficients.empty())
-                    limit_rules<Scheme>::tangents(rules, v, [&](const auto& first, const auto& second) {
-                        const auto a = value(first), b = value(second);
-                        if (are_finite(a) and are_finite(b)) { // not at a vertex of two edges
-                            coefficients.push_back(b);
-                            coefficients.push_back(a);
-                        }
-                    });
+        const auto coefficients = with_native_level<Scheme>(here.mesh, [&](const auto& level) {
+            return position_and_tangents(level.vertices()[vertex_number], level, here);
         });
         if (coefficients.empty())
             return {};
@@ -276,6 +251,28 @@ private:
         auto made = polynomial_of(1, false, coefficients);
         made.derivatives = 1;
         return std::make_unique<const surface_polynomial>(std::move(made));
+    }
+    /// Returns the rows of the position, and of the second and the first tangent, as far as there are masks.
+    template <level Level>
+    static std::vector<control_row> position_and_tangents(const vertex<Level>& v, const Level& level, const shape& here)
+    {
+        [[maybe_unused]] const auto& rules = limit_rules<Scheme>::on(here.scheme, level);
+        [[maybe_unused]] const auto value = [&](const auto& mask) {
+            return dense(affine<stencil_row>::store(mask.evaluate(point_values<Level>())), here.vertices);
+        };
+        std::vector<control_row> result;
+        if constexpr (has_limit_positions<Scheme, vertex<Level>, Level>)
+            limit_rules<Scheme>::position(rules, v, [&](const auto& mask) { result.assign(1, value(mask)); });
+        if constexpr (has_limit_tangents<Scheme, vertex<Level>, Level>)
+            if (not result.empty())
+                limit_rules<Scheme>::tangents(rules, v, [&](const auto& first, const auto& second) {
+                    const auto a = value(first), b = value(second);
+                    if (are_finite(a) and are_finite(b)) { // not at a vertex of two edges
+                        result.push_back(b);
+                        result.push_back(a);
+                    }
+                });
+        return result;
     }
     static bool are_finite(const control_row& row)
     {
@@ -290,7 +287,7 @@ private:
 
     int rings_;
     std::vector<std::unique_ptr<shape>> shapes_;
-    std::unordered_map<std::u16string, shape*> by_key_;
+    std::unordered_map<std::u32string, shape*> by_key_;
 };
 
 } // namespace detail

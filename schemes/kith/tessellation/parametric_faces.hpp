@@ -54,7 +54,7 @@ inline surface_place place_on_side(const parametric_face& face, std::size_t side
 /// there are polygons with sub-faces, the middles of the edges and the centres of the polygons.
 class parametric_faces {
 public:
-    /// The scheme is that of the mesh.
+    /// Returns those of a mesh, with the scheme of its level. Cost: O(corners).
     template <std::unsigned_integral Index, parametric_scheme Scheme>
     static parametric_faces of(const connectivity<Index>& mesh, const Scheme& scheme)
     {

@@ -126,8 +126,7 @@ private:
         face_of_.resize(triangles_.size(), f);
     }
 
-    /// Two vertices can have several edges in common if faces are not cut. Cuts these faces, and returns whether there are
-    /// any.
+    /// Cuts faces that are not cut and so would have an edge in common with two others. Returns whether there are any.
     bool split_repeated_edges()
     {
         struct edge {
@@ -275,9 +274,10 @@ private:
 } // namespace detail
 
 /// Tessellates the limit surface of a mesh: returns triangles that fit together without cracks, whose vertices lie on
-/// the surface. The vertices of the mesh come first, in their order. Each edge of the mesh is cut as often as its curve and the faces beside it need. For points of three
-/// coordinates. Errors: mesh_error for options that are not positive, for more than 4096 segments of an edge, and those
-/// of `surface_locator`. Cost: that of some evaluations per vertex; with a chord error four more per triangle.
+/// the surface. The vertices of the mesh come first, in their order. Each edge of the mesh is cut as often as its curve
+/// and the faces beside it need. For points of three coordinates. Errors: mesh_error for options that are not positive,
+/// for more than 4096 segments of an edge, and those of `surface_locator`. Cost: that of some evaluations per vertex;
+/// with a chord error or an edge length four more per triangle, in some rounds.
 template <class Point, std::unsigned_integral Index, parametric_scheme Scheme>
 tessellation<Point> tessellate(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                                const tessellation_options& options)

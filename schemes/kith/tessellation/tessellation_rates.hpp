@@ -21,7 +21,7 @@
 
 namespace kith {
 
-/// How fine a tessellation is to be.
+/// The fineness of a tessellation. All that is asked for holds.
 struct tessellation_options {
     /// The least number of segments of each edge of the mesh.
     std::size_t segments = 1;
@@ -107,7 +107,7 @@ inline surface_place place_in(const parametric_face& face, double u, double v)
     return place;
 }
 
-/// How many segments the curves have that faces share, and the grids within faces.
+/// The numbers of segments of the curves that faces share, and of the grids within faces.
 class tessellation_rates {
 public:
     struct of_grid {
@@ -117,8 +117,8 @@ public:
     std::vector<std::size_t> of_curves;
     std::vector<of_grid> of_faces;
 
-    /// Chooses them by samples of the curves and of lines across the faces. The faces must outlive this object.
-    /// Errors: mesh_error for too many segments. Cost: that of evaluating some hundred places for each face; O(faces) if
+    /// Chooses the numbers by samples of the curves and of lines across the faces. The faces must outlive this object.
+    /// Errors: mesh_error for too many segments. Cost: that of some hundred evaluations for each face; O(faces) if
     /// segments alone are asked for.
     template <class Locator, class Point>
     tessellation_rates(const parametric_faces& faces, Locator& surface, std::span<const Point> control,
