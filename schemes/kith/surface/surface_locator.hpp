@@ -116,7 +116,8 @@ private:
         if (not is_inside)
             refuse("u is " + std::to_string(place.u) + " and v is " + std::to_string(place.v) +
                    "; give numbers from 0 to 1");
-        if (not detail::splits_quads<Scheme> and place.u + place.v > 1)
+        constexpr double most_with_rounding = 1 + 1e-15;
+        if (not detail::splits_quads<Scheme> and place.u + place.v > most_with_rounding)
             refuse("u + v is " + std::to_string(place.u + place.v) + " in a triangle; give at most 1");
     }
 
