@@ -44,7 +44,7 @@ bool is_near_vertex(const kith::surface_place& place)
 template <class Scheme>
 std::vector<kith::surface_place> random_places(const basic_mesh<>& mesh, random_numbers& random)
 {
-    constexpr bool has_quads = kith::detail::splits_quads<Scheme>;
+    constexpr bool has_quads = kith::detail::has_quad_parameters<Scheme>;
     std::vector<kith::surface_place> result;
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         for (int i = 0; i < 8; ++i) {

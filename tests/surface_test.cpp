@@ -46,7 +46,7 @@ template <class Scheme>
 std::vector<part_of_face> next_parts(const std::vector<part_of_face>& parts)
 {
     std::vector<part_of_face> result;
-    constexpr bool has_quads = kith::detail::splits_quads<Scheme>;
+    constexpr bool has_quads = kith::detail::has_quad_parameters<Scheme>;
     for (const auto& [face, corner, p] : parts) {
         const std::size_t n = p.size();
         for (std::size_t k = 0; k < n; ++k) {
@@ -69,7 +69,7 @@ std::vector<part_of_face> next_parts(const std::vector<part_of_face>& parts)
 template <class Scheme>
 std::vector<surface_place> places_of_level(const mesh3d& control, int level)
 {
-    constexpr std::size_t degree = kith::detail::splits_quads<Scheme> ? 4 : 3;
+    constexpr std::size_t degree = kith::detail::has_quad_parameters<Scheme> ? 4 : 3;
     const std::array<parameters, 4> of_quad{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     const std::array<parameters, 3> of_triangle{{{0, 0}, {1, 0}, {0, 1}}};
     std::vector<part_of_face> parts;

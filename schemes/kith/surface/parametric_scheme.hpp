@@ -17,10 +17,10 @@ namespace kith {
 namespace detail {
 
 template <class Scheme>
-concept splits_quads =
+concept has_quad_parameters =
     std::same_as<decltype(columns_of(std::declval<const Scheme&>(), 0)), decltype(quad_split::columns())>;
 template <class Scheme>
-concept splits_triangles =
+concept has_triangle_parameters =
     std::same_as<decltype(columns_of(std::declval<const Scheme&>(), 0)), decltype(triangle_split::columns())>;
 
 } // namespace detail
@@ -29,7 +29,7 @@ concept splits_triangles =
 /// quads.
 template <class Scheme>
 concept parametric_scheme = reaching_scheme<Scheme> and not needs_closed<Scheme> and
-                            (detail::splits_quads<Scheme> or detail::splits_triangles<Scheme>);
+                            (detail::has_quad_parameters<Scheme> or detail::has_triangle_parameters<Scheme>);
 
 namespace detail {
 

@@ -108,7 +108,7 @@ private:
             refuse("face " + std::to_string(place.face) + " does not exist, there are " +
                    std::to_string(mesh_.face_count()) + "; give the number of a face of the control mesh");
         const std::size_t degree = mesh_.face(place.face).size();
-        const std::size_t parts = degree == (detail::splits_quads<Scheme> ? 4 : 3) ? 1 : degree;
+        const std::size_t parts = degree == (detail::has_quad_parameters<Scheme> ? 4 : 3) ? 1 : degree;
         if (place.corner >= parts)
             refuse("face " + std::to_string(place.face) + " has no sub-face " + std::to_string(place.corner) +
                    ", there are " + std::to_string(parts) + "; give 0 to " + std::to_string(parts - 1));
@@ -117,7 +117,7 @@ private:
             refuse("u is " + std::to_string(place.u) + " and v is " + std::to_string(place.v) +
                    "; give numbers from 0 to 1");
         constexpr double most_with_rounding = 1 + 1e-15;
-        if (not detail::splits_quads<Scheme> and place.u + place.v > most_with_rounding)
+        if (not detail::has_quad_parameters<Scheme> and place.u + place.v > most_with_rounding)
             refuse("u + v is " + std::to_string(place.u + place.v) + " in a triangle; give at most 1");
     }
 

@@ -110,7 +110,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t degree = splits_quads<Scheme> ? 4 : 3;
+    static constexpr std::size_t degree = has_quad_parameters<Scheme> ? 4 : 3;
     // Nets shrink by .66 or less in a step, so that after 100 steps they are points but for rounding.
     static constexpr int most_steps = 100;
 

@@ -58,7 +58,7 @@ public:
     template <std::unsigned_integral Index, parametric_scheme Scheme>
     static parametric_faces of(const connectivity<Index>& mesh, const Scheme& scheme)
     {
-        constexpr std::size_t degree = splits_quads<Scheme> ? 4 : 3;
+        constexpr std::size_t degree = has_quad_parameters<Scheme> ? 4 : 3;
         parametric_faces result;
         result.corners_ = result.vertices_ = mesh.vertices;
         bool has_polygons = false;
