@@ -31,10 +31,10 @@ struct closest_point {
     double distance;
 };
 
-/// Finds the nearest points of a limit surface. Its faces are cut into cells, which turn by about a quarter of a radian.
-/// Boost.Geometry has an R-tree of their boxes. Newton's method starts in each cell whose box comes near enough. So a
-/// result is exact to about 1e-12 of the size of the surface. It is the nearest one unless a single cell has two local
-/// ones. For points of three coordinates. One thread at a time may use an object.
+/// Finds the nearest points of a limit surface. Its faces are cut into cells, which turn by about a quarter of a
+/// radian. Boost.Geometry has an R-tree of their boxes. Newton's method starts in each cell whose box comes near
+/// enough. So a result is exact to about 1e-12 of the size of the surface. It is the nearest one unless a single cell
+/// has two local ones. For points of three coordinates. One thread at a time may use an object.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class closest_points {
     using vector = std::array<double, 3>;
