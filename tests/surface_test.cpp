@@ -360,6 +360,21 @@ TEST(surface, takes_a_scheme_that_carries_state)
         EXPECT_LT(distance(made.points[i], expected.points[i]), 1e-13);
 }
 
+/// State that does not say where it is may differ from face to face, although these look alike.
+TEST(surface, tells_apart_faces_by_state_without_places)
+{
+    const auto mesh = native(shapes::shaken(shapes::torus(5, 6)));
+    auto scheme = own_state::some_drawn(mesh);
+    scheme.sharp = {};
+    const auto limits = limit_surface_of(mesh, scheme);
+    std::vector<surface_place> places;
+    for (std::size_t f = 0; f < mesh.face_count(); f += 7)
+        places.push_back({f, 0, 0, 0});
+    const auto made = kith::surface_locator(mesh, scheme).locate(places).evaluate(mesh.points());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        EXPECT_LT(distance(made.points[i], limits.positions[mesh.face(places[i].face)[0]]), 1e-9) << i;
+}
+
 TEST(surface, refuses_what_is_no_place)
 {
     const auto quads = native(shapes::cube());

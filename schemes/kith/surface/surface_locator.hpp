@@ -27,7 +27,7 @@ namespace kith {
 
 /// Finds places on the limit surface of a mesh, anywhere in its faces: the polynomial that the surface is there.
 ///
-/// Where the mesh is regular, and beside boundaries and creases there, the polynomial is the spline of the scheme.
+/// The polynomial is the spline of the scheme in regular parts of the mesh, also beside boundaries and creases there.
 /// Elsewhere the locator refines what lies around a face by the scheme's own text, until the place lies in a regular
 /// part. So points are exact but for rounding: about 1e-15 of the control net. At an irregular vertex itself the point
 /// and the tangent plane come from the limit masks. There du and dv are two tangents, counter-clockwise; their lengths
@@ -166,10 +166,13 @@ private:
         neighbourhood& of_class = of_class_[number];
         if (of_class.around != nullptr)
             return of_class;
+        if (const auto known = alone_.find(face); known != alone_.end())
+            return known->second;
         const Index model = model_of_class_[number];
         walk_.around(model);
-        if (not walk_.is_disk()) // faces of the class may differ
-            return alone_.try_emplace(face, neighbourhood_around(face)).first->second;
+        // Classes know states that say where they are. Faces that meet themselves again may differ within a class.
+        if (not scheme_of_places<Scheme> or not walk_.is_disk())
+            return alone_.emplace(face, neighbourhood_around(face)).first->second;
         of_class = neighbourhood_around(model);
         of_class.steps.assign(walk_.steps().begin(), walk_.steps().end());
         of_class.inputs = walked_inputs(of_class.vertices);
