@@ -22,7 +22,7 @@ namespace {
 using namespace kith::comparison;
 using kith::basic_mesh;
 
-/// What has been compared, and the largest differences: of points, and of first and second derivatives.
+/// Counts the places that have been compared, and keeps the largest differences of points and derivatives.
 struct tally {
     std::size_t turned = 0; // second derivatives that have the other sign
     struct of_kind {
@@ -40,7 +40,7 @@ bool is_near_vertex(const kith::surface_place& place)
     return is_near_end(place.u) and is_near_end(place.v);
 }
 
-/// Returns places in all faces, at random and in the middle of edges.
+/// Returns eight places in each face at random, one of them on an edge.
 template <class Scheme>
 std::vector<kith::surface_place> random_places(const basic_mesh<>& mesh, random_numbers& random)
 {
@@ -59,7 +59,7 @@ std::vector<kith::surface_place> random_places(const basic_mesh<>& mesh, random_
     return result;
 }
 
-/// Returns the largest distance of derivatives of one order, divided by the size of the mesh.
+/// Returns the largest difference of a coordinate in derivatives of one order. Theirs are multiplied by `scale`.
 double difference(const kith::surface_values<std::array<double, 3>>& ours, std::size_t i,
                   const bfr_peer::values& theirs, int order, double scale)
 {

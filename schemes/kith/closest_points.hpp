@@ -33,7 +33,7 @@ struct closest_point {
 
 /// Finds the nearest points of a limit surface. Its faces are cut into cells, which turn by about a quarter of a
 /// radian. Boost.Geometry has an R-tree of their boxes. Newton's method starts in each cell whose box comes near
-/// enough. So a result is exact to about 1e-12 of the size of the surface. It is the nearest one unless a single cell
+/// enough. So a result is exact to about 1e-11 of the size of the surface. It is the nearest one unless a single cell
 /// has two local ones. For points of three coordinates. One thread at a time may use an object.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class closest_points {
@@ -77,7 +77,7 @@ public:
                 search s = searches[i];
                 const vector off = detail::difference(values.points[i], points[s.query]);
                 const double distance = detail::length_of(off);
-                // What comes later is nearer, also where rounding hides it.
+                // Later steps are nearer, even if rounding hides it.
                 if (closest_point& best = result[s.query]; distance <= best.distance + rounding_)
                     best = {s.place, values.points[i], distance};
                 if (go_on(s, off, distance, values, i))
@@ -107,8 +107,6 @@ private:
         double distance_before;
         bool is_in_triangle;
     };
-
-    static double dot(const vector& a, const vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
     void make_cells()
     {
@@ -190,9 +188,11 @@ private:
             return std::abs(s.place.u - s.before.u) + std::abs(s.place.v - s.before.v) > smallest_move;
         }
         const vector &du = values.du[i], &dv = values.dv[i];
-        const parameters slope{dot(du, off), dot(dv, off)};
-        std::array<double, 3> first{dot(du, du), dot(du, dv), dot(dv, dv)}; // a matrix by its upper half
-        const std::array<double, 3> second{dot(off, values.duu[i]), dot(off, values.duv[i]), dot(off, values.dvv[i])};
+        const parameters slope{detail::dot(du, off), detail::dot(dv, off)};
+        std::array<double, 3> first{
+            detail::dot(du, du), detail::dot(du, dv), detail::dot(dv, dv)}; // a matrix by its upper half
+        const std::array<double, 3> second{
+            detail::dot(off, values.duu[i]), detail::dot(off, values.duv[i]), detail::dot(off, values.dvv[i])};
         std::array<double, 3> matrix{first[0] + second[0], first[1] + second[1], first[2] + second[2]};
         const auto is_definite = [](const auto& m) { return m[0] > 0 and m[0] * m[2] - m[1] * m[1] > 0; };
         if (not is_definite(matrix)) // also if the second derivatives are no numbers

@@ -16,8 +16,6 @@ namespace kith::detail {
 /// The 16 control points of a bicubic B-spline over a quad, in a grid. The quad lies between (1, 1) and (2, 2).
 class bicubic_net {
 public:
-    static constexpr std::size_t children = 4; ///< that a step makes of the quad, by its corners
-
     /// Returns the net around a face of a mesh. Points beyond boundaries and sharp edges are mirrored. Returns nothing
     /// if the mesh around the face is no grid.
     template <std::unsigned_integral Index>

@@ -18,8 +18,6 @@ namespace kith::detail {
 /// The 12 control points of a quartic box spline over a triangle, in a lattice: its corners are (0, 0), (1, 0), (0, 1).
 class box_net {
 public:
-    static constexpr std::size_t children = 4; ///< by the corners of the triangle, and the one in the middle
-
     /// Same as for bicubic_net. Returns nothing if the mesh around the face is not regular.
     template <std::unsigned_integral Index>
     static std::optional<box_net> around(const rows_of_part<Index>& part, Index face)

@@ -17,8 +17,6 @@ namespace kith::detail {
 template <std::size_t Corners>
 class linear_net {
 public:
-    static constexpr std::size_t children = 4;
-
     /// Returns the net of a face.
     template <std::unsigned_integral Index>
     static std::optional<linear_net> around(const rows_of_part<Index>& part, Index face)

@@ -97,7 +97,7 @@ private:
             left.push_back(r.front());
         }
         std::ranges::reverse(left);
-        // Along a side the coordinate of its end grows, and that of its origin falls, from 0 to 1 on the side.
+        // Along a side: the coordinate of its end, and half of that of the corner opposite.
         join(sides_[0], lattice.front(), [](const face_vertex& x) { return x.u + x.v / 2; });
         join(sides_[1], right, [](const face_vertex& x) { return x.v + (1 - x.u - x.v) / 2; });
         join(sides_[2], left, [](const face_vertex& x) { return 1 - x.v - x.u / 2; });
