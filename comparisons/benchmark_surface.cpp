@@ -67,7 +67,7 @@ std::vector<kith::surface_place> random_places(const basic_mesh<>& mesh, std::si
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t face = random.below(mesh.face_count()), degree = mesh.face(face).size();
         double u = (random.coordinate() + 1) / 2, v = (random.coordinate() + 1) / 2;
-        if (kith::detail::has_triangle_parameters<Scheme> and u + v > 1) {
+        if (not kith::detail::has_quad_parameters<Scheme> and u + v > 1) {
             u = 1 - u;
             v = 1 - v;
         }

@@ -4,17 +4,21 @@
 #include "random_meshes.hpp"
 #include "random_runs.hpp"
 
+#include <kith/limit/limit_surface.hpp>
 #include <kith/presets.hpp>
+#include <kith/step/submesh.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -30,6 +34,8 @@ struct tally {
         std::array<double, 3> largest{};
     };
     of_kind regular, irregular, near_vertices;
+    std::size_t deep_places = 0; // at vertices of level 12
+    double deep = 0;
 };
 
 /// Returns true if a place is so near to a corner of its face that Bfr, after its last level, approximates there.
@@ -116,6 +122,93 @@ void compare(const basic_mesh<>& mesh, const Scheme& scheme, random_numbers& ran
     }
 }
 
+/// A vertex of level 12, at random: its place, and the limit that it has by the masks of that level.
+struct deep_vertex {
+    kith::surface_place place;
+    std::array<double, 3> limit;
+};
+
+using parameters = std::array<double, 2>;
+
+/// Returns the corners of a child of a face with these corners. Child k is at corner k; of a triangle, 3 is the middle.
+std::vector<parameters> child_of(const std::vector<parameters>& face, std::size_t k)
+{
+    const std::size_t n = face.size();
+    const auto middle = [&](std::size_t i, std::size_t j) {
+        return parameters{(face[i % n][0] + face[j % n][0]) / 2, (face[i % n][1] + face[j % n][1]) / 2};
+    };
+    if (n == 4)
+        return {face[k], middle(k, k + 1), middle(0, 2), middle(k + 3, k)};
+    if (k == 3)
+        return {middle(2, 0), middle(0, 1), middle(1, 2)};
+    return {face[k], middle(k, k + 1), middle(k + 2, k)};
+}
+
+/// Makes 12 steps around a face, each around a child of the face before, by the scheme's own text.
+template <class Scheme>
+deep_vertex go_deep(const basic_mesh<>& control, Scheme scheme, std::size_t control_face, random_numbers& random)
+{
+    using index = std::uint32_t;
+    constexpr bool has_quads = kith::detail::has_quad_parameters<Scheme>;
+    constexpr int levels = 12, rings = 4;
+    basic_mesh<> mesh = control;
+    index face = index(control_face);
+    std::size_t corner = 0; // of the sub-face
+    const std::size_t degree = control.face(control_face).size();
+    std::vector<parameters> corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    if (not has_quads)
+        corners = {{0, 0}, {1, 0}, {0, 1}};
+    for (int level = 0; level < levels; ++level) {
+        const bool is_polygon = has_quads and mesh.face(face).size() != 4;
+        const std::size_t child = random.below(is_polygon ? degree : 4);
+        if (is_polygon)
+            corner = child;
+        else
+            corners = child_of(corners, child);
+        kith::numbering_of<Scheme, index> ids;
+        const auto fine = kith::refine_mesh<kith::connect::everything>(mesh, scheme, ids);
+        kith::advance(scheme, kith::level_of<basic_mesh<>>(mesh), mesh.generation(), ids, fine);
+        const std::size_t first_corner = mesh.topology().first_corner(face);
+        index fine_face = 0;
+        if constexpr (has_quads)
+            fine_face = index(ids.faces.template id<kith::tuple_kind::vf>(first_corner + child));
+        else
+            fine_face = child == 3 ? index(ids.faces.template id<kith::tuple_kind::f>(face))
+                                   : index(ids.faces.template id<kith::tuple_kind::vf>(first_corner + child));
+        kith::submesh_cutter<std::array<double, 3>, index> cutter(fine);
+        auto part = cutter.cut(cutter.faces_around(std::array{fine_face}, rings));
+        kith::detail::take_part(scheme, scheme, part.numbers());
+        face = index(std::ranges::lower_bound(part.face_from, fine_face) - part.face_from.begin());
+        mesh = std::move(part.mesh);
+    }
+    return {{control_face, corners[0][0], corners[0][1], corner},
+            limit_surface_of(mesh, scheme).positions[mesh.face(face)[0]]};
+}
+
+/// Compares vertices of level 12 with the surface.
+template <class Scheme>
+void compare_levels(const basic_mesh<>& mesh, const Scheme& scheme, random_numbers& random, tally& sum)
+{
+    std::vector<kith::surface_place> places;
+    std::vector<std::array<double, 3>> limits;
+    for (int i = 0; i < 2; ++i) {
+        const auto [place, limit] = go_deep(mesh, scheme, random.below(mesh.face_count()), random);
+        places.push_back(place);
+        limits.push_back(limit);
+    }
+    const auto made = kith::surface_locator(mesh, scheme).locate(places).evaluate(mesh.points());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        double here = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            here = std::max(here, std::abs(made.points[i][axis] - limits[i][axis]));
+        ++sum.deep_places;
+        sum.deep = std::max(sum.deep, here);
+        if (not(here <= 1e-12))
+            throw std::runtime_error(std::string(kith::scheme_name<Scheme>()) + ", face " +
+                                     std::to_string(places[i].face) + ": level 12 is off by " + std::to_string(here));
+    }
+}
+
 /// On one mesh without creases and with some of each kind.
 template <class Scheme>
 void compare_options(const shapes::shape& shape, random_numbers& random, tally& sum)
@@ -127,6 +220,7 @@ void compare_options(const shapes::shape& shape, random_numbers& random, tally& 
         compare(mesh, scheme, random, sum);
         scheme.sharpness = random_creases(mesh, float_sharpness::alike, kith::crease_method::uniform, random);
         compare(mesh, scheme, random, sum);
+        compare_levels(mesh, scheme, random, sum);
     }
 }
 
@@ -151,6 +245,7 @@ int main(int count, char** words)
         print("in irregular faces", sum.irregular);
         std::cout << sum.turned << " of them where Bfr's second derivatives have the other sign\n";
         print("at vertices of these, where Bfr approximates", sum.near_vertices);
+        std::cout << sum.deep_places << " vertices of level 12; largest difference of limits " << sum.deep << '\n';
         std::cout << opensubdiv_peer::version() << ", " << runs->count << " meshes for each scheme, "
                   << runs->different() << " different\n";
         runs->require_same();

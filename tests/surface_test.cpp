@@ -21,6 +21,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -40,6 +41,10 @@ parameters middle(const parameters& a, const parameters& b)
 {
     return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
 }
+
+/// Schemes that split faces into four, or polygons into quads.
+template <class Scheme>
+concept splits_in_four = kith::parametric_scheme<Scheme> and kith::detail::domain_of<Scheme>::fineness == 2;
 
 /// Returns the faces of the next level, whose numbers follow from those of the corners.
 template <class Scheme>
@@ -128,7 +133,7 @@ Scheme with_creases(Scheme scheme, const mesh3d& mesh, double sharpness)
 TEST(surface, goes_through_the_limits_of_all_levels)
 {
     const auto test = [](const auto& scheme, const mesh3d& mesh) {
-        if constexpr (kith::parametric_scheme<std::remove_cvref_t<decltype(scheme)>>)
+        if constexpr (splits_in_four<std::remove_cvref_t<decltype(scheme)>>)
             for (const int level : {1, 3})
                 expect_limits_of_level(mesh, scheme, level);
     };
@@ -140,6 +145,84 @@ TEST(surface, goes_through_the_limits_of_all_levels)
     for (const auto& [name, shape] : shapes::triangle_shapes()) {
         SCOPED_TRACE("linear triangles of " + name);
         expect_limits_of_level(native(shape), kith::linear_triangles{}, 2);
+    }
+}
+
+/// Expects the vertices of the first level to have their limits, whose places are those at which they were made.
+template <class Scheme>
+void expect_limits_of_first_level(const mesh3d& control, const Scheme& scheme, const std::vector<surface_place>& places)
+{
+    kith::hierarchy<mesh3d, Scheme> levels(control, scheme);
+    levels.refine(1);
+    const auto expected = limit_surface_of(levels, 1);
+    const auto made = kith::surface_locator(control, scheme).locate(places).evaluate(control.points());
+    ASSERT_EQ(places.size(), expected.positions.size());
+    for (std::size_t v = 0; v < places.size(); ++v)
+        ASSERT_LT(distance(made.points[v], expected.positions[v]), 1e-12) << "vertex " << v;
+}
+
+/// Returns the place at t, 0 to 1, on the side of a face after a corner.
+surface_place place_on_side(const mesh3d& mesh, std::size_t corner, double t, std::size_t sides)
+{
+    const auto& topology = mesh.topology();
+    const std::size_t f = topology.face_of(std::uint32_t(corner)), k = corner - topology.first_corner(f);
+    if (mesh.face(f).size() != sides)
+        return t <= .5 ? surface_place{f, 2 * t, 0, k} : surface_place{f, 0, 2 - 2 * t, (k + 1) % mesh.face(f).size()};
+    const parameters quad = k == 0   ? parameters{t, 0}
+                            : k == 1 ? parameters{1, t}
+                            : k == 2 ? parameters{1 - t, 1}
+                                     : parameters{0, 1 - t};
+    const parameters triangle = k == 0 ? parameters{t, 0} : k == 1 ? parameters{1 - t, t} : parameters{0, 1 - t};
+    return sides == 4 ? surface_place{f, quad[0], quad[1], 0} : surface_place{f, triangle[0], triangle[1], 0};
+}
+
+TEST(surface, has_a_ternary_split)
+{
+    for (const auto& [name, shape] : shapes::all_shapes()) {
+        SCOPED_TRACE(name);
+        const auto mesh = native(shape);
+        const auto& topology = mesh.topology();
+        std::vector<surface_place> places(mesh.vertex_count() + 2 * mesh.edge_count());
+        for (std::size_t c = 0; c < mesh.corner_count(); ++c) {
+            const std::size_t half = topology.corner_halfedge[c];
+            const bool is_first = half % 2 == 0;
+            places[topology.corner_vertex[c]] = place_on_side(mesh, c, 0, 4);
+            places[mesh.vertex_count() + half - half % 2 + (is_first ? 0 : 1)] = place_on_side(mesh, c, 1. / 3, 4);
+            places[mesh.vertex_count() + half - half % 2 + (is_first ? 1 : 0)] = place_on_side(mesh, c, 2. / 3, 4);
+        }
+        const std::array<parameters, 4> inner{{{1. / 3, 1. / 3}, {2. / 3, 1. / 3}, {2. / 3, 2. / 3}, {1. / 3, 2. / 3}}};
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            for (std::size_t k = 0; k < mesh.face(f).size(); ++k)
+                places.push_back(mesh.face(f).size() == 4 ? surface_place{f, inner[k][0], inner[k][1], 0}
+                                                          : surface_place{f, 2. / 3, 2. / 3, k});
+        expect_limits_of_first_level(mesh, kith::nasri_hasbini{}, places);
+    }
+}
+
+TEST(surface, has_a_sqrt3_split)
+{
+    for (const auto& [name, shape] : shapes::triangle_shapes()) {
+        SCOPED_TRACE(name);
+        const auto mesh = native(shape);
+        std::vector<surface_place> places(mesh.vertex_count());
+        for (std::size_t c = 0; c < mesh.corner_count(); ++c)
+            places[mesh.topology().corner_vertex[c]] = place_on_side(mesh, c, 0, 3);
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            places.push_back({f, 1. / 3, 1. / 3, 0});
+        expect_limits_of_first_level(mesh, kith::sqrt3{}, places);
+        // Vertices of the second level lie on the thirds of all edges.
+        places.clear();
+        for (std::size_t c = 0; c < mesh.corner_count(); ++c)
+            for (const double t : {1. / 3, 2. / 3})
+                places.push_back(place_on_side(mesh, c, t, 3));
+        kith::hierarchy<mesh3d, kith::sqrt3> levels(mesh, kith::sqrt3{});
+        levels.refine(2);
+        const auto limits = limit_surface_of(levels, 2).positions;
+        const auto made = kith::surface_locator(mesh, kith::sqrt3{}).locate(places).evaluate(mesh.points());
+        for (std::size_t i = 0; i < places.size(); ++i)
+            EXPECT_TRUE(
+                std::ranges::any_of(limits, [&](const point& p) { return distance(p, made.points[i]) < 1e-12; }))
+                << "place " << i;
     }
 }
 
@@ -189,6 +272,69 @@ TEST(surface, has_the_slopes_of_its_points)
     test(native(shapes::shaken(shapes::triangulated(shapes::torus(5, 6)))), kith::loop{});
     test(native(shapes::shaken(shapes::with_flips(shapes::triangulated(shapes::torus(6, 6)), 3))), kith::loop{});
     test(native(shapes::shaken(shapes::grid(3, 3))), kith::linear{});
+}
+
+/// Schemes that are no splines have slopes of about seven digits.
+TEST(surface, has_slopes_without_polynomials)
+{
+    const auto test = [](const mesh3d& mesh, const auto& scheme) {
+        constexpr double step = 1. / 65536;
+        kith::surface_locator surface(mesh, scheme);
+        std::vector<surface_place> places;
+        for (std::size_t f = 0; f < mesh.face_count(); f += 5)
+            for (const auto& [u, v] : {parameters{.3, .1}, {.0625, .84}, {.4375, .47}})
+                for (const auto& [x, y] : {parameters{0, 0}, {step, 0}, {-step, 0}, {0, step}, {0, -step}})
+                    places.push_back({f, u + x, v + y, 0});
+        const auto made = surface.locate(places).evaluate(mesh.points(), derivatives::second);
+        for (std::size_t i = 0; i < places.size(); i += 5)
+            for (std::size_t k = 0; k < 3; ++k) {
+                EXPECT_NEAR((made.points[i + 1][k] - made.points[i + 2][k]) / (2 * step), made.du[i][k], 1e-3);
+                EXPECT_NEAR((made.points[i + 3][k] - made.points[i + 4][k]) / (2 * step), made.dv[i][k], 1e-3);
+                EXPECT_TRUE(std::isnan(made.duu[i][k]));
+            }
+    };
+    const auto triangles = native(shapes::shaken(shapes::with_flips(shapes::triangulated(shapes::torus(6, 6)), 3)));
+    test(triangles, kith::butterfly{});
+    test(triangles, kith::sqrt3{});
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::kobbelt{});
+}
+
+/// Where control points lie at their parameters, so does the surface, up to corners of the boundary.
+TEST(surface, keeps_planes_and_their_parameters)
+{
+    const auto test = [](shapes::shape shape, const auto& scheme, double from_boundary) {
+        SCOPED_TRACE(std::string(kith::scheme_name<std::remove_cvref_t<decltype(scheme)>>()));
+        constexpr double length = 11;
+        for (auto& p : shape.points)
+            p[2] = 0;
+        const auto mesh = native(shape);
+        kith::surface_locator surface(mesh, scheme);
+        std::vector<surface_place> places;
+        std::vector<point> expected;
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            const auto face = mesh.face(f);
+            const auto corner = [&](std::size_t k) { return mesh.point(face[k]); };
+            const auto x = (corner(0)[0] + corner(2)[0]) / 2, y = (corner(0)[1] + corner(2)[1]) / 2;
+            const double to_side = std::min(x, length - x), to_other = std::min(y, length - y);
+            constexpr double beyond_corners = 4;
+            if (std::max(to_side, to_other) < beyond_corners or std::min(to_side, to_other) < from_boundary)
+                continue;
+            for (const auto& [u, v] : {parameters{.3, .1}, {.05, .03}, {.6, .35}, {.1, .84}, {1. / 3, 1. / 3}}) {
+                places.push_back({f, u, v, 0});
+                const auto a = corner(0), b = corner(1), c = corner(face.size() - 1);
+                expected.push_back(
+                    {a[0] + u * (b[0] - a[0]) + v * (c[0] - a[0]), a[1] + u * (b[1] - a[1]) + v * (c[1] - a[1]), 0});
+            }
+        }
+        const auto made = surface.locate(places).evaluate(mesh.points());
+        ASSERT_GT(places.size(), 100U);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            ASSERT_LT(distance(made.points[i], expected[i]), 1e-12) << "face " << places[i].face;
+    };
+    test(shapes::grid(11, 11), kith::catmull_clark{}, 0);
+    test(shapes::grid(11, 11), kith::nasri_hasbini{}, 0);
+    test(shapes::triangulated(shapes::grid(11, 11)), kith::loop{}, 0);
+    test(shapes::triangulated(shapes::grid(11, 11)), kith::sqrt3{}, 3.5); // irregular along the boundary
 }
 
 /// Splines have quadratic polynomials, up to a constant, where the control points are values of one.

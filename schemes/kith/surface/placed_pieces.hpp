@@ -4,6 +4,7 @@
 #include "surface_place.hpp"
 
 #include <kith/mask/stencil.hpp>
+#include <kith/shape/face_parameters.hpp>
 #include <kith/spline/surface_polynomial.hpp>
 
 #include <cstddef>

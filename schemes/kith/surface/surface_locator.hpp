@@ -2,13 +2,13 @@
 #pragma once
 
 #include "located_places.hpp"
-#include "surface_shapes.hpp"
 
 #include <kith/base/error.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/neighbourhood/element_finder.hpp>
 #include <kith/neighbourhood/face_classes.hpp>
 #include <kith/neighbourhood/face_walk.hpp>
+#include <kith/shape/surface_shapes.hpp>
 
 #include <algorithm>
 #include <array>
@@ -33,9 +33,9 @@ namespace kith {
 /// and the tangent plane come from the limit masks. There du and dv are two tangents, counter-clockwise; their lengths
 /// have no meaning, for the derivatives by u and v are zero or infinite, and second derivatives are no numbers.
 ///
-/// For schemes that split quads or triangles into four: Catmull-Clark, Loop and the linear ones, with all creases. Of a
-/// scheme that is no spline among regular faces (Butterfly, Kobbelt) points come from 100 steps around each place, at
-/// some milliseconds each, and derivatives are no numbers.
+/// For Catmull-Clark, Loop, Nasri-Hasbini and the linear schemes, with all creases, and for a user's own of such a
+/// split. Of a scheme that is no spline among regular faces (Butterfly, Kobbelt, sqrt3) places come from many steps;
+/// first derivatives have about seven digits, and second ones are no numbers.
 /// One thread at a time may use a locator. The mesh need not outlive it.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class surface_locator {
@@ -108,7 +108,7 @@ private:
             refuse("face " + std::to_string(place.face) + " does not exist, there are " +
                    std::to_string(mesh_.face_count()) + "; give the number of a face of the control mesh");
         const std::size_t degree = mesh_.face(place.face).size();
-        const std::size_t parts = degree == (detail::has_quad_parameters<Scheme> ? 4 : 3) ? 1 : degree;
+        const std::size_t parts = degree == detail::domain_of<Scheme>::sides ? 1 : degree;
         if (place.corner >= parts)
             refuse("face " + std::to_string(place.face) + " has no sub-face " + std::to_string(place.corner) +
                    ", there are " + std::to_string(parts) + "; give 0 to " + std::to_string(parts - 1));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/mesh/connectivity.hpp>
-#include <kith/surface/parametric_scheme.hpp>
+#include <kith/shape/parametric_scheme.hpp>
 #include <kith/surface/surface_place.hpp>
 
 #include <array>
@@ -58,7 +58,7 @@ public:
     template <std::unsigned_integral Index, parametric_scheme Scheme>
     static parametric_faces of(const connectivity<Index>& mesh, const Scheme& scheme)
     {
-        constexpr std::size_t degree = has_quad_parameters<Scheme> ? 4 : 3;
+        constexpr std::size_t degree = domain_of<Scheme>::sides;
         parametric_faces result;
         result.corners_ = result.vertices_ = mesh.vertices;
         bool has_polygons = false;

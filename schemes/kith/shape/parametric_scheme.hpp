@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "face_domain.hpp"
+
 #include <kith/crease/creases.hpp>
 #include <kith/neighbourhood/placed_state.hpp>
-#include <kith/split/quad_split.hpp>
-#include <kith/split/triangle_split.hpp>
 #include <kith/step/scheme.hpp>
 
 #include <concepts>
@@ -16,20 +16,18 @@ namespace kith {
 
 namespace detail {
 
+/// How steps of a scheme cut the parameters of faces.
 template <class Scheme>
-concept has_quad_parameters =
-    std::same_as<decltype(columns_of(std::declval<const Scheme&>(), 0)), decltype(quad_split::columns())>;
+using domain_of = face_domain<std::remove_cvref_t<decltype(columns_of(std::declval<const Scheme&>(), 0))>>;
 template <class Scheme>
-concept has_triangle_parameters =
-    std::same_as<decltype(columns_of(std::declval<const Scheme&>(), 0)), decltype(triangle_split::columns())>;
+concept has_quad_parameters = domain_of<Scheme>::sides == 4;
 
 } // namespace detail
 
-/// A scheme whose limit surface has parameters: each step splits a face into four that lie in it, or a polygon into
-/// quads.
+/// A scheme whose limit surface has parameters: kith knows how its split cuts those of a face.
 template <class Scheme>
 concept parametric_scheme = reaching_scheme<Scheme> and not needs_closed<Scheme> and
-                            (detail::has_quad_parameters<Scheme> or detail::has_triangle_parameters<Scheme>);
+                            requires { detail::domain_of<Scheme>::sides; };
 
 namespace detail {
 

@@ -142,7 +142,8 @@ concept renumbered_state = placed_state<State> and requires(State& state, const 
 /// Returns a part in canonical numbers. Parts keep their numbers if they have state that cannot be given others.
 /// Cost: O(elements of the part).
 template <std::unsigned_integral Index, scheme Scheme>
-canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, const Scheme& scheme, Index face)
+canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, int generation, const Scheme& scheme,
+                                             Index face)
 {
     const auto as_it_is = [&] {
         std::vector<Index> same(part.vertices);
@@ -154,6 +155,8 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, co
         const canonical_numbers<Index> numbers(part, face);
         bool can_be_renumbered = numbers.has_all();
         std::u32string key;
+        if constexpr (requires { scheme.columns(generation); }) // of which there are two kinds
+            key += char32_t(generation % 2);
         Scheme renumbered = without_state(scheme);
         for_each_state(renumbered, scheme, [&](auto& to, const auto& from) {
             if constexpr (renumbered_state<std::remove_cvref_t<decltype(from)>>)

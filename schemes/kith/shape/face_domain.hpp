@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "face_parameters.hpp"
+
+#include <kith/association/columns.hpp>
+#include <kith/mesh/connectivity.hpp>
+#include <kith/split/quad_split.hpp>
+#include <kith/split/sqrt3_split.hpp>
+#include <kith/split/ternary_split.hpp>
+#include <kith/split/triangle_split.hpp>
+#include <kith/step/scheme.hpp>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <utility>
+
+namespace kith::detail {
+
+/// A cell of a child face. Cells are the parts of a face with parameters of their own: the face itself, or a sub-face
+/// per corner.
+struct child_cell {
+    std::size_t child, cell;
+};
+/// The facts about a face by which a step cuts its parameters.
+struct domain_face {
+    std::size_t degree;
+    std::array<bool, 4> is_wall{}; ///< the first three sides, if they lie at the boundary
+    bool is_odd = false;           ///< the generation of the mesh
+};
+
+/// Returns these facts about a face.
+template <std::unsigned_integral Index>
+domain_face look_at(const connectivity<Index>& mesh, int generation, std::size_t face)
+{
+    const std::size_t first = mesh.first_corner(face), degree = mesh.first_corner(face + 1) - first;
+    domain_face result{degree, {}, sqrt3_split::is_odd(generation)};
+    for (std::size_t k = 0; k < 3; ++k)
+        result.is_wall[k] = mesh.across(Index(first + k)) == mesh.none;
+    return result;
+}
+
+/// Parameters of quads under splits that leave them quads. All other polygons consist of sub-faces.
+struct domain_of_quads {
+    static constexpr std::size_t sides = 4;
+    static constexpr bool is_tensor = true;
+    static constexpr std::size_t degree = 3; ///< of the splines that are looked for
+    static constexpr std::array<std::array<double, 2>, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+    /// Turns the parameters of a quad a quarter: corner 1 becomes the origin.
+    static void turn(face_parameters& at) { at.replace(at.t, 0, 1, 1 - at.s, -1, 0); }
+};
+
+/// How a split cuts the parameters of faces. A specialization has
+///
+///   sides, corners, is_tensor, degree         of a face with parameters of its own, and of splines there
+///   fineness                                  of a lattice of which all children have points
+///   steps                                     after which a net is small
+///   children(face)                            the number of children of a domain_face
+///   child(mesh, ids, f, k)                    the number of child k of face f
+///   descend(face, cell, parameters)           the child_cell that a place lies in; makes its parameters those in it
+template <class Columns>
+struct face_domain;
+
+template <>
+struct face_domain<decltype(quad_split::columns())> : domain_of_quads {
+    static constexpr std::size_t fineness = 2;
+    static constexpr int steps = 27;
+
+    static std::size_t children(const domain_face& face) { return face.degree; }
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    {
+        return ids.faces.template id<tuple_kind::vf>(mesh.first_corner(face) + k);
+    }
+    static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
+    {
+        if (face.degree != sides)
+            return {cell, 0};
+        std::size_t corner = 0;
+        while (not(at.s < .5 and at.t <= .5) and corner < 3) {
+            turn(at);
+            ++corner;
+        }
+        at.replace(2 * at.s, 2, 0, 2 * at.t, 0, 2);
+        return {corner, 0};
+    }
+};
+
+/// Polygons stay, in the middle, with their sub-faces.
+template <>
+struct face_domain<decltype(ternary_split::columns())> : domain_of_quads {
+    static constexpr std::size_t fineness = 3;
+    static constexpr int steps = 17;
+
+    static std::size_t children(const domain_face& face) { return 2 * face.degree + 1; }
+    /// Children are those at corners, those at sides, and the one in the middle.
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    {
+        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        return k < n       ? ids.faces.template id<tuple_kind::vf>(first + k)
+               : k < 2 * n ? ids.faces.template id<tuple_kind::ef>(first + k - n)
+                           : ids.faces.template id<tuple_kind::f>(face);
+    }
+    static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
+    {
+        const std::size_t n = face.degree;
+        constexpr double third = 1. / 3;
+        if (n != sides) { // sub-faces have half of a side
+            const bool is_far_in_s = at.s >= 2 * third, is_far_in_t = at.t >= 2 * third;
+            if (is_far_in_s and is_far_in_t) {
+                at.replace(3 * at.s - 2, 3, 0, 3 * at.t - 2, 0, 3);
+                return {2 * n, cell};
+            }
+            if (is_far_in_t) {
+                at.replace(2 - 1.5 * at.t, 0, -1.5, 1.5 * at.s, 1.5, 0);
+                return {n + (cell + n - 1) % n, 0};
+            }
+            at.replace(1.5 * at.s - (is_far_in_s ? 1 : 0), 1.5, 0, 1.5 * at.t, 0, 1.5);
+            return {is_far_in_s ? n + cell : cell, 0};
+        }
+        const auto third_of = [](double x) { return x <= third ? 0 : x < 2 * third ? 1 : 2; };
+        const int i = third_of(at.s), j = third_of(at.t);
+        if (i == 1 and j == 1) {
+            at.replace(3 * at.s - 1, 3, 0, 3 * at.t - 1, 0, 3);
+            return {2 * n, 0};
+        }
+        const std::size_t corner = j == 0 and i < 2 ? 0 : i == 2 and j < 2 ? 1 : j == 2 and i > 0 ? 2 : 3;
+        for (std::size_t k = 0; k < corner; ++k)
+            turn(at);
+        const bool is_at_side = i == 1 or j == 1;
+        at.replace(3 * at.s - (is_at_side ? 1 : 0), 3, 0, 3 * at.t, 0, 3);
+        return {is_at_side ? n + corner : corner, 0};
+    }
+};
+
+/// Parameters of triangles.
+struct domain_of_triangles {
+    static constexpr std::size_t sides = 3;
+    static constexpr bool is_tensor = false;
+    static constexpr std::size_t degree = 4;
+    static constexpr std::array<std::array<double, 2>, 3> corners{{{0, 0}, {1, 0}, {0, 1}}};
+
+    /// Turns the parameters of a triangle: corner 1 becomes the origin.
+    static void turn(face_parameters& at) { at.replace(at.t, 0, 1, std::max(1 - at.s - at.t, 0.), -1, -1); }
+};
+
+template <>
+struct face_domain<decltype(triangle_split::columns())> : domain_of_triangles {
+    static constexpr std::size_t fineness = 2;
+    static constexpr int steps = 27;
+
+    static std::size_t children(const domain_face&) { return 4; }
+    /// Children are those at corners, and the one in the middle.
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    {
+        return k < 3 ? ids.faces.template id<tuple_kind::vf>(mesh.first_corner(face) + k)
+                     : ids.faces.template id<tuple_kind::f>(face);
+    }
+    static child_cell descend(const domain_face&, std::size_t, face_parameters& at)
+    {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            if (at.s + at.t <= .5) {
+                at.replace(2 * at.s, 2, 0, 2 * at.t, 0, 2);
+                return {corner, 0};
+            }
+            turn(at);
+        }
+        // The middle one begins at the middle of the side before corner 0, opposite corner 1.
+        at.replace(1 - 2 * at.t, 0, -2, std::max(2 * (at.s + at.t) - 1, 0.), 2, 2);
+        return {3, 0};
+    }
+};
+
+/// Each side of a triangle and the one across make two triangles, each with half of the side. Where boundaries are cut
+/// in three, a triangle at the boundary has a child of its own in the middle.
+template <>
+struct face_domain<decltype(sqrt3_split::columns(0))> : domain_of_triangles {
+    static constexpr std::size_t fineness = 6;
+    static constexpr int steps = 34;
+
+    /// Children are those at the sides, then those across the sides.
+    static std::size_t children(const domain_face&) { return 6; }
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    {
+        const Index corner = Index(mesh.first_corner(face) + k % 3);
+        const Index across = k < 3 ? corner : mesh.across(corner);
+        return ids.faces.template id<tuple_kind::ef>(across == mesh.none ? corner : across);
+    }
+    static child_cell descend(const domain_face& face, std::size_t, face_parameters& at)
+    {
+        const std::size_t wall = std::size_t(std::ranges::find(face.is_wall, true) - face.is_wall.begin());
+        if (face.is_odd and wall < 3)
+            return descend_in_cut(wall, at);
+        std::size_t side = 0;
+        while (not(at.t <= at.s and at.t <= 1 - at.s - at.t) and side < 2) {
+            turn(at);
+            ++side;
+        }
+        const double s = at.s, t = at.t;
+        if (face.is_wall[side]) {
+            at.replace(s - t, 1, -1, 3 * t, 0, 3);
+            return {side, 0};
+        }
+        return beside(side, 1 - s - 2 * t >= s - t, at, s - t, 1, -1, 1 - s - 2 * t, -1, -2);
+    }
+
+private:
+    /// Descends near a side into the triangle of its first or of its last vertex. The weights of these vertices are
+    /// linear functions of s and t; the centre of the face has the rest.
+    static child_cell beside(std::size_t side, bool is_near_first, face_parameters& at, double last, double last_by_s,
+                             double last_by_t, double first, double first_by_s, double first_by_t)
+    {
+        if (is_near_first) { // of the vertex, the centre across and the centre
+            at.replace(last, last_by_s, last_by_t, 1 - first, -first_by_s, -first_by_t);
+            return {side, 0};
+        }
+        at.replace(1 - last, -last_by_s, -last_by_t, first, first_by_s, first_by_t);
+        return {3 + side, 0};
+    }
+    /// Descends in a triangle with points at the thirds of one side, which take the place of the centre.
+    static child_cell descend_in_cut(std::size_t wall, face_parameters& at)
+    {
+        for (std::size_t side = 0; side < wall; ++side)
+            turn(at);
+        const double s = at.s, t = at.t, r = std::max(1 - s - t, 0.);
+        if (2 * s < r)
+            return beside((wall + 2) % 3, t >= r - 2 * s, at, 1 - 3 * s - t, -3, -1, t, 0, 1);
+        if (2 * r < s)
+            return beside((wall + 1) % 3, s - 2 * r >= t, at, t, 0, 1, 3 * s + 2 * t - 2, 3, 2);
+        at.replace(3 * s + t - 1, 3, 1, t, 0, 1);
+        return {wall, 0};
+    }
+};
+
+} // namespace kith::detail

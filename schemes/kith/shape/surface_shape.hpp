@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "limit_polynomial.hpp"
+#include "parametric_scheme.hpp"
+
+#include <kith/spline/surface_polynomial.hpp>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <concepts>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace kith::detail {
+
+/// The neighbourhood of a face, and its children: the shapes around the faces that a step makes of it. Their control
+/// points are weighted sums of its own.
+template <std::unsigned_integral Index, parametric_scheme Scheme>
+struct surface_shape {
+    using domain = domain_of<Scheme>;
+    using mesh_type = basic_mesh<stencil_row, Index>;
+
+    struct child {
+        surface_shape* of;
+        subdivision_matrix rows;
+    };
+
+    surface_shape(mesh_type m, Scheme s, Index f, bool has_own_key)
+        : vertices(m.vertex_count())
+        , mesh(std::move(m))
+        , scheme(std::move(s))
+        , face(f)
+        , has_key(has_own_key)
+        , in_domain(look_at(mesh.topology(), mesh.generation(), f))
+        , polynomials(in_domain.degree == domain::sides ? 1 : in_domain.degree)
+        , at_corners(in_domain.degree)
+    {
+    }
+
+    std::size_t vertices; ///< its control points
+    mesh_type mesh;       ///< with unit rows for points
+    Scheme scheme;
+    Index face;
+    bool has_key; ///< others have its shape, if theirs is the same
+    domain_face in_domain;
+
+    std::atomic<bool> is_decided = false; ///< all members below are final
+    std::vector<child> children{};
+    std::vector<polynomial_pointer> polynomials; ///< of the cells of the face that have one
+    std::vector<polynomial_pointer> at_corners;  ///< of corners where the surface has no polynomial but limit masks
+    polynomial_pointer at_end{};                 ///< of the face after many steps, between the limits of its corners
+    bool leads_to_polynomials = false;           ///< it has one, or a shape that steps make of it
+    std::size_t number = 0, oldest = 0;          ///< of a search for shapes that lead to one another
+};
+
+/// A point in a cell of a shape, and in the cell of a child that it lies in.
+template <class Shape>
+struct shape_sample {
+    shape_sample(Shape& shape, std::size_t in_cell, double in_s, double in_t)
+        : of(&shape), cell(in_cell), s(in_s), t(in_t), in_child{in_s, in_t}
+    {
+        next = Shape::domain::descend(shape.in_domain, cell, in_child);
+    }
+
+    [[nodiscard]] const typename Shape::child& child() const { return of->children[next.child]; }
+    [[nodiscard]] const surface_polynomial* polynomial_of_child() const
+    {
+        return child().of->polynomials[next.cell].get();
+    }
+
+    Shape* of;
+    std::size_t cell;
+    double s, t;
+    face_parameters in_child;
+    child_cell next{};
+};
+
+/// Returns the row of a corner of the face of a shape.
+template <class Shape>
+control_row corner_row(const Shape& here, std::size_t corner)
+{
+    control_row result(here.vertices);
+    result[here.mesh.face(here.face)[corner]] = 1;
+    return result;
+}
+
+} // namespace kith::detail
