@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kirchhoff_love.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace thin_shells {
+
+struct point_load {
+    point at, force;
+};
+
+/// A shell with its supports and loads. Its vertices are points of the middle surface. Faces may go beyond the shell:
+/// such ghost faces carry control points, so that the basis is complete up to a free edge.
+struct shell_problem {
+    mesh surface;
+    material of;
+    std::array<bool, 3> is_mirrored{}; ///< the mirror planes x = 0, y = 0, z = 0
+    /// Returns true if a face with this centre belongs to the shell.
+    std::function<bool(const point&)> is_inside;
+    /// Returns which of the displacements x, y, z a support prevents at a point.
+    std::function<std::array<bool, 3>(const point&)> held;
+    double gravity = 0; ///< the load per area, downwards
+    std::vector<point_load> loads{};
+    point_load probe; ///< `force` is a direction; the result is the displacement along it
+    double reference; ///< what the literature says of this displacement
+};
+
+/// Returns the parameters of a corner of a triangle or quad.
+inline std::array<double, 2> corner(std::size_t degree, std::size_t k)
+{
+    constexpr std::array<std::array<double, 2>, 4> quad{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    constexpr std::array<std::array<double, 2>, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
+    return degree == 4 ? quad[k] : triangle[k];
+}
+
+/// Returns for each vertex a place at it.
+inline std::vector<kith::surface_place> places_of_vertices(const mesh& m)
+{
+    std::vector<kith::surface_place> result(m.vertex_count());
+    for (std::size_t f = 0; f < m.face_count(); ++f)
+        for (std::size_t k = 0; k < m.face(f).size(); ++k) {
+            const auto [u, v] = corner(m.face(f).size(), k);
+            result[m.face(f)[k]] = {f, u, v};
+        }
+    return result;
+}
+
+/// Returns the control points of the surface through the points of a mesh. `limits` are the rows of its vertices.
+inline std::vector<point> interpolating_control_points(const mesh& m, std::span<const kith::stencil_row> limits)
+{
+    const auto rows = kith::make_matrix(limits, m.vertex_count());
+    std::vector<point> control(m.points().begin(), m.points().end());
+    for (double error = 1; error > 1e-13;) { // the eigenvalues of `rows` lie above 0 and up to 1
+        const auto reached = rows.apply(control);
+        double largest = 0, size = 0;
+        for (std::size_t v = 0; v < control.size(); ++v)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double correction = m.point(v)[axis] - reached[v][axis];
+                control[v][axis] += correction;
+                largest = std::fmax(largest, std::abs(correction));
+                size = std::fmax(size, std::abs(control[v][axis]));
+            }
+        error = largest / size;
+    }
+    return control;
+}
+
+struct shell_solution {
+    double displacement; ///< of the probe
+    std::ptrdiff_t unknowns;
+};
+
+/// Solves a shell problem with the basis functions of a scheme.
+class shell_solver {
+public:
+    template <class Scheme>
+    shell_solver(const shell_problem& problem, const Scheme& scheme)
+        : problem_(problem)
+        , locate_([surface = std::make_shared<kith::surface_locator<Scheme>>(problem.surface, scheme)](
+                      const std::vector<kith::surface_place>& places) { return surface->locate(places); })
+        , centres_(kith::quadrature_places(problem.surface, scheme, 1).places)
+        , quadrature_(kith::quadrature_places(problem.surface, scheme, 2))
+        , limits_(locate_(places_of_vertices(problem.surface)).weights().points)
+        , control_(interpolating_control_points(problem.surface, limits_))
+    {
+    }
+
+    /// Errors: std::runtime_error if the supports leave the shell movable.
+    [[nodiscard]] shell_solution solve() const
+    {
+        const auto shell = shell_places();
+        const auto [elasticity, areas] = integrate(locate_(shell.places), control_, shell, problem_.of);
+        const matrix stiffness = elasticity + support_stiffness(shell);
+        vector load = vector::Zero(stiffness.rows());
+        for (Eigen::Index v = 0; v < areas.size(); ++v)
+            load[3 * v + 2] = -problem_.gravity * areas[v];
+        for (const point_load& one : problem_.loads)
+            load += at_vertex(one);
+        const matrix unknowns = unknowns_of(stiffness);
+        const Eigen::SimplicialLDLT<matrix> factors(unknowns.transpose() * stiffness * unknowns);
+        if (factors.info() != Eigen::Success)
+            throw std::runtime_error("the stiffness matrix is singular; the shell needs more supports");
+        const vector displacements = unknowns * factors.solve(unknowns.transpose() * load);
+        return {at_vertex(problem_.probe).dot(displacements), unknowns.cols()};
+    }
+
+private:
+    /// Returns -1, 0 or 1.
+    static int side_of(double coordinate) { return (coordinate > 1e-6) - (coordinate < -1e-6); }
+
+    /// Returns the places of the faces of the shell on the positive sides of the mirrors. Their weights count all
+    /// images; a face that a mirror halves counts half.
+    [[nodiscard]] kith::surface_quadrature shell_places() const
+    {
+        const auto centres = locate_(centres_).evaluate(control_).points;
+        kith::surface_quadrature result;
+        for (std::size_t i = 0; i < quadrature_.places.size(); ++i) {
+            const point& centre = centres[quadrature_.places[i].face];
+            double images = problem_.is_inside(centre) ? 1 : 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                images *= problem_.is_mirrored[axis] ? 1 + side_of(centre[axis]) : 1;
+            if (images > 0) {
+                result.places.push_back(quadrature_.places[i]);
+                result.weights.push_back(images * quadrature_.weights[i]);
+            }
+        }
+        return result;
+    }
+
+    /// Returns stiff springs at held vertices, and at the middle of sides between two of them. These points determine
+    /// the displacements of a curve of either scheme.
+    [[nodiscard]] matrix support_stiffness(const kith::surface_quadrature& shell) const
+    {
+        std::vector<kith::surface_place> places;
+        std::vector<std::array<bool, 3>> held;
+        std::size_t last = problem_.surface.face_count();
+        for (const kith::surface_place& place : shell.places) {
+            if (place.face == last)
+                continue;
+            last = place.face;
+            const auto face = problem_.surface.face(last);
+            const auto held_at = [&](std::size_t k) { return problem_.held(problem_.surface.point(face[k])); };
+            for (std::size_t k = 0; k < face.size(); ++k) {
+                const std::size_t next = (k + 1) % face.size();
+                const auto [u, v] = corner(face.size(), k);
+                const auto [next_u, next_v] = corner(face.size(), next);
+                auto both = held_at(k);
+                places.push_back({last, u, v});
+                held.push_back(both);
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    both[axis] = both[axis] and held_at(next)[axis];
+                places.push_back({last, (u + next_u) / 2, (v + next_v) / 2});
+                held.push_back(both);
+            }
+        }
+        const auto rows = locate_(places).weights().points;
+        std::vector<Eigen::Triplet<double>> entries;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                if (held[i][axis])
+                    for (const auto& [v, weight] : rows[i].entries)
+                        entries.emplace_back(3 * i + axis, 3 * v + axis, weight);
+        matrix springs(3 * Eigen::Index(places.size()), 3 * Eigen::Index(control_.size()));
+        springs.setFromTriplets(entries.begin(), entries.end());
+        return 1e4 * problem_.of.young * problem_.of.thickness * matrix(springs.transpose() * springs);
+    }
+
+    /// Returns the matrix from unknowns to displacements of control points. These are equal or opposite between mirror
+    /// images, and zero where neither an image nor the point itself has a stiffness.
+    [[nodiscard]] matrix unknowns_of(const matrix& stiffness) const
+    {
+        const vector diagonal = stiffness.diagonal();
+        const auto image = [&](Eigen::Index k) { // the axis, and the rounded place of the positive image
+            const point& at = problem_.surface.point(std::size_t(k / 3));
+            std::array<long, 4> key{k % 3};
+            for (std::size_t a = 0; a < 3; ++a)
+                key[a + 1] = std::lround(1e6 * (problem_.is_mirrored[a] ? std::abs(at[a]) : at[a]));
+            return key;
+        };
+        const auto sign_of = [&](Eigen::Index k) {
+            const auto axis = std::size_t(k % 3);
+            return problem_.is_mirrored[axis] ? side_of(problem_.surface.point(std::size_t(k / 3))[axis]) : 1;
+        };
+        std::map<std::array<long, 4>, Eigen::Index> numbers;
+        for (Eigen::Index k = 0; k < diagonal.size(); ++k)
+            if (diagonal[k] != 0 and sign_of(k) != 0)
+                numbers.try_emplace(image(k), Eigen::Index(numbers.size()));
+        std::vector<Eigen::Triplet<double>> entries;
+        for (Eigen::Index k = 0; k < diagonal.size(); ++k)
+            if (const auto number = numbers.find(image(k)); number != numbers.end())
+                entries.emplace_back(k, number->second, sign_of(k));
+        matrix result(diagonal.size(), Eigen::Index(numbers.size()));
+        result.setFromTriplets(entries.begin(), entries.end());
+        return result;
+    }
+
+    /// Returns the weights of displacements of control points in the work of a force at a vertex.
+    [[nodiscard]] vector at_vertex(const point_load& load) const
+    {
+        const auto distance = [&](std::size_t v) {
+            const point& p = problem_.surface.point(v);
+            return std::hypot(p[0] - load.at[0], p[1] - load.at[1], p[2] - load.at[2]);
+        };
+        std::size_t nearest = 0;
+        for (std::size_t v = 1; v < control_.size(); ++v)
+            nearest = distance(v) < distance(nearest) ? v : nearest;
+        vector result = vector::Zero(3 * Eigen::Index(control_.size()));
+        for (const auto& [v, weight] : limits_[nearest].entries)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                result[Eigen::Index(3 * v + axis)] = weight * load.force[axis];
+        return result;
+    }
+
+    const shell_problem& problem_;
+    std::function<kith::located_places(const std::vector<kith::surface_place>&)> locate_;
+    std::vector<kith::surface_place> centres_; ///< of the faces
+    kith::surface_quadrature quadrature_;      ///< over all faces
+    kith::storage<kith::stencil_row> limits_;  ///< of the vertices
+    std::vector<point> control_;
+};
+
+} // namespace thin_shells
