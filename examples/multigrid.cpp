@@ -4,12 +4,13 @@
 // levels of Loop's scheme; as the levels are refined the number of V-cycles stays and the error falls with the square
 // of the width. Sample run: multigrid [plot.svg]
 
+#include "v_cycle.hpp"
+
 #include <kith/eigen.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
 #include <kith/mesh/make_mesh.hpp>
 
-#include <Eigen/Dense>
 #include <Eigen/Sparse>
 
 #include <array>
@@ -21,7 +22,7 @@
 
 using mesh = kith::basic_mesh<>;
 using vector = Eigen::VectorXd;
-using matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using matrix = multigrid::matrix;
 
 /// A bent torus of triangles, none of which is long and thin: each ring is turned against the one before by half an
 /// edge.
@@ -70,55 +71,6 @@ discretisation discretise(const mesh& m)
     stiffness.setFromTriplets(entries.begin(), entries.end());
     return {stiffness, mass};
 }
-
-/// V-cycles for stiffness matrices, whose null space are the constants; these come first in `prolongations`, from level
-/// 0 up.
-class multigrid {
-public:
-    multigrid(const matrix& finest, const std::vector<matrix>& prolongations) : prolongations_(prolongations)
-    {
-        operators_.assign(prolongations.size() + 1, finest);
-        for (std::size_t level = prolongations.size(); level-- > 0;)
-            operators_[level] = prolongations[level].transpose() * operators_[level + 1] * prolongations[level];
-        const Eigen::MatrixXd coarsest(operators_[0]);
-        coarse_solver_.compute(coarsest + Eigen::MatrixXd::Constant(coarsest.rows(), coarsest.cols(), 1));
-    }
-    void cycle(vector& u, const vector& b) const { cycle(prolongations_.size(), u, b); }
-
-private:
-    void cycle(std::size_t level, vector& u, const vector& b) const
-    {
-        if (level == 0) {
-            u = coarse_solver_.solve(b);
-            return;
-        }
-        const matrix &a = operators_[level], &p = prolongations_[level - 1];
-        smooth<false>(a, u, b), smooth<true>(a, u, b);
-        vector correction = vector::Zero(p.cols());
-        cycle(level - 1, correction, p.transpose() * (b - a * u));
-        u += p * correction;
-        smooth<false>(a, u, b), smooth<true>(a, u, b);
-    }
-    /// Gauss & Seidel's, forwards or backwards.
-    template <bool Backwards>
-    static void smooth(const matrix& a, vector& u, const vector& b)
-    {
-        for (Eigen::Index k = 0; k < a.rows(); ++k) {
-            const Eigen::Index row = Backwards ? a.rows() - 1 - k : k;
-            double rest = b[row], diagonal = 1;
-            for (matrix::InnerIterator entry(a, row); entry; ++entry)
-                if (entry.col() == row)
-                    diagonal = entry.value();
-                else
-                    rest -= entry.value() * u[entry.col()];
-            u[row] = rest / diagonal;
-        }
-    }
-
-    const std::vector<matrix>& prolongations_;
-    std::vector<matrix> operators_;
-    Eigen::LDLT<Eigen::MatrixXd> coarse_solver_;
-};
 
 struct solution {
     vector values; ///< of mean 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../limit_interpolation.hpp"
 #include "kirchhoff_love.hpp"
 
 #include <array>
@@ -9,7 +10,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -34,46 +34,6 @@ struct shell_problem {
     point_load probe; ///< `force` is a direction; the result is the displacement along it
     double reference; ///< what the literature says of this displacement
 };
-
-/// Returns the parameters of a corner of a triangle or quad.
-inline std::array<double, 2> corner(std::size_t degree, std::size_t k)
-{
-    constexpr std::array<std::array<double, 2>, 4> quad{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-    constexpr std::array<std::array<double, 2>, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
-    return degree == 4 ? quad[k] : triangle[k];
-}
-
-/// Returns for each vertex a place at it.
-inline std::vector<kith::surface_place> places_of_vertices(const mesh& m)
-{
-    std::vector<kith::surface_place> result(m.vertex_count());
-    for (std::size_t f = 0; f < m.face_count(); ++f)
-        for (std::size_t k = 0; k < m.face(f).size(); ++k) {
-            const auto [u, v] = corner(m.face(f).size(), k);
-            result[m.face(f)[k]] = {f, u, v};
-        }
-    return result;
-}
-
-/// Returns the control points of the surface through the points of a mesh. `limits` are the rows of its vertices.
-inline std::vector<point> interpolating_control_points(const mesh& m, std::span<const kith::stencil_row> limits)
-{
-    const auto rows = kith::make_matrix(limits, m.vertex_count());
-    std::vector<point> control(m.points().begin(), m.points().end());
-    for (double error = 1; error > 1e-13;) { // the eigenvalues of `rows` lie above 0 and up to 1
-        const auto reached = rows.apply(control);
-        double largest = 0, size = 0;
-        for (std::size_t v = 0; v < control.size(); ++v)
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double correction = m.point(v)[axis] - reached[v][axis];
-                control[v][axis] += correction;
-                largest = std::fmax(largest, std::abs(correction));
-                size = std::fmax(size, std::abs(control[v][axis]));
-            }
-        error = largest / size;
-    }
-    return control;
-}
 
 struct shell_solution {
     double displacement; ///< of the probe
@@ -152,8 +112,8 @@ private:
             const auto held_at = [&](std::size_t k) { return problem_.held(problem_.surface.point(face[k])); };
             for (std::size_t k = 0; k < face.size(); ++k) {
                 const std::size_t next = (k + 1) % face.size();
-                const auto [u, v] = corner(face.size(), k);
-                const auto [next_u, next_v] = corner(face.size(), next);
+                const auto [u, v] = parameters_of_corner(face.size(), k);
+                const auto [next_u, next_v] = parameters_of_corner(face.size(), next);
                 auto both = held_at(k);
                 places.push_back({last, u, v});
                 held.push_back(both);
