@@ -9,21 +9,15 @@
 #include <span>
 #include <vector>
 
-/// Returns the parameters of a corner of a triangle or quad.
-inline std::array<double, 2> parameters_of_corner(std::size_t degree, std::size_t k)
-{
-    constexpr std::array<std::array<double, 2>, 4> quad{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-    constexpr std::array<std::array<double, 2>, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
-    return degree == 4 ? quad[k] : triangle[k];
-}
-
 /// Returns for each vertex of a mesh of triangles or of quads a place at it.
 inline std::vector<kith::surface_place> places_of_vertices(const kith::basic_mesh<>& m)
 {
+    constexpr std::array<std::array<double, 2>, 4> quad{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    constexpr std::array<std::array<double, 2>, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
     std::vector<kith::surface_place> result(m.vertex_count());
     for (std::size_t f = 0; f < m.face_count(); ++f)
         for (std::size_t k = 0; k < m.face(f).size(); ++k) {
-            const auto [u, v] = parameters_of_corner(m.face(f).size(), k);
+            const auto [u, v] = m.face(f).size() == 4 ? quad[k] : triangle[k];
             result[m.face(f)[k]] = {f, u, v};
         }
     return result;

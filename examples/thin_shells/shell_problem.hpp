@@ -97,40 +97,24 @@ private:
         return result;
     }
 
-    /// Returns stiff springs at held vertices, and at the middle of sides between two of them. These points determine
-    /// the displacements of a curve of either scheme.
+    /// Returns stiff springs at the held vertices of the shell. Springs between the vertices are not needed; for Loop
+    /// they would also hold faces beside the supported curve.
     [[nodiscard]] matrix support_stiffness(const kith::surface_quadrature& shell) const
     {
-        std::vector<kith::surface_place> places;
-        std::vector<std::array<bool, 3>> held;
-        std::size_t last = problem_.surface.face_count();
-        for (const kith::surface_place& place : shell.places) {
-            if (place.face == last)
-                continue;
-            last = place.face;
-            const auto face = problem_.surface.face(last);
-            const auto held_at = [&](std::size_t k) { return problem_.held(problem_.surface.point(face[k])); };
-            for (std::size_t k = 0; k < face.size(); ++k) {
-                const std::size_t next = (k + 1) % face.size();
-                const auto [u, v] = parameters_of_corner(face.size(), k);
-                const auto [next_u, next_v] = parameters_of_corner(face.size(), next);
-                auto both = held_at(k);
-                places.push_back({last, u, v});
-                held.push_back(both);
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    both[axis] = both[axis] and held_at(next)[axis];
-                places.push_back({last, (u + next_u) / 2, (v + next_v) / 2});
-                held.push_back(both);
-            }
-        }
-        const auto rows = locate_(places).weights().points;
+        std::vector<bool> is_of_shell(control_.size(), false);
+        for (const kith::surface_place& place : shell.places)
+            for (const auto v : problem_.surface.face(place.face))
+                is_of_shell[v] = true;
         std::vector<Eigen::Triplet<double>> entries;
-        for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t v = 0; v < control_.size(); ++v) {
+            const auto is_held = problem_.held(problem_.surface.point(v));
             for (std::size_t axis = 0; axis < 3; ++axis)
-                if (held[i][axis])
-                    for (const auto& [v, weight] : rows[i].entries)
-                        entries.emplace_back(3 * i + axis, 3 * v + axis, weight);
-        matrix springs(3 * Eigen::Index(places.size()), 3 * Eigen::Index(control_.size()));
+                if (is_of_shell[v] and is_held[axis])
+                    for (const auto& [column, weight] : limits_[v].entries)
+                        entries.emplace_back(3 * v + axis, 3 * column + axis, weight);
+        }
+        const auto size = 3 * Eigen::Index(control_.size());
+        matrix springs(size, size);
         springs.setFromTriplets(entries.begin(), entries.end());
         return 1e4 * problem_.of.young * problem_.of.thickness * matrix(springs.transpose() * springs);
     }
