@@ -5,6 +5,7 @@
 
 #include <kith/crease/make_creases.hpp>
 #include <kith/doo_sabin.hpp>
+#include <kith/surface/quadrature.hpp>
 #include <kith/tri_quad.hpp>
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
@@ -12,6 +13,7 @@
 #include <malloc.h>
 
 #include <array>
+#include <cstddef>
 #include <type_traits>
 
 INSTANTIATE_TYPED_TEST_SUITE_P(poly_mesh, mesh_statements, testing::Types<poly_mesh>);
@@ -196,6 +198,16 @@ TEST(openmesh, deleted_elements_are_left_out)
     ASSERT_EQ(with_deleted.n_faces(), 10U);
     EXPECT_TRUE(same_bits(kith::refine(with_deleted, kith::catmull_clark(), 2),
                           kith::refine(make(shapes::cube()), kith::catmull_clark(), 2)));
+}
+
+TEST(openmesh, deleted_elements_have_no_places_of_quadrature)
+{
+    const auto quadrature = kith::quadrature_places(cube_after_deleted_tetrahedron(), kith::catmull_clark(), 2);
+    ASSERT_EQ(quadrature.places.size(), 24U);
+    for (std::size_t i = 0; i < quadrature.places.size(); ++i) {
+        EXPECT_EQ(quadrature.places[i].face, i / 4);
+        EXPECT_EQ(quadrature.weights[i], .25);
+    }
 }
 
 TEST(openmesh, deleted_elements_do_not_shift_associations)
