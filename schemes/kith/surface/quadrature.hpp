@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "parametric_scheme.hpp"
 #include "surface_place.hpp"
 
 #include <kith/base/error.hpp>
 #include <kith/level/lift.hpp>
+#include <kith/shape/parametric_scheme.hpp>
 
 #include <array>
 #include <concepts>
