@@ -3,6 +3,8 @@
 
 #include "error_text.hpp"
 #include "every_scheme.hpp"
+#include "own_state.hpp"
+#include "thread_count.hpp"
 
 #include <kith/surface.hpp>
 
@@ -14,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
@@ -84,6 +87,89 @@ TEST(closest_points, find_the_foot_of_a_normal)
         EXPECT_LT(distance(found[i].point, values.points[i / 2]), 1e-11) << i;
         EXPECT_NEAR(found[i].distance, 1e-3, 1e-14);
     }
+}
+
+/// Two bumps in one face: a point between them is nearer to one of them by little. The other one is a local minimum.
+TEST(closest_points, tell_apart_minima_in_one_face)
+{
+    shapes::shape shape = shapes::grid(3, 3);
+    for (auto& p : shape.points)
+        p = {p[0], p[1], 0};
+    auto mesh = native(shape);
+    const std::size_t face = mesh.face_count() / 2; // in the middle
+    const auto corners = mesh.face(face);
+    std::vector<point> control(mesh.points().begin(), mesh.points().end());
+    control[corners[0]][2] = control[corners[2]][2] = 2.5; // a bump at two opposite corners
+    mesh = kith::make_mesh(control, shape.faces);
+    kith::surface_locator surface(mesh, kith::catmull_clark{});
+    const auto at = surface.locate(std::vector<kith::surface_place>{{face, .1, .1, 0}, {face, .9, .9, 0}})
+                        .evaluate(mesh.points());
+    std::vector<point> queries;
+    for (int i = 0; i <= 20; ++i) {
+        const double t = i / 20.;
+        queries.push_back({});
+        for (std::size_t x = 0; x < 3; ++x)
+            queries.back()[x] = (1 - t) * at.points[0][x] + t * at.points[1][x] + (x == 2 ? .1 : 0);
+    }
+    const auto found = kith::closest_points(mesh, kith::catmull_clark{}).of(queries);
+    const auto fine = tessellate(mesh, kith::catmull_clark{}, {.segments = 100});
+    std::size_t near_first = 0, near_second = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        double sampled = std::numeric_limits<double>::infinity();
+        for (const point& p : fine.mesh.points())
+            sampled = std::min(sampled, distance(p, queries[i]));
+        EXPECT_LE(found[i].distance, sampled + 1e-14) << i;
+        EXPECT_GT(found[i].distance, sampled - 1e-3) << i;
+        near_first += found[i].place.face == face and found[i].place.u < .5 and found[i].place.v < .5;
+        near_second += found[i].place.face == face and found[i].place.u > .5 and found[i].place.v > .5;
+    }
+    EXPECT_GE(near_first, 4U);
+    EXPECT_GE(near_second, 4U);
+}
+
+/// At a corner and at the side of a flat surface, and at vertices, the distance is known.
+TEST(closest_points, are_exact_on_flat_faces)
+{
+    const std::vector<point> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const std::vector<std::array<int, 4>> faces{{0, 1, 2, 3}};
+    const auto found = kith::closest_points(kith::make_mesh(corners, faces), kith::linear{})
+                           .of(std::vector<point>{{-3, -4, 0}, {.25, .75, 2}, {2, .5, 0}, {1, 1, 0}, {.5, .5, -1e6}});
+    const std::array<double, 5> expected{5, 2, 1, 0, 1e6};
+    const std::array<point, 5> feet{{{0, 0, 0}, {.25, .75, 0}, {1, .5, 0}, {1, 1, 0}, {.5, .5, 0}}};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_NEAR(found[i].distance, expected[i], 1e-13) << i;
+        EXPECT_LT(distance(found[i].point, feet[i]), i == 4 ? 1e-9 : 1e-14) << i;
+    }
+}
+
+TEST(closest_points, are_the_same_bits_on_threads)
+{
+    const auto mesh = native(shapes::shaken(shapes::house()));
+    std::minstd_rand random(1);
+    std::vector<point> queries(300);
+    for (auto& q : queries)
+        for (double& x : q)
+            x = 4 * double(random()) / double(std::minstd_rand::max()) - 2;
+    const auto make = [&](int threads) {
+        const thread_count count(threads);
+        return kith::closest_points(mesh, kith::catmull_clark{}).of(queries);
+    };
+    const auto one = make(1), three = make(3);
+    for (std::size_t i = 0; i < queries.size(); ++i)
+        EXPECT_TRUE(one[i].place == three[i].place and one[i].distance == three[i].distance) << i;
+}
+
+TEST(closest_points, refuse_schemes_that_are_no_splines)
+{
+    const auto mesh = native(shapes::triangulated(shapes::torus(5, 6)));
+    const std::string expected = "the control points of this scheme do not bound its surface, which is no spline among "
+                                 "regular faces or has negative weights; search a tessellation instead";
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { const kith::closest_points surface(mesh, kith::butterfly{}); }),
+              expected);
+    const auto quads = native(shapes::torus(5, 6));
+    EXPECT_EQ(
+        error_text<kith::mesh_error>([&] { const kith::closest_points surface(quads, own_state::some_drawn(quads)); }),
+        expected);
 }
 
 TEST(closest_points, refuse_what_is_not_finite)

@@ -21,6 +21,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -491,6 +492,82 @@ TEST(surface, has_the_same_bits_in_any_numbers_and_in_parts)
     }
 }
 
+TEST(surface, locates_the_same_on_threads)
+{
+    const auto mesh = native(shapes::shaken(shapes::torus(40, 30)));
+    const auto scheme = with_creases(kith::catmull_clark{}, mesh, 1.5);
+    const auto places = places_of_level<kith::catmull_clark>(mesh, 1);
+    const auto make = [&](int threads) {
+        const thread_count count(threads);
+        return kith::surface_locator(mesh, scheme).locate(places).evaluate(mesh.points(), derivatives::first);
+    };
+    const auto one = make(1), three = make(3);
+    EXPECT_TRUE(std::ranges::equal(one.points, three.points));
+    EXPECT_TRUE(std::ranges::equal(one.dv, three.dv));
+}
+
+/// A torus whose values at corners have two seams is the grid that one gets by cutting it there.
+TEST(surface, has_values_with_seams)
+{
+    constexpr std::size_t n = 6;
+    const auto joined = [](std::size_t v) { return v / (n + 1) % n * n + v % (n + 1) % n; };
+    const auto test = [joined](shapes::shape grid, auto scheme) {
+        auto torus = grid; // opposite sides are joined
+        for (auto& face : torus.faces)
+            for (auto& v : face)
+                v = joined(v);
+        torus.points.resize(n * n);
+        const auto mesh = native(torus), cut = native(shapes::shaken(grid));
+        ASSERT_EQ(mesh.face_count(), cut.face_count());
+        std::vector<point> values;
+        std::vector<surface_place> places, of_places; // in the torus and in the grid
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            const auto face = mesh.face(f), cut_face = cut.face(f);
+            std::size_t turns = 0; // a face may begin at another corner
+            while (joined(cut_face[turns]) != face[0])
+                ++turns;
+            for (std::size_t k = 0; k < face.size(); ++k)
+                values.push_back(cut.point(cut_face[(k + turns) % face.size()]));
+            for (auto [u, v] : {parameters{0, 0}, {.3, .1}, {1, 0}, {.05, .03}, {.6, .35}, {.01, .98}}) {
+                of_places.push_back({f, u, v, 0});
+                for (std::size_t turn = 0; turn < turns; ++turn)
+                    std::tie(u, v) = std::tuple(v, face.size() == 4 ? 1 - u : 1 - u - v);
+                places.push_back({f, u, v, 0});
+            }
+        }
+        for (const auto linear : {kith::face_varying_linear::none, kith::face_varying_linear::corners_plus1}) {
+            scheme.corners = kith::boundary_corner::smoothed;
+            auto of_cut = scheme;
+            if (linear != kith::face_varying_linear::none) // where the seams cross
+                for (const std::size_t corner : {0, 6, 42, 48})
+                    of_cut.sharpness.sharpen_vertex(corner, kith::infinitely_sharp);
+            const auto expected =
+                kith::surface_locator(cut, of_cut).locate(of_places).evaluate(cut.points(), derivatives::first);
+            kith::surface_locator surface(mesh, scheme);
+            const auto at = surface.locate(places, kith::on_corners(values, kith::face_varying{linear}));
+            const auto made = at.evaluate(values, derivatives::first);
+            const auto normals = normals_of(made), expected_normals = normals_of(expected);
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                ASSERT_LT(distance(made.points[i], expected.points[i]), 1e-13) << i;
+                if (i % 6 % 2 != 0) { // and not at a vertex
+                    ASSERT_LT(distance(normals[i], expected_normals[i]), 1e-12) << i;
+                }
+            }
+            EXPECT_EQ(error_text<kith::mesh_error>([&] { static_cast<void>(at.evaluate(mesh.points())); }),
+                      "places on a surface with " + std::to_string(values.size()) + " control corners were given " +
+                          std::to_string(mesh.vertex_count()) + " values; give one for each of these corners");
+        }
+    };
+    test(shapes::grid(n, n), kith::catmull_clark{});
+    test(shapes::triangulated(shapes::grid(n, n)), kith::loop{});
+    kith::surface_locator surface(native(shapes::cube()), kith::catmull_clark{});
+    EXPECT_EQ(error_text<kith::mesh_error>([&] {
+                  static_cast<void>(surface.locate(std::vector{surface_place{}},
+                                                   kith::on_corners(std::vector<double>(7), kith::face_varying{})));
+              }),
+              "a field on corners has 7 values, the mesh has 24 corners; give it one for each");
+}
+
 /// A scheme of a user's own with state is refined by its own text, too.
 TEST(surface, takes_a_scheme_that_carries_state)
 {
@@ -550,7 +627,7 @@ TEST(surface, refuses_what_is_no_place)
     EXPECT_EQ(error_text<kith::mesh_error>([&] {
                   static_cast<void>(surface.locate(std::vector{surface_place{}}).evaluate(std::vector<double>(7)));
               }),
-              "places on a surface with 8 control vertices were given 7 values; give one for each vertex");
+              "places on a surface with 8 control vertices were given 7 values; give one for each of these vertices");
 }
 
 } // namespace

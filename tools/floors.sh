@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 # are named, which lie above it or know what does. `<` names the roots below.
 floors='
 include     : base lane mesh repair mask level property association step neighbourhood patch engine field lineage .
-schemes     < include : compiled split kernel crease seam nasri_hasbini selected . presets.hpp compiled_schemes.hpp limit_rules limit spline shape surface tessellation surface.hpp closest_points.hpp schemes.hpp
+schemes     < include : compiled split kernel crease seam nasri_hasbini selected . presets.hpp compiled_schemes.hpp limit_rules limit spline shape surface tessellation surface.hpp search closest_points.hpp ray_hits.hpp schemes.hpp
 distributed < include schemes : part number tile output mpi ranks slices .
 adapters    < include schemes : . in_place cgal openmesh cgal_subdivision.hpp openmesh_subdivision.hpp
 io          < include schemes distributed : text format .

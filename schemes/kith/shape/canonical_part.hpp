@@ -24,7 +24,7 @@ template <std::unsigned_integral Index, scheme Scheme>
 struct canonical_part {
     connectivity<Index> mesh;
     Scheme scheme;                  ///< with the state of the part
-    std::vector<Index> vertex_from; ///< for each vertex its number before
+    std::vector<Index> corner_from; ///< for each corner its number before
     std::u32string key{};           ///< the same for the same parts; empty if the part keeps the numbers that it had
     Index face = 0;                 ///< around which the part lies
 };
@@ -56,7 +56,14 @@ public:
 
     /// Returns false if the part is not connected by edges: then it has no such numbers.
     [[nodiscard]] bool has_all() const { return entries_.size() == part_.faces; }
-    [[nodiscard]] const std::vector<Index>& vertex_from() const { return vertex_from_; }
+    /// Returns for each corner of the part in its new order the number before.
+    [[nodiscard]] std::vector<Index> corner_from() const
+    {
+        std::vector<Index> result;
+        for (std::size_t f = 0; f < entries_.size(); ++f)
+            for_corners(f, [&](Index c) { result.push_back(c); });
+        return result;
+    }
 
     /// Returns the part in these numbers, and adds it to a key.
     [[nodiscard]] connectivity<Index> connect(std::u32string& key) const
@@ -146,9 +153,9 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, in
                                              Index face)
 {
     const auto as_it_is = [&] {
-        std::vector<Index> same(part.vertices);
-        for (std::size_t v = 0; v < same.size(); ++v)
-            same[v] = Index(v);
+        std::vector<Index> same(part.corners());
+        for (std::size_t c = 0; c < same.size(); ++c)
+            same[c] = Index(c);
         return canonical_part<Index, Scheme>{part, scheme, std::move(same), {}, face};
     };
     if constexpr (scheme_of_places<Scheme>) {
@@ -177,7 +184,7 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, in
                 });
                 ++which;
             });
-            return {std::move(mesh), std::move(renumbered), numbers.vertex_from(), std::move(key)};
+            return {std::move(mesh), std::move(renumbered), numbers.corner_from(), std::move(key)};
         }
     }
     return as_it_is();

@@ -115,15 +115,15 @@ private:
         for (const auto& [s, t] : lattice_points(1, domain::is_tensor)) {
             const auto k = std::size_t(std::ranges::find(domain::corners, std::array{s, t}) - domain::corners.begin());
             corners.push_back(corner_row(here, std::min(k, here.in_domain.degree - 1)));
-            if (here.in_domain.degree != domain::sides or not is_settled(here.scheme))
-                continue;
-            if (auto limit = limit_at_vertex(here.mesh, here.scheme, here.mesh.face(here.face)[k])) {
-                corners.back() = limit->at(0, 0);
-                // At a regular corner the child is a polynomial, which has derivatives.
-                const bool is_needed = here.leads_to_polynomials or not here.has_key;
-                if (is_needed and sample(here, 0, s, t).polynomial_of_child() == nullptr)
-                    here.at_corners[k] = std::move(limit);
-            }
+            if constexpr (Shape::has_points) // masks of limits are for points
+                if (here.in_domain.degree == domain::sides and is_settled(here.scheme))
+                    if (auto limit = limit_at_vertex(here.mesh, here.scheme, here.mesh.face(here.face)[k])) {
+                        corners.back() = limit->at(0, 0);
+                        // At a regular corner the child is a polynomial, which has derivatives.
+                        const bool is_needed = here.leads_to_polynomials or not here.has_key;
+                        if (is_needed and sample(here, 0, s, t).polynomial_of_child() == nullptr)
+                            here.at_corners[k] = std::move(limit);
+                    }
         }
         auto made = polynomial_lattice(1, domain::is_tensor).through(corners);
         made.derivatives = here.leads_to_polynomials ? 0 : 1;

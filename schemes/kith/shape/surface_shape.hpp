@@ -4,6 +4,7 @@
 #include "limit_polynomial.hpp"
 #include "parametric_scheme.hpp"
 
+#include <kith/base/storage.hpp>
 #include <kith/spline/surface_polynomial.hpp>
 
 #include <algorithm>
@@ -11,26 +12,45 @@
 #include <atomic>
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace kith::detail {
 
-/// The neighbourhood of a face, and its children: the shapes around the faces that a step makes of it. Their control
-/// points are weighted sums of its own.
-template <std::unsigned_integral Index, parametric_scheme Scheme>
+/// Stands for the rule of values at vertices, which are refined as points are.
+struct as_points {
+    struct mark_type {};
+};
+
+/// The values around a face beside its mesh: where corners have values, which may differ at a vertex.
+template <std::unsigned_integral Index, class Rule>
+struct values_at_corners {
+    std::vector<Index> inputs;                 ///< the input of each corner
+    storage<typename Rule::mark_type> marks{}; ///< of the rule, for each corner; none before the first step
+};
+template <std::unsigned_integral Index>
+struct values_at_corners<Index, as_points> {};
+
+/// The neighbourhood of a face, and its children: the shapes around the faces that a step makes of it. Inputs are the
+/// control points of the neighbourhood, or its values at corners by a rule of fields. Those of a child are weighted
+/// sums of those of its parent.
+template <std::unsigned_integral Index, parametric_scheme Scheme, class Rule>
 struct surface_shape {
+    static constexpr bool has_points = std::same_as<Rule, as_points>;
     using domain = domain_of<Scheme>;
-    using mesh_type = basic_mesh<stencil_row, Index>;
+    using mesh_type = basic_mesh<std::conditional_t<has_points, stencil_row, double>, Index>;
+    using corner_values = values_at_corners<Index, Rule>;
 
     struct child {
         surface_shape* of;
         subdivision_matrix rows;
     };
 
-    surface_shape(mesh_type m, Scheme s, Index f, bool has_own_key)
-        : vertices(m.vertex_count())
+    surface_shape(mesh_type m, corner_values at_each, std::size_t input_count, Scheme s, Index f, bool has_own_key)
+        : inputs(input_count)
         , mesh(std::move(m))
+        , values(std::move(at_each))
         , scheme(std::move(s))
         , face(f)
         , has_key(has_own_key)
@@ -40,8 +60,9 @@ struct surface_shape {
     {
     }
 
-    std::size_t vertices; ///< its control points
-    mesh_type mesh;       ///< with unit rows for points
+    std::size_t inputs;
+    mesh_type mesh; ///< with unit rows for points, if these are the inputs
+    corner_values values;
     Scheme scheme;
     Index face;
     bool has_key; ///< others have its shape, if theirs is the same
@@ -80,10 +101,14 @@ struct shape_sample {
 
 /// Returns the row of a corner of the face of a shape.
 template <class Shape>
-control_row corner_row(const Shape& here, std::size_t corner)
+control_row corner_row(const Shape& here, std::size_t k)
 {
-    control_row result(here.vertices);
-    result[here.mesh.face(here.face)[corner]] = 1;
+    const std::size_t corner = here.mesh.topology().first_corner(here.face) + k;
+    control_row result(here.inputs);
+    if constexpr (Shape::has_points)
+        result[here.mesh.topology().corner_vertex[corner]] = 1;
+    else
+        result[here.values.inputs[corner]] = 1;
     return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <atomic>
 #include <concepts>
 #include <cstddef>
@@ -25,22 +26,63 @@ namespace kith {
 
 namespace detail {
 
+/// Returns for each corner the first one at its vertex that is_alike(first, corner).
+template <std::unsigned_integral Index, class IsAlike>
+std::vector<Index> first_alike(const connectivity<Index>& mesh, const IsAlike& is_alike)
+{
+    std::vector<std::vector<Index>> kinds(mesh.vertices);
+    std::vector<Index> result;
+    for (std::size_t c = 0; c < mesh.corners(); ++c) {
+        auto& of_vertex = kinds[mesh.corner_vertex[c]];
+        const auto known = std::ranges::find_if(of_vertex, [&](Index first) { return is_alike(first, Index(c)); });
+        result.push_back(known == of_vertex.end() ? Index(c) : *known);
+        if (known == of_vertex.end())
+            of_vertex.push_back(Index(c));
+    }
+    return result;
+}
+/// Returns for each corner of a part of a mesh its number in the mesh.
+template <std::unsigned_integral Index>
+std::vector<Index> corners_of(const connectivity<Index>& mesh, const connectivity<Index>& part,
+                              std::span<const Index> face_from)
+{
+    std::vector<Index> result;
+    for (std::size_t f = 0; f < face_from.size(); ++f)
+        for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
+            result.push_back(Index(mesh.first_corner(face_from[f]) + (c - part.first_corner(f))));
+    return result;
+}
+
 /// The shapes of the parts of a mesh around its faces, and of those around the faces that steps make of them. Parts of
 /// one shape have the same polynomials. The scheme's own text refines a part of each shape once, with rows of weights
-/// for points. Several threads may use an object at once: shapes do not depend on which thread makes them.
-template <std::unsigned_integral Index, parametric_scheme Scheme>
+/// for points. If a rule is given, this rule refines rows for values at corners instead. Several threads may use an
+/// object at once: shapes do not depend on which thread makes them.
+template <std::unsigned_integral Index, parametric_scheme Scheme, class Rule = as_points>
 class surface_shapes {
 public:
-    using shape = surface_shape<Index, Scheme>;
+    using shape = surface_shape<Index, Scheme, Rule>;
 
-    explicit surface_shapes(const Scheme& scheme) : rings_(rings_of_surface(scheme)) {}
+    /// A part of a mesh around a face.
+    struct part {
+        const connectivity<Index>& mesh;
+        int generation;
+        const Scheme& scheme;
+        Index face;
+        std::vector<Index> first_alike{}; ///< for each corner the first one at its vertex with the same value; for
+                                          ///< values at corners only
+        storage<typename Rule::mark_type> marks{};
+    };
 
-    /// Returns the shape of a part, and for each of its control points the vertex of the part.
-    std::pair<shape*, std::vector<Index>> of_part(const connectivity<Index>& part, int generation, const Scheme& scheme,
-                                                  Index face)
+    explicit surface_shapes(const Scheme& scheme, const Rule& rule = Rule())
+        : rings_(rings_of_surface(scheme)), rule_(rule)
+    {
+    }
+
+    /// Returns the shape of a part, and for each of its inputs a corner of the part that has it.
+    std::pair<shape*, std::vector<Index>> of_part(const part& around)
     {
         const std::scoped_lock lock(mutex_);
-        return add_part(part, generation, scheme, face);
+        return add_part(around);
     }
 
     /// Makes what a shape leads to.
@@ -85,28 +127,72 @@ private:
     using domain = domain_of<Scheme>;
     using mesh_type = typename shape::mesh_type;
 
-    std::pair<shape*, std::vector<Index>> add_part(const connectivity<Index>& part, int generation,
-                                                   const Scheme& scheme, Index face)
+    std::pair<shape*, std::vector<Index>> add_part(const part& around)
     {
-        auto canonical = make_canonical(part, generation, scheme, face);
+        auto canonical = make_canonical(around.mesh, around.generation, around.scheme, around.face);
+        std::vector<Index> input_from;
+        auto values = number_inputs(around, canonical, input_from);
         const auto add = [&] {
-            shapes_.push_back(std::make_unique<shape>(mesh_of_units(std::move(canonical.mesh), generation),
+            shapes_.push_back(std::make_unique<shape>(mesh_of_units(std::move(canonical.mesh), around.generation),
+                                                      std::move(values),
+                                                      input_from.size(),
                                                       std::move(canonical.scheme),
                                                       canonical.face,
                                                       not canonical.key.empty()));
             return shapes_.back().get();
         };
         if (canonical.key.empty())
-            return {add(), std::move(canonical.vertex_from)};
+            return {add(), std::move(input_from)};
         shape*& known = by_key_[canonical.key];
         if (known == nullptr)
             known = add();
-        return {known, std::move(canonical.vertex_from)};
+        return {known, std::move(input_from)};
+    }
+    /// Numbers the inputs by canonical corners, which are listed by vertices. Adds what tells parts apart to the key.
+    static typename shape::corner_values number_inputs(const part& around, canonical_part<Index, Scheme>& canonical,
+                                                       std::vector<Index>& input_from)
+    {
+        const auto& from = canonical.corner_from;
+        if constexpr (shape::has_points) {
+            input_from.resize(canonical.mesh.vertices);
+            for (std::size_t c = from.size(); c-- > 0;)
+                input_from[canonical.mesh.corner_vertex[c]] = from[c];
+            return {};
+        } else {
+            constexpr Index none = connectivity<Index>::none;
+            typename shape::corner_values values{std::vector<Index>(from.size())};
+            std::vector<Index> input_of(from.size(), none);
+            for (std::size_t c = 0; c < from.size(); ++c) {
+                Index& input = input_of[around.first_alike[from[c]]];
+                if (input == none) {
+                    input = Index(input_from.size());
+                    input_from.push_back(from[c]);
+                }
+                values.inputs[c] = input;
+            }
+            if (not around.marks.empty()) {
+                values.marks = storage<typename Rule::mark_type>(from.size());
+                for (std::size_t c = 0; c < from.size(); ++c)
+                    values.marks[c] = around.marks[from[c]];
+            }
+            if (not canonical.key.empty()) {
+                for (const Index input : values.inputs)
+                    canonical.key += char32_t(input);
+                for (const auto& mark : values.marks)
+                    for (const std::byte b : std::bit_cast<std::array<std::byte, sizeof(mark)>>(mark))
+                        canonical.key += char32_t(b);
+            }
+            return values;
+        }
     }
     static mesh_type mesh_of_units(connectivity<Index> topology, int generation)
     {
-        const auto units = unit_rows(topology.vertices);
-        return {storage<stencil_row>(units), std::move(topology), generation};
+        if constexpr (shape::has_points) {
+            const auto units = unit_rows(topology.vertices);
+            return {storage<stencil_row>(units), std::move(topology), generation};
+        } else {
+            return {storage<double>(topology.vertices, 0), std::move(topology), generation};
+        }
     }
 
     /// Decides a shape, and all that it leads to. Those that lead to one another are decided together, after all
@@ -139,24 +225,63 @@ private:
             return;
         numbering_of<Scheme, Index> ids;
         const auto fine = refine_mesh<connect::everything>(here.mesh, here.scheme, ids);
+        const level_of<mesh_type> coarse(here.mesh);
+        [[maybe_unused]] const auto fine_values = values_after(
+            here,
+            made_step<Scheme, level_of<mesh_type>, decltype(ids), mesh_type>{
+                here.scheme, coarse, here.mesh.generation(), ids, fine});
         Scheme scheme = here.scheme;
-        advance(scheme, level_of<mesh_type>(here.mesh), here.mesh.generation(), ids, fine);
-        submesh_cutter<stencil_row, Index> cutter(fine);
+        advance(scheme, coarse, here.mesh.generation(), ids, fine);
+        submesh_cutter<typename mesh_type::point_type, Index> cutter(fine);
         for (std::size_t k = 0; k < domain::children(here.in_domain); ++k) {
             const std::array<Index, 1> seed{Index(domain::child(here.mesh.topology(), ids, here.face, k))};
-            const auto part = cutter.cut(cutter.faces_around(seed, rings_));
-            Scheme of_part_scheme = scheme;
-            take_part(of_part_scheme, scheme, part.numbers());
-            const auto place = std::ranges::lower_bound(part.face_from, seed[0]) - part.face_from.begin();
-            auto [child, vertex_from] = add_part(part.mesh.topology(), fine.generation(), of_part_scheme, Index(place));
+            const auto cut = cutter.cut(cutter.faces_around(seed, rings_));
+            Scheme of_part = scheme;
+            take_part(of_part, scheme, cut.numbers());
+            const auto place = std::ranges::lower_bound(cut.face_from, seed[0]) - cut.face_from.begin();
+            part around{cut.mesh.topology(), fine.generation(), of_part, Index(place)};
             std::vector<stencil_row> rows;
-            for (const Index v : vertex_from)
-                rows.push_back(part.mesh.point(v));
-            here.children.push_back({child, make_matrix(rows, here.vertices)});
+            if constexpr (shape::has_points) {
+                const auto [child, input_from] = add_part(around);
+                for (const Index corner : input_from)
+                    rows.push_back(cut.mesh.point(around.mesh.corner_vertex[corner]));
+                here.children.push_back({child, make_matrix(rows, here.inputs)});
+            } else {
+                const auto corners = corners_of(fine.topology(), around.mesh, std::span<const Index>(cut.face_from));
+                around.first_alike = first_alike(around.mesh, [&](Index a, Index b) {
+                    return fine_values.first[corners[a]] == fine_values.first[corners[b]];
+                });
+                const auto& [fine_rows, fine_marks] = fine_values;
+                around.marks = storage<typename Rule::mark_type>(fine_marks.empty() ? 0 : corners.size());
+                for (std::size_t c = 0; c < around.marks.size(); ++c)
+                    around.marks[c] = fine_marks[corners[c]];
+                const auto [child, input_from] = add_part(around);
+                for (const Index corner : input_from)
+                    rows.push_back(fine_values.first[corners[corner]]);
+                here.children.push_back({child, make_matrix(rows, here.inputs)});
+            }
+        }
+    }
+    /// Returns rows and marks of the corners after a step.
+    template <class Step>
+    auto values_after(const shape& here, const Step& step) const
+    {
+        if constexpr (shape::has_points) {
+            return 0;
+        } else {
+            const auto units = unit_rows(here.inputs);
+            storage<stencil_row> rows(here.values.inputs.size());
+            for (std::size_t c = 0; c < rows.size(); ++c)
+                rows[c] = units[here.values.inputs[c]];
+            return rule_.template after<stencil_row>(
+                std::span<const stencil_row>(rows.data(), rows.size()),
+                std::span<const typename Rule::mark_type>(here.values.marks.data(), here.values.marks.size()),
+                step);
         }
     }
 
     int rings_;
+    [[no_unique_address]] Rule rule_;
     shape_polynomials<shape> polynomials_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<shape>> shapes_;

@@ -46,17 +46,19 @@ public:
     [[nodiscard]] std::size_t size() const { return all_.places.size(); }
 
     /// Returns the values of the limit surface for a value per vertex of the control mesh, such as points, colours or
-    /// rows of weights, and their derivatives. See `surface_locator` for what is not known at irregular vertices; such
+    /// rows of weights, and their derivatives; for a value per corner if the places were located for those. See `surface_locator` for what is not known at irregular vertices; such
     /// derivatives are no numbers. Runs on the threads of OpenMP where values are plain bytes.
-    /// Errors: mesh_error unless there is a value for each vertex. Cost: O(places), and for each face with places that
+    /// Errors: mesh_error unless there is a value for each. Cost: O(places), and for each face with places that
     /// of a product with a matrix of 15 or 16 rows.
     template <affine_value T>
     [[nodiscard]] surface_values<T> evaluate(std::span<const T> control, derivatives wanted = derivatives::none) const
     {
-        if (control.size() != all_.vertices)
-            throw mesh_error("places on a surface with " + std::to_string(all_.vertices) +
-                             " control vertices were given " + std::to_string(control.size()) +
-                             " values; give one for each vertex");
+        if (control.size() != all_.values) {
+            const std::string elements = all_.are_at_corners ? "corners" : "vertices";
+            throw mesh_error("places on a surface with " + std::to_string(all_.values) + " control " + elements +
+                             " were given " + std::to_string(control.size()) + " values; give one for each of these " +
+                             elements);
+        }
         surface_values<T> result{storage<T>(size())};
         if (wanted != derivatives::none)
             for (storage<T>* values : {&result.du, &result.dv})
@@ -95,7 +97,7 @@ public:
                                  "fewer derivatives or move the place");
             first = piece.end_places;
         }
-        return evaluate(unit_rows(all_.vertices), wanted);
+        return evaluate(unit_rows(all_.values), wanted);
     }
 
 private:

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace kith {
@@ -20,11 +21,11 @@ struct placed_parameters {
     face_parameters at;
     std::size_t number;
 };
-/// The control points around a face that has places, or around a face that steps make of it.
+/// The inputs around a face that has places, or around a face that steps make of it.
 struct surface_net {
     const subdivision_matrix* rows; ///< over those of `parent`; nullptr around a face of the control mesh
     std::size_t parent;             ///< among the nets of the face; for a face of the control mesh where in the list of
-                                    ///< control vertices its own begin
+                                    ///< control values its own begin
     std::size_t size;
 };
 /// A polynomial of a limit surface that has places.
@@ -40,13 +41,36 @@ struct end_of_face {
 
 /// The parts of `located_places`, face by face.
 struct placed_pieces {
-    std::size_t vertices = 0;          ///< of the control mesh
-    std::vector<std::size_t> inputs{}; ///< control vertices around the faces
+    std::size_t values = 0; ///< of the control mesh: one for each vertex, or for each corner
+    bool are_at_corners = false;
+    std::vector<std::size_t> inputs{}; ///< those around the faces
     std::vector<surface_net> nets{};   ///< each after its parent
     std::vector<surface_piece> pieces{};
     std::vector<placed_parameters> places{}; ///< piece by piece
     std::vector<end_of_face> faces{};
     std::shared_ptr<const void> owner{}; ///< of polynomials and rows
+
+    /// Appends the faces of another object, whose places are among those of this one already.
+    void append(placed_pieces&& more)
+    {
+        const std::size_t inputs_before = inputs.size(), nets_before = nets.size(), pieces_before = pieces.size();
+        if (faces.empty()) {
+            inputs = std::move(more.inputs);
+            nets = std::move(more.nets);
+            pieces = std::move(more.pieces);
+            faces = std::move(more.faces);
+            return;
+        }
+        inputs.insert(inputs.end(), more.inputs.begin(), more.inputs.end());
+        pieces.insert(pieces.end(), more.pieces.begin(), more.pieces.end());
+        for (surface_net net : more.nets) {
+            if (net.rows == nullptr)
+                net.parent += inputs_before;
+            nets.push_back(net);
+        }
+        for (const end_of_face& end : more.faces)
+            faces.push_back({end.nets + nets_before, end.pieces + pieces_before});
+    }
 };
 
 } // namespace detail

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "face_search.hpp"
 #include "located_places.hpp"
+#include "places_by_face.hpp"
 
 #include <kith/base/error.hpp>
+#include <kith/base/for_parts.hpp>
 #include <kith/level/lift.hpp>
-#include <kith/neighbourhood/element_finder.hpp>
 #include <kith/neighbourhood/face_classes.hpp>
 #include <kith/neighbourhood/face_walk.hpp>
 #include <kith/shape/surface_shapes.hpp>
@@ -15,6 +17,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <memory>
 #include <span>
@@ -24,6 +27,13 @@
 #include <vector>
 
 namespace kith {
+
+namespace detail {
+
+template <parametric_scheme Scheme, std::unsigned_integral Index>
+class surface_cells;
+
+} // namespace detail
 
 /// Finds places on the limit surface of a mesh, anywhere in its faces: the polynomial that the surface is there.
 ///
@@ -54,24 +64,27 @@ public:
     surface_locator(const surface_locator&) = delete;
     surface_locator& operator=(const surface_locator&) = delete;
 
-    /// Returns places in the numbers of the faces of the mesh, ready to be evaluated.
+    /// Returns places in the numbers of the faces of the mesh, ready to be evaluated for values at its vertices.
+    /// Runs on threads, to the same bits on any number of them.
     /// Errors: mesh_error, with the number of the place, for a face or corner that does not exist and for parameters
     /// outside of the face. Cost: O(places), and that of a few steps around a face for each kind of irregular face. Of
     /// a polygon or fan of n corners that is O(n^2).
     [[nodiscard]] located_places locate(std::span<const surface_place> places);
+    /// Same, but for values at the corners of faces, such as texture coordinates with seams:
+    /// locate(places, on_corners(uv, face_varying{})). The seams are those of the field. Other values at corners can be
+    /// evaluated that have the same seams. Errors: also those of the rule, and mesh_error unless the field has a value
+    /// for each corner. Cost: also that of looking at the faces around each face with places.
+    template <class T, marking_rule Rule>
+    [[nodiscard]] located_places locate(std::span<const surface_place> places,
+                                        const field<field_on::corners, T, Rule>& values);
 
 private:
-    using shapes = detail::surface_shapes<Index, Scheme>;
-    using shape = typename shapes::shape;
-    static constexpr Index none = connectivity<Index>::none;
+    friend class detail::surface_cells<Scheme, Index>;
 
-    /// The shape of a class of faces, and how the control points around a face of it are found.
-    struct neighbourhood {
-        shape* around = nullptr;
-        std::vector<walk_step> steps{};
-        std::vector<walked_element> inputs{};
-        std::vector<Index> vertices{}; ///< the control points themselves, of a face alone
-    };
+    using shapes = detail::surface_shapes<Index, Scheme>;
+    using search = detail::face_search<Index, shapes>;
+    using neighbourhood = detail::face_neighbourhood<Index, typename shapes::shape>;
+    static constexpr Index none = connectivity<Index>::none;
 
     template <class Point>
     static const Scheme& checked(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
@@ -84,82 +97,11 @@ private:
     }
     surface_locator(const connectivity<Index>& topology, int generation, const Scheme& scheme);
 
-    /// Returns the numbers of the places, those in one face together. Errors: those of `locate`.
-    [[nodiscard]] std::vector<std::size_t> in_order_of_faces(std::span<const surface_place> places) const
-    {
-        std::vector<std::size_t> begin(mesh_.face_count() + 1, 0);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            require_in_face(places[i], i);
-            ++begin[places[i].face + 1];
-        }
-        for (std::size_t f = 0; f < mesh_.face_count(); ++f)
-            begin[f + 1] += begin[f];
-        std::vector<std::size_t> result(places.size());
-        for (std::size_t i = 0; i < places.size(); ++i)
-            result[begin[places[i].face]++] = i;
-        return result;
-    }
-    void require_in_face(const surface_place& place, std::size_t number) const
-    {
-        const auto refuse = [&](const std::string& problem) {
-            throw mesh_error("place " + std::to_string(number) + ": " + problem);
-        };
-        if (place.face >= mesh_.face_count())
-            refuse("face " + std::to_string(place.face) + " does not exist, there are " +
-                   std::to_string(mesh_.face_count()) + "; give the number of a face of the control mesh");
-        const std::size_t degree = mesh_.face(place.face).size();
-        const std::size_t parts = degree == detail::domain_of<Scheme>::sides ? 1 : degree;
-        if (place.corner >= parts)
-            refuse("face " + std::to_string(place.face) + " has no sub-face " + std::to_string(place.corner) +
-                   ", there are " + std::to_string(parts) + "; give 0 to " + std::to_string(parts - 1));
-        const bool is_inside = 0 <= place.u and place.u <= 1 and 0 <= place.v and place.v <= 1;
-        if (not is_inside)
-            refuse("u is " + std::to_string(place.u) + " and v is " + std::to_string(place.v) +
-                   "; give numbers from 0 to 1");
-        constexpr double most_with_rounding = 1 + 1e-15;
-        if (not detail::has_quad_parameters<Scheme> and place.u + place.v > most_with_rounding)
-            refuse("u + v is " + std::to_string(place.u + place.v) + " in a triangle; give at most 1");
-    }
+    /// Locates places by shapes. neighbourhood_of_face(face) returns a pointer to the face_neighbourhood of a face.
+    template <class Shapes, class NeighbourhoodOf>
+    located_places locate_with(const std::shared_ptr<Shapes>& all, std::span<const surface_place> places,
+                               const NeighbourhoodOf& neighbourhood_of_face);
 
-    /// Locates places of one face.
-    void locate_in_face(Index face, std::span<const surface_place> places, std::span<const std::size_t> numbers,
-                        detail::placed_pieces& result)
-    {
-        const neighbourhood& here = neighbourhood_of(face);
-        nets_.assign(1, {here.around, {}});
-        result.nets.push_back({nullptr, result.inputs.size(), here.around->vertices});
-        append_inputs(here, face, result.inputs);
-        found_.clear();
-        for (const std::size_t number : numbers) {
-            const surface_place& place = places[number];
-            detail::face_parameters at{place.u, place.v};
-            std::size_t net = 0;
-            const auto descend = [&](std::size_t child) {
-                auto& next = nets_[net].children;
-                if (next.size() <= child)
-                    next.resize(child + 1, 0);
-                if (next[child] == 0) {
-                    const auto& [of, rows] = nets_[net].of->children[child];
-                    next[child] = nets_.size();
-                    result.nets.push_back({&rows, net, of->vertices});
-                    nets_.push_back({of, {}});
-                }
-                net = nets_[net].children[child];
-            };
-            const auto* polynomial = shapes_->find(*here.around, place.corner, at, descend);
-            const auto piece = std::ranges::find_if(
-                found_, [&](const found_piece& p) { return p.polynomial == polynomial and p.net == net; });
-            if (piece != found_.end())
-                piece->places.push_back({at, number});
-            else
-                found_.push_back({polynomial, net, {{at, number}}});
-        }
-        for (const found_piece& piece : found_) {
-            result.places.insert(result.places.end(), piece.places.begin(), piece.places.end());
-            result.pieces.push_back({piece.polynomial, piece.net, result.places.size()});
-        }
-        result.faces.push_back({result.nets.size(), result.pieces.size()});
-    }
     [[nodiscard]] const neighbourhood& neighbourhood_of(Index face)
     {
         const auto number = classes_.of_faces()[face];
@@ -175,7 +117,7 @@ private:
             return alone_.emplace(face, neighbourhood_around(face)).first->second;
         of_class = neighbourhood_around(model);
         of_class.steps.assign(walk_.steps().begin(), walk_.steps().end());
-        of_class.inputs = walked_inputs(of_class.vertices);
+        of_class.inputs = walked_inputs(of_class.control);
         return of_class;
     }
     [[nodiscard]] neighbourhood neighbourhood_around(Index face)
@@ -185,10 +127,30 @@ private:
         const auto place = std::ranges::lower_bound(part.face_from, face) - part.face_from.begin();
         Scheme scheme = scheme_;
         detail::take_part(scheme, scheme_, part.numbers());
-        auto [around, vertices] = shapes_->of_part(part.mesh.topology(), mesh_.generation(), scheme, Index(place));
-        for (Index& v : vertices)
-            v = part.vertex_from[v];
-        return {around, {}, {}, std::move(vertices)};
+        auto [around, control] = shapes_->of_part({part.mesh.topology(), mesh_.generation(), scheme, Index(place)});
+        for (Index& input : control)
+            input = part.vertex_from[part.mesh.topology().corner_vertex[input]];
+        return {around, std::move(control)};
+    }
+    /// Same, but with the shape of values at corners.
+    template <class T, class Rule>
+    [[nodiscard]] auto neighbourhood_around(Index face, const field<field_on::corners, T, Rule>& values,
+                                            detail::surface_shapes<Index, Scheme, Rule>& all)
+    {
+        const std::array<Index, 1> seed{face};
+        const auto cut = cutter_.cut(cutter_.faces_around(seed, rings_));
+        const auto place = std::ranges::lower_bound(cut.face_from, face) - cut.face_from.begin();
+        Scheme scheme = scheme_;
+        detail::take_part(scheme, scheme_, cut.numbers());
+        const auto& topology = cut.mesh.topology();
+        const auto corners = detail::corners_of(mesh_.topology(), topology, std::span<const Index>(cut.face_from));
+        auto alike = detail::first_alike(topology,
+                                         [&](Index a, Index b) { return values[corners[a]] == values[corners[b]]; });
+        auto [around, control] = all.of_part({topology, mesh_.generation(), scheme, Index(place), std::move(alike)});
+        for (Index& input : control)
+            input = corners[input];
+        return detail::face_neighbourhood<Index, typename detail::surface_shapes<Index, Scheme, Rule>::shape>{
+            around, std::move(control)};
     }
     /// Returns where the walk has met these vertices.
     [[nodiscard]] std::vector<walked_element> walked_inputs(std::span<const Index> vertices) const
@@ -204,29 +166,6 @@ private:
             result.push_back({tuple_kind::v, corners.at(v)});
         return result;
     }
-    void append_inputs(const neighbourhood& here, Index face, std::vector<std::size_t>& inputs)
-    {
-        if (here.inputs.empty()) {
-            inputs.insert(inputs.end(), here.vertices.begin(), here.vertices.end());
-            return;
-        }
-        finder_.walk(here.steps, std::span(&face, 1));
-        for (const walked_element& input : here.inputs) {
-            Index vertex = 0;
-            finder_.find(input, &vertex);
-            inputs.push_back(vertex);
-        }
-    }
-
-    struct found_net {
-        shape* of;
-        std::vector<std::size_t> children; // their nets, or 0
-    };
-    struct found_piece {
-        const detail::surface_polynomial* polynomial;
-        std::size_t net;
-        std::vector<detail::placed_parameters> places;
-    };
 
     basic_mesh<float, Index> mesh_; // its points are not used
     Scheme scheme_;
@@ -234,13 +173,10 @@ private:
     int rings_;
     submesh_cutter<float, Index> cutter_;
     face_walk<Index> walk_;
-    element_finder<Index, 1> finder_;
     face_classes<Index> classes_;
     std::vector<neighbourhood> of_class_;
     std::vector<Index> model_of_class_;              // the first face of each
     std::unordered_map<Index, neighbourhood> alone_; // of faces that share nothing
-    std::vector<found_net> nets_;                    // in the face at work
-    std::vector<found_piece> found_;
 };
 
 // Outside of the class, so that what declares it `extern template` does not compile them.
@@ -254,7 +190,6 @@ surface_locator<Scheme, Index>::surface_locator(const connectivity<Index>& topol
     , rings_(detail::rings_of_surface(scheme))
     , cutter_(mesh_)
     , walk_(mesh_.topology(), rings_)
-    , finder_(mesh_.topology())
     , classes_(mesh_.topology(), rings_, state_marks<Index>(mesh_.topology(), scheme))
     , of_class_(classes_.count())
     , model_of_class_(classes_.count(), none)
@@ -266,17 +201,68 @@ surface_locator<Scheme, Index>::surface_locator(const connectivity<Index>& topol
 template <parametric_scheme Scheme, std::unsigned_integral Index>
 located_places surface_locator<Scheme, Index>::locate(std::span<const surface_place> places)
 {
+    return locate_with(shapes_, places, [this](Index face) { return &neighbourhood_of(face); });
+}
+
+template <parametric_scheme Scheme, std::unsigned_integral Index>
+template <class T, marking_rule Rule>
+located_places surface_locator<Scheme, Index>::locate(std::span<const surface_place> places,
+                                                      const field<field_on::corners, T, Rule>& values)
+{
+    if (values.size() != mesh_.corner_count())
+        throw mesh_error("a field on corners has " + std::to_string(values.size()) + " values, the mesh has " +
+                         std::to_string(mesh_.corner_count()) + " corners; give it one for each");
+    using corner_shapes = detail::surface_shapes<Index, Scheme, Rule>;
+    const auto all = std::make_shared<corner_shapes>(scheme_, values.rule());
+    std::deque<detail::face_neighbourhood<Index, typename corner_shapes::shape>> made;
+    return locate_with(
+        all, places, [&](Index face) { return &made.emplace_back(neighbourhood_around(face, values, *all)); });
+}
+
+template <parametric_scheme Scheme, std::unsigned_integral Index>
+template <class Shapes, class NeighbourhoodOf>
+located_places surface_locator<Scheme, Index>::locate_with(const std::shared_ptr<Shapes>& all,
+                                                           std::span<const surface_place> places,
+                                                           const NeighbourhoodOf& neighbourhood_of_face)
+{
+    struct places_of_face {
+        Index face;
+        std::size_t begin;
+        const detail::face_neighbourhood<Index, typename Shapes::shape>* around;
+    };
+    const detail::places_by_face by_face(mesh_.topology(), detail::domain_of<Scheme>::sides, places);
+    std::vector<places_of_face> faces;
+    for (std::size_t f = 0, begin = 0; f < mesh_.face_count(); begin = by_face.ends[f++])
+        if (by_face.ends[f] != begin)
+            faces.push_back({Index(f), begin, neighbourhood_of_face(Index(f))});
+    const std::size_t count = faces.size();
+    faces.push_back({0, places.size(), nullptr});
+
     detail::placed_pieces result;
-    result.vertices = mesh_.vertex_count();
-    result.owner = shapes_;
-    result.places.reserve(places.size());
-    const std::vector<std::size_t> by_face = in_order_of_faces(places);
-    for (std::size_t begin = 0, end = 0; begin < by_face.size(); begin = end) {
-        const std::size_t face = places[by_face[begin]].face;
-        while (end < by_face.size() and places[by_face[end]].face == face)
-            ++end;
-        locate_in_face(Index(face), places, std::span(by_face).subspan(begin, end - begin), result);
-    }
+    result.are_at_corners = not Shapes::shape::has_points;
+    result.values = result.are_at_corners ? mesh_.corner_count() : mesh_.vertex_count();
+    result.owner = all;
+    result.places.resize(places.size());
+    const bool is_parallel = detail::is_worth_threads(places.size()) and detail::most_threads() > 1;
+    const std::size_t faces_of_part = is_parallel ? 512 : std::max<std::size_t>(count, 1);
+    std::vector<detail::placed_pieces> parts((count + faces_of_part - 1) / faces_of_part);
+    detail::for_shared_parts(count, faces_of_part, is_parallel, [&](auto&& work) {
+        detail::face_search<Index, Shapes> search(mesh_.topology(), *all);
+        work.for_each([&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+                const std::size_t first = faces[f].begin, size = faces[f + 1].begin - first;
+                search.locate(*faces[f].around,
+                              faces[f].face,
+                              places,
+                              std::span(by_face.numbers).subspan(first, size),
+                              std::span(result.places).subspan(first, size),
+                              first,
+                              parts[begin / faces_of_part]);
+            }
+        });
+    });
+    for (detail::placed_pieces& part : parts)
+        result.append(std::move(part));
     return located_places(std::move(result));
 }
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "placed_pieces.hpp"
+
+#include <kith/neighbourhood/element_finder.hpp>
+#include <kith/neighbourhood/face_walk.hpp>
+#include <kith/shape/surface_shapes.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace kith::detail {
+
+/// The shape of a class of faces, and how the inputs around a face of it are found.
+template <std::unsigned_integral Index, class Shape>
+struct face_neighbourhood {
+    Shape* around = nullptr;
+    std::vector<Index> control{};         ///< the inputs among the control values, of a face alone or of the model
+    std::vector<walk_step> steps{};       ///< from a face of the class
+    std::vector<walked_element> inputs{}; ///< where the walk meets the inputs
+};
+
+/// What a thread remembers while it locates places.
+template <std::unsigned_integral Index, class Shapes>
+class face_search {
+    using shape = typename Shapes::shape;
+    using neighbourhood = face_neighbourhood<Index, shape>;
+
+public:
+    face_search(const connectivity<Index>& mesh, Shapes& all) : shapes_(&all), finder_(mesh) {}
+
+    /// Locates places of one face, those with these numbers. Writes them to `found`, piece by piece, and appends nets
+    /// and pieces to `result`. `begin` is the number of places before those of the face.
+    void locate(const neighbourhood& here, Index face, std::span<const surface_place> places,
+                std::span<const std::size_t> numbers, std::span<placed_parameters> found, std::size_t begin,
+                placed_pieces& result)
+    {
+        nets_.assign(1, {here.around, {}});
+        result.nets.push_back({nullptr, result.inputs.size(), here.around->inputs});
+        append_inputs(here, face, result.inputs);
+        found_.clear();
+        for (const std::size_t number : numbers) {
+            const surface_place& place = places[number];
+            face_parameters at{place.u, place.v};
+            std::size_t net = 0;
+            const auto descend = [&](std::size_t child) {
+                auto& next = nets_[net].children;
+                if (next.size() <= child)
+                    next.resize(child + 1, 0);
+                if (next[child] == 0) {
+                    const auto& [of, rows] = nets_[net].of->children[child];
+                    next[child] = nets_.size();
+                    result.nets.push_back({&rows, net, of->inputs});
+                    nets_.push_back({of, {}});
+                }
+                net = nets_[net].children[child];
+            };
+            const auto* polynomial = shapes_->find(*here.around, place.corner, at, descend);
+            const auto piece = std::ranges::find_if(
+                found_, [&](const found_piece& p) { return p.polynomial == polynomial and p.net == net; });
+            if (piece != found_.end())
+                piece->places.push_back({at, number});
+            else
+                found_.push_back({polynomial, net, {{at, number}}});
+        }
+        for (const found_piece& piece : found_) {
+            std::ranges::copy(piece.places, found.begin());
+            found = found.subspan(piece.places.size());
+            begin += piece.places.size();
+            result.pieces.push_back({piece.polynomial, piece.net, begin});
+        }
+        result.faces.push_back({result.nets.size(), result.pieces.size()});
+    }
+    /// Appends the inputs around a face.
+    void append_inputs(const neighbourhood& here, Index face, std::vector<std::size_t>& inputs)
+    {
+        if (here.inputs.empty()) {
+            inputs.insert(inputs.end(), here.control.begin(), here.control.end());
+            return;
+        }
+        finder_.walk(here.steps, std::span(&face, 1));
+        for (const walked_element& input : here.inputs) {
+            Index vertex = 0;
+            finder_.find(input, &vertex);
+            inputs.push_back(vertex);
+        }
+    }
+
+private:
+    struct found_net {
+        shape* of;
+        std::vector<std::size_t> children; // their nets, or 0
+    };
+    struct found_piece {
+        const surface_polynomial* polynomial;
+        std::size_t net;
+        std::vector<placed_parameters> places;
+    };
+
+    Shapes* shapes_;
+    element_finder<Index, 1> finder_;
+    std::vector<found_net> nets_; // in the face at work
+    std::vector<found_piece> found_;
+};
+
+} // namespace kith::detail
