@@ -31,6 +31,7 @@ struct creased_scheme {
 ///
 /// These functions are out of line: few vertices lie on creases, and inlining all of them takes minutes.
 struct crease_limits : limit_defaults {
+    static constexpr bool are_alike_where_regular = true;
     /// The masks ask about the vertex's own faces alone.
     template <scheme_with_sharp_rules Scheme>
     static constexpr int rings(const Scheme&)

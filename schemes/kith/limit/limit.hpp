@@ -119,10 +119,13 @@ private:
 };
 
 /// Whether the sums of tangent masks are finite, and not so small that digits are lost.
+inline bool is_in_range(std::uint64_t exponent_bits)
+{
+    return is_usual(exponent_bits) and exponent_bits >= 1023 - 900;
+}
 template <class... Vectors>
 bool are_in_range(const Vectors&... tangents)
 {
-    const auto is_in_range = [](std::uint64_t bits) { return is_usual(bits) and bits >= 1023 - 900; };
     return (is_in_range(exponent_bits(tangents)) and ...);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "limit_search.hpp"
+#include "regular_limits.hpp"
 
 #include <kith/hierarchy.hpp>
 #include <kith/level/for_each.hpp>
@@ -66,12 +67,12 @@ int rings_for_limits(const Scheme& scheme)
 namespace detail {
 
 /// Of each vertex whether its place on the limit surface is asked for: that of those with a mark and, for their
-/// normals, that of all in a face with them; all if there are no marks.
+/// normals, that of all in a face with them.
 template <class Point, std::unsigned_integral Index>
 std::vector<unsigned char> needed_vertices(const basic_mesh<Point, Index>& mesh, std::span<const unsigned char> marks)
 {
-    std::vector<unsigned char> result(mesh.vertex_count(), marks.empty() ? 1 : 0);
-    for (std::size_t f = 0; not marks.empty() and f < mesh.face_count(); ++f)
+    std::vector<unsigned char> result(mesh.vertex_count(), 0);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
         if (std::ranges::any_of(mesh.face(f), [&](Index v) { return marks[v] != 0; }))
             for (const Index v : mesh.face(f))
                 result[v] = 1;
@@ -104,8 +105,23 @@ public:
     wanted_limits(storage<Point> positions, std::span<const unsigned char> marks)
         : surface_{std::move(positions), {}}, has_no_normal_(surface_.positions.size(), marks.empty() ? 1 : 0)
     {
-        surface_.normals = storage<normal_vector>(has_no_normal_.size(), normal_vector{});
+        surface_.normals = storage<normal_vector>(has_no_normal_.size());
+        if (not marks.empty()) // vertices without a mark have no normals
+            std::ranges::fill(surface_.normals, normal_vector{});
         std::ranges::copy(marks, has_no_normal_.begin());
+    }
+    /// Finds those of the regular vertices of a mesh, whose limits are all looked for, and takes their marks.
+    void find_regular([[maybe_unused]] const basic_mesh<Point, Index>& mesh, [[maybe_unused]] const Scheme& scheme,
+                      [[maybe_unused]] std::vector<unsigned char>& is_open)
+    {
+#ifdef KITH_HAS_LANES
+        if constexpr (std::same_as<Point, std::array<double, 3>>)
+            make_regular_limits(
+                mesh,
+                scheme,
+                search_type::patience() > 0,
+                {surface_.positions.data(), surface_.normals.data(), has_no_normal_.data(), is_open.data()});
+#endif
     }
 
     void keep(std::size_t v, const typename search_type::found& limit)
@@ -147,6 +163,9 @@ public:
             search_type(mesh, scheme).complete(open, is_part, [&](std::size_t v, const auto& limit) {
                 keep(v, limit);
             });
+        for (std::size_t v = 0; v < has_no_normal_.size(); ++v)
+            if (has_no_normal_[v] != 0)
+                surface_.normals[v] = {};
         const auto places = std::as_const(surface_.positions).data();
         fill_normals(mesh, std::span<const Point>(places, mesh.vertex_count()), has_no_normal_, surface_.normals);
         fill_normals(mesh, std::span<const Point>(mesh.points()), has_no_normal_, surface_.normals);
@@ -202,13 +221,17 @@ limit_surface<Point> limit_surface_around(const basic_mesh<Point, Index>& mesh, 
 {
     using wanted = detail::wanted_limits<Point, Index, Scheme>;
     require_edges(mesh);
-    const auto is_needed = detail::needed_vertices(mesh, marks);
-    wanted limits(storage<Point>(mesh.points()), marks);
-    std::vector<unsigned char> is_open(mesh.vertex_count(), 0); // some limit is not known by masks of this level
+    wanted limits(marks.empty() ? storage<Point>(mesh.vertex_count()) : storage<Point>(mesh.points()), marks);
+    auto is_open = marks.empty() ? std::vector<unsigned char>(mesh.vertex_count(), 1)
+                                 : detail::needed_vertices(mesh, marks); // some limit is not known yet
     with_native_level<Scheme>(mesh, [&](const auto& level) {
         const auto& rules = limit_rules<Scheme>::on(scheme, level);
+        if (marks.empty())
+            limits.find_regular(mesh, scheme, is_open);
+        if (std::ranges::none_of(is_open, std::identity()))
+            return;
         for_each(level.vertices(), [&](const auto& v) {
-            if (is_needed[v.index()] == 0)
+            if (is_open[v.index()] == 0)
                 return;
             typename wanted::search_type::found limit;
             wanted::search_type::take(v, rules, limit, 0);

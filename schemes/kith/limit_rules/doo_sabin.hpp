@@ -50,6 +50,7 @@ struct limit_rules<doo_sabin> : limit_defaults {
         if (not v.is_boundary())
             with_points(s, v, [&](const auto& points) { use_first_wave(points, std::int64_t(v.face_count()), use); });
     }
+    static constexpr bool are_alike_where_regular = true;
     /// The faces across the sides of the vertex's own.
     static constexpr int rings(const doo_sabin&) { return 1; }
 

@@ -29,6 +29,8 @@ struct limit_rules<kobbelt> : interpolating_limits {
         };
         use(curve(v.first_corner()), curve(v.first_corner().prev().across()));
     }
+    /// The faces of the neighbours.
+    static constexpr int rings(const kobbelt&) { return 1; }
 };
 
 } // namespace kith

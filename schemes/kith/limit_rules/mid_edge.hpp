@@ -34,6 +34,9 @@ struct limit_rules<mid_edge> : limit_defaults {
         if (not v.is_boundary() and n > 3)
             use_first_wave(v.neighbors(), n, use);
     }
+    static constexpr bool are_alike_where_regular = true;
+    /// The masks ask about the vertex's own faces alone.
+    static constexpr int rings(const mid_edge&) { return 0; }
     static constexpr int tangent_steps = 0; ///< those of three faces stay without
 };
 

@@ -38,6 +38,9 @@ struct limit_rules<nasri_hasbini> : limit_defaults {
         };
         use(tangent(cosine_wave(2 * n)), tangent(sine_wave(2 * n)));
     }
+    static constexpr bool are_alike_where_regular = true;
+    /// The masks ask about the vertex's own faces alone.
+    static constexpr int rings(const nasri_hasbini&) { return 0; }
 };
 
 } // namespace kith

@@ -31,6 +31,7 @@ struct limit_rules<sqrt3> : limit_defaults {
         if (not v.is_boundary() and not touches_boundary_face(v))
             use_first_wave(v.neighbors(), n, use);
     }
+    static constexpr bool are_alike_where_regular = true;
     /// The faces across the sides of the vertex's own.
     static constexpr int rings(const sqrt3&) { return 1; }
 

@@ -185,6 +185,7 @@ struct limit_rules<unified> : limit_defaults {
         if (not s.is_primal() and f.degree() == 4)
             detail::use_spline_tangents(f, s.degree, use);
     }
+    static constexpr bool are_alike_where_regular = true;
     static constexpr int rings(const unified& s) { return s.degree / 2 + 1; }
     /// Averaging d - 1 times takes half a refined ring each time.
     static constexpr int reach(const unified& s, int rings) { return (rings + s.degree / 2 + 3) / 2; }
