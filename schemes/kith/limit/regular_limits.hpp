@@ -45,8 +45,9 @@ public:
         , masks_(masks)
         , is_irregular_(is_irregular)
         , to_(to)
-        , corners_((masks.steps().size() + 1) * most_at_once)
-        , slots_(masks.program().slots() * most_at_once, point{})
+        , corners_((masks.steps().size() + 1) * at_once)
+        , found_(masks.inputs().size() * at_once)
+        , slots_(masks.program().slots() * width<most_lane_bytes>, point{})
     {
     }
 
@@ -59,7 +60,7 @@ public:
                 vertices_.push_back(v.value);
         });
         count_ = vertices_.size();
-        vertices_.resize(count_ + most_at_once, count_ != 0 ? vertices_.back() : 0); // the last fills up the registers
+        vertices_.resize(count_ + at_once, count_ != 0 ? vertices_.back() : 0); // the last one fills up
 #if defined(__x86_64__)
         const std::size_t bytes = lane_bytes();
         if (bytes == 64)
@@ -73,7 +74,7 @@ public:
 private:
     template <std::size_t Bytes>
     static constexpr std::size_t width = 2 * Bytes / sizeof(double);
-    static constexpr std::size_t most_at_once = width<most_lane_bytes>;
+    static constexpr std::size_t at_once = 128;
     static constexpr auto degree = Index(Degree == 0 ? 4 : Degree);
     using point = std::array<double, 4>; ///< with room for one more number, so that registers have whole points
 
@@ -86,30 +87,36 @@ private:
     template <std::size_t Bytes>
     [[gnu::always_inline]] void make_lanes()
     {
-        for (std::size_t first = 0; first < count_; first += width<Bytes>)
-            make_some<Bytes>(vertices_.data() + first, std::min(width<Bytes>, count_ - first));
+        for (std::size_t first = 0; first < count_; first += at_once) {
+            find(vertices_.data() + first);
+            const std::size_t end = std::min(at_once, count_ - first);
+            for (std::size_t i = 0; i < end; i += width<Bytes>)
+                make_some<Bytes>(vertices_.data() + first + i, i, std::min(width<Bytes>, end - i));
+        }
     }
+    /// Makes those of some of the vertices that were found, beginning with this one.
     template <std::size_t Bytes>
-    [[gnu::always_inline]] void make_some(const Index* vertices, std::size_t count)
+    [[gnu::always_inline]] void make_some(const Index* vertices, std::size_t first, std::size_t count)
     {
         constexpr std::size_t w = width<Bytes>;
-        walk<w>(vertices);
-        load<w>();
+        load<w>(first);
         masks_.program().template run<w * sizeof(point) / Bytes, Bytes>(
             reinterpret_cast<typename lanes<double, Bytes>::type*>(slots_.data()));
+        const limit_places all = to_;
+        Index* const is_open = is_open_.data() + first;
         const bool have_tangents = masks_.have_tangents();
         if (have_tangents)
-            make_normals<Bytes>(result<w>(1), result<w>(2));
+            make_normals<Bytes>(result<w>(1), result<w>(2), is_open);
         const point* const position = result<w>(0);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t v = vertices[i];
-            if (is_open_[i] != 0)
+            if (is_open[i] != 0)
                 continue;
-            to_.is_open[v] = 0;
-            to_.positions[v] = {position[i][0], position[i][1], position[i][2]};
+            all.is_open[v] = 0;
+            all.positions[v] = {position[i][0], position[i][1], position[i][2]};
             if (have_tangents) {
-                to_.has_no_normal[v] = 0;
-                to_.normals[v] = {normals_[0][i], normals_[1][i], normals_[2][i]};
+                all.has_no_normal[v] = 0;
+                all.normals[v] = {normals_[0][i], normals_[1][i], normals_[2][i]};
             }
         }
     }
@@ -118,64 +125,80 @@ private:
     {
         return slots_.data() + Width * masks_.program().outputs()[number];
     }
-    /// Reaches the corners around each vertex, and notes whether its fan is not one of the regular valence.
-    template <std::size_t Width>
-    [[gnu::always_inline]] void walk(const Index* vertices)
+    /// Finds the points to be read around each vertex, and notes whether its fan is not one of the regular valence:
+    /// step by step around all of them, so that what one waits for from the memory, the others do, too.
+    [[gnu::always_inline]] void find(const Index* vertices)
     {
         Index* const first = corners_.data();
-        const Index *const starts = mesh_.vertex_corner.data(), *const halfedge = mesh_.corner_halfedge.data(),
-                           *const at = mesh_.halfedge_corner.data();
-        for (std::size_t i = 0; i < Width; ++i) {
-            first[i] = starts[vertices[i]];
-            is_open_[i] = 0;
-        }
-        Index* to = first + Width;
-        const Index* const last_of_fan = first + Width * masks_.valence();
+        for (std::size_t i = 0; i < at_once; ++i)
+            first[i] = mesh_.vertex_corner[vertices[i]];
+        Index* to = first + at_once;
         for (const corner_from& step : masks_.steps()) {
-            const Index* const from = first + Width * step.reached;
-            const bool is_in_fan = to < last_of_fan;
-            for (std::size_t i = 0; i < Width; ++i) {
-                const Index c = at[halfedge[moved(from[i], step.on)] ^ 1];
-                const bool is_at_end = c == connectivity<Index>::none or c == first[i];
-                to[i] = is_at_end ? first[i] : c;
-                is_open_[i] |= Index(is_at_end and is_in_fan);
-            }
-            to += Width;
+            cross(first + at_once * step.reached, step.on, to);
+            for (std::size_t i = 0; i < at_once; ++i)
+                to[i] = to[i] == connectivity<Index>::none ? first[i] : to[i]; // it is no regular fan
+            to += at_once;
         }
-        for (std::size_t i = 0; i < Width; ++i)
-            is_open_[i] |= Index(at[halfedge[moved(last_of_fan[i - Width], degree - 1)] ^ 1] != first[i]);
-    }
-    /// The corner that lies so many corners on in its face.
-    [[nodiscard, gnu::always_inline]] Index moved(Index corner, Index on) const
-    {
-        Index place;
-        if constexpr (Degree == 4)
-            return (corner & ~Index(3)) | ((corner + on) & 3);
-        else if constexpr (Degree == 0)
-            place = Index(corner - mesh_.face_corner[mesh_.corner_face[corner]]);
-        else
-            place = corner % degree;
-        return Index(corner + on - (place + on >= degree ? degree : 0));
-    }
-    template <std::size_t Width>
-    [[gnu::always_inline]] void load()
-    {
+        Index* const end_of_fan = first + at_once * masks_.valence();
+        std::array<Index, at_once> last;
+        cross(end_of_fan - at_once, degree - 1, last.data());
+        for (std::size_t i = 0; i < at_once; ++i)
+            is_open_[i] = Index(last[i] != first[i]);
+        for (const Index* at = first + at_once; at != end_of_fan; at += at_once)
+            for (std::size_t i = 0; i < at_once; ++i)
+                is_open_[i] |= Index(at[i] == first[i]);
+
         const Index* const vertex = mesh_.corner_vertex.data();
-        point* to = slots_.data();
+        Index* found = found_.data();
         for (const corner_from& input : masks_.inputs()) {
-            const Index* const from = corners_.data() + Width * input.reached;
-            for (std::size_t i = 0; i < Width; ++i) {
-                const auto& at = points_[vertex[moved(from[i], input.on)]];
-                to[i] = {at[0], at[1], at[2], 0};
+            const auto from = moved(first + at_once * input.reached, input.on);
+            for (std::size_t i = 0; i < at_once; ++i) {
+                found[i] = vertex[from[i]];
+                __builtin_prefetch(points_ + found[i]);
             }
-            to += Width;
+            found += at_once;
         }
+    }
+    /// The corners that lie across from those so many corners on from the given ones.
+    [[gnu::always_inline]] void cross(const Index* corners, Index on, Index* across) const
+    {
+        const Index *const halfedge = mesh_.corner_halfedge.data(), *const at = mesh_.halfedge_corner.data();
+        const auto from = moved(corners, on);
+        for (std::size_t i = 0; i < at_once; ++i)
+            across[i] = at[halfedge[from[i]] ^ 1];
+    }
+    /// The corners that lie so many corners on in their faces.
+    [[nodiscard, gnu::always_inline]] std::array<Index, at_once> moved(const Index* corners, Index on) const
+    {
+        std::array<Index, at_once> result;
+        for (std::size_t i = 0; i < at_once; ++i) {
+            const Index c = corners[i];
+            if constexpr (Degree == 4) {
+                result[i] = Index(c & ~Index(3)) | (Index(c + on) & 3);
+            } else {
+                const Index place = Degree == 3 ? c % 3 : Index(c - mesh_.face_corner[mesh_.corner_face[c]]);
+                result[i] = Index(c + on - (place + on >= degree ? degree : 0));
+            }
+        }
+        return result;
+    }
+    /// Reads the points found for as many vertices as the registers hold.
+    template <std::size_t Width>
+    [[gnu::always_inline]] void load(std::size_t first)
+    {
+        const std::array<double, 3>* const points = points_;
+        const Index* found = found_.data() + first;
+        point* to = slots_.data();
+        for (std::size_t input = 0; input < masks_.inputs().size(); ++input, found += at_once, to += Width)
+            for (std::size_t i = 0; i < Width; ++i)
+                for (std::size_t k = 0; k < 3; ++k)
+                    to[i][k] = points[found[i]][k];
     }
 
     /// The unit normals that two tangents give each, as normal_of; leaves open where the tangents or their product have
     /// an exponent that asks for more.
     template <std::size_t Bytes>
-    [[gnu::always_inline]] void make_normals(const point* first, const point* second)
+    [[gnu::always_inline]] void make_normals(const point* first, const point* second, Index* is_open)
     {
         using pack = typename lanes<double, Bytes>::type;
         using bits = typename lanes<std::uint64_t, Bytes>::type;
@@ -219,7 +242,7 @@ private:
             for (std::size_t i = 0; i < count; ++i)
                 length[i] = std::sqrt(length[i]);
             for (std::size_t i = 0; i < count; ++i)
-                is_open_[from + i] |= Index(not(is_in_range(of_a[i]) and is_in_range(of_b[i]) and is_usual(of_n[i])));
+                is_open[from + i] |= Index(not(is_in_range(of_a[i]) and is_in_range(of_b[i]) and is_usual(of_n[i])));
             for (std::size_t k = 0; k < 3; ++k)
                 *reinterpret_cast<pack*>(normals_[k].data() + from) = n[k] / length;
         }
@@ -233,10 +256,11 @@ private:
     limit_places to_;
     std::vector<Index> vertices_;
     std::size_t count_ = 0; // of those that are to be made
-    std::array<Index, most_at_once> is_open_{};
-    alignas(most_lane_bytes) std::array<std::array<double, most_at_once>, 3> normals_;
+    std::array<Index, at_once> is_open_{};
+    alignas(most_lane_bytes) std::array<std::array<double, width<most_lane_bytes>>, 3> normals_;
     storage<Index> corners_; // those reached, of each vertex
-    storage<point> slots_;   // the last numbers are zero
+    storage<Index> found_;   // the vertices of the inputs, of each
+    storage<point> slots_;   // the last number of each is not read
 };
 
 /// Makes the limits of the regular vertices of a level, if there are masks for them, and closes these vertices. All
