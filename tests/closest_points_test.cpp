@@ -127,7 +127,7 @@ TEST(closest_points, tell_apart_minima_in_one_face)
     EXPECT_GE(near_second, 4U);
 }
 
-/// At a corner and at the side of a flat surface, and at vertices, the distance is known.
+/// The distance is known at a corner and at the side of a flat surface, and at vertices.
 TEST(closest_points, are_exact_on_flat_faces)
 {
     const std::vector<point> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};

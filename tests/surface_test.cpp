@@ -300,7 +300,7 @@ TEST(surface, has_slopes_without_polynomials)
     test(native(shapes::shaken(shapes::torus(5, 6))), kith::kobbelt{});
 }
 
-/// Where control points lie at their parameters, so does the surface, up to corners of the boundary.
+/// Points of the surface lie at their parameters if control points do, up to corners of the boundary.
 TEST(surface, keeps_planes_and_their_parameters)
 {
     const auto test = [](shapes::shape shape, const auto& scheme, double from_boundary) {

@@ -32,7 +32,7 @@ struct closest_point {
 /// The point is exact to about 1e-11 of the size of the surface, the distance to 1e-12. If several points are equally
 /// near, it is one of them.
 ///
-/// For points of three coordinates, and for schemes that are splines among regular faces and have no negative weights:
+/// Takes points of three coordinates, and schemes that are splines among regular faces and have no negative weights:
 /// Catmull-Clark, Loop and the linear ones, with all creases. One thread at a time may use an object.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class closest_points {

@@ -39,7 +39,7 @@ struct ray_hit {
 /// before. No ray passes between two faces. A hit is exact to about 1e-12 of the size of the surface where the ray
 /// crosses the surface. Where a ray touches it only, hits and misses by less than that are not told apart.
 ///
-/// For points of three coordinates, and for schemes that are splines among regular faces and have no negative weights:
+/// Takes points of three coordinates, and schemes that are splines among regular faces and have no negative weights:
 /// Catmull-Clark, Loop and the linear ones, with all creases. One thread at a time may use an object.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class ray_hits {

@@ -19,7 +19,7 @@
 
 namespace kith::detail {
 
-/// What the limit masks of a scheme do at a vertex: the operations, and their results. These are a position and, where
+/// The limit masks of a scheme at a vertex as operations, and their results. These are a position and, where
 /// there are masks, two tangents; none without a mask for the position.
 struct recorded_masks {
     tape<double> done;

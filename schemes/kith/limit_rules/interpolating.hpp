@@ -15,7 +15,6 @@ struct interpolating_limits : limit_defaults {
     {
         use(sum(v));
     }
-    static constexpr bool are_alike_where_regular = true;
     template <scheme Scheme>
     static constexpr int rings(const Scheme&)
     {

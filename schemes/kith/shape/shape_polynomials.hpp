@@ -119,7 +119,7 @@ private:
                 if (here.in_domain.degree == domain::sides and is_settled(here.scheme))
                     if (auto limit = limit_at_vertex(here.mesh, here.scheme, here.mesh.face(here.face)[k])) {
                         corners.back() = limit->at(0, 0);
-                        // At a regular corner the child is a polynomial, which has derivatives.
+                        // The child at a regular corner is a polynomial, which has derivatives.
                         const bool is_needed = here.leads_to_polynomials or not here.has_key;
                         if (is_needed and sample(here, 0, s, t).polynomial_of_child() == nullptr)
                             here.at_corners[k] = std::move(limit);

@@ -24,7 +24,7 @@ struct face_neighbourhood {
     std::vector<walked_element> inputs{}; ///< where the walk meets the inputs
 };
 
-/// What a thread remembers while it locates places.
+/// The memory of a thread that locates places.
 template <std::unsigned_integral Index, class Shapes>
 class face_search {
     using shape = typename Shapes::shape;

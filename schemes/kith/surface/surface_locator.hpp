@@ -43,7 +43,7 @@ class surface_cells;
 /// and the tangent plane come from the limit masks. There du and dv are two tangents, counter-clockwise; their lengths
 /// have no meaning, for the derivatives by u and v are zero or infinite, and second derivatives are no numbers.
 ///
-/// For Catmull-Clark, Loop, Nasri-Hasbini and the linear schemes, with all creases, and for a user's own of such a
+/// Takes Catmull-Clark, Loop, Nasri-Hasbini and the linear schemes, with all creases, and a user's own of such a
 /// split. Of a scheme that is no spline among regular faces (Butterfly, Kobbelt, sqrt3) places come from many steps;
 /// first derivatives have about seven digits, and second ones are no numbers.
 /// One thread at a time may use a locator. The mesh need not outlive it.
