@@ -11,6 +11,7 @@
 #include <bit>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -188,6 +189,33 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, in
         }
     }
     return as_it_is();
+}
+
+/// Returns for each corner the first one at its vertex that is_alike(first, corner).
+template <std::unsigned_integral Index, class IsAlike>
+std::vector<Index> first_alike(const connectivity<Index>& mesh, const IsAlike& is_alike)
+{
+    std::vector<std::vector<Index>> kinds(mesh.vertices);
+    std::vector<Index> result;
+    for (std::size_t c = 0; c < mesh.corners(); ++c) {
+        auto& of_vertex = kinds[mesh.corner_vertex[c]];
+        const auto known = std::ranges::find_if(of_vertex, [&](Index first) { return is_alike(first, Index(c)); });
+        result.push_back(known == of_vertex.end() ? Index(c) : *known);
+        if (known == of_vertex.end())
+            of_vertex.push_back(Index(c));
+    }
+    return result;
+}
+/// Returns for each corner of a part of a mesh its number in the mesh.
+template <std::unsigned_integral Index>
+std::vector<Index> corners_of(const connectivity<Index>& mesh, const connectivity<Index>& part,
+                              std::span<const Index> face_from)
+{
+    std::vector<Index> result;
+    for (std::size_t f = 0; f < face_from.size(); ++f)
+        for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
+            result.push_back(Index(mesh.first_corner(face_from[f]) + (c - part.first_corner(f))));
+    return result;
 }
 
 } // namespace kith::detail

@@ -79,12 +79,14 @@ struct face_domain<decltype(quad_split::columns())> : domain_of_quads {
     {
         if (face.degree != sides)
             return {cell, 0};
-        std::size_t corner = 0;
-        while (not(at.s < .5 and at.t <= .5) and corner < 3) {
-            turn(at);
-            ++corner;
+        const double s = at.s, t = at.t;
+        const std::size_t corner = t < .5 ? s < .5 ? 0 : 1 : s < .5 ? 3 : 2;
+        switch (corner) {
+        case 0: at.replace(2 * s, 2, 0, 2 * t, 0, 2); break;
+        case 1: at.replace(2 * t, 0, 2, 2 * (1 - s), -2, 0); break;
+        case 2: at.replace(2 * (1 - s), -2, 0, 2 * (1 - t), 0, -2); break;
+        default: at.replace(2 * (1 - t), 0, -2, 2 * s, 2, 0); break;
         }
-        at.replace(2 * at.s, 2, 0, 2 * at.t, 0, 2);
         return {corner, 0};
     }
 };
@@ -163,16 +165,15 @@ struct face_domain<decltype(triangle_split::columns())> : domain_of_triangles {
     }
     static child_cell descend(const domain_face&, std::size_t, face_parameters& at)
     {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            if (at.s + at.t <= .5) {
-                at.replace(2 * at.s, 2, 0, 2 * at.t, 0, 2);
-                return {corner, 0};
-            }
-            turn(at);
+        const double s = at.s, t = at.t, r = std::max(1 - s - t, 0.);
+        const std::size_t child = s + t <= .5 ? 0 : s >= .5 ? 1 : t >= .5 ? 2 : 3;
+        switch (child) {
+        case 0: at.replace(2 * s, 2, 0, 2 * t, 0, 2); break;
+        case 1: at.replace(2 * t, 0, 2, 2 * r, -2, -2); break;
+        case 2: at.replace(2 * r, -2, -2, 2 * s, 2, 0); break;
+        default: at.replace(1 - 2 * t, 0, -2, std::max(1 - 2 * r, 0.), 2, 2); break; // in the middle
         }
-        // The middle one begins at the middle of the side before corner 0, opposite corner 1.
-        at.replace(1 - 2 * at.t, 0, -2, std::max(2 * (at.s + at.t) - 1, 0.), 2, 2);
-        return {3, 0};
+        return {child, 0};
     }
 };
 

@@ -121,8 +121,10 @@ private:
                         corners.back() = limit->at(0, 0);
                         // The child at a regular corner is a polynomial, which has derivatives.
                         const bool is_needed = here.leads_to_polynomials or not here.has_key;
-                        if (is_needed and sample(here, 0, s, t).polynomial_of_child() == nullptr)
+                        if (is_needed and sample(here, 0, s, t).polynomial_of_child() == nullptr) {
                             here.at_corners[k] = std::move(limit);
+                            here.has_corner_limits = true;
+                        }
                     }
         }
         auto made = polynomial_lattice(1, domain::is_tensor).through(corners);

@@ -72,6 +72,7 @@ struct surface_shape {
     std::vector<child> children{};
     std::vector<polynomial_pointer> polynomials; ///< of the cells of the face that have one
     std::vector<polynomial_pointer> at_corners;  ///< of corners where the surface has no polynomial but limit masks
+    bool has_corner_limits = false;              ///< there is one at some corner
     polynomial_pointer at_end{};                 ///< of the face after many steps, between the limits of its corners
     bool leads_to_polynomials = false;           ///< it has one, or a shape that steps make of it
     std::size_t number = 0, oldest = 0;          ///< of a search for shapes that lead to one another

@@ -26,33 +26,6 @@ namespace kith {
 
 namespace detail {
 
-/// Returns for each corner the first one at its vertex that is_alike(first, corner).
-template <std::unsigned_integral Index, class IsAlike>
-std::vector<Index> first_alike(const connectivity<Index>& mesh, const IsAlike& is_alike)
-{
-    std::vector<std::vector<Index>> kinds(mesh.vertices);
-    std::vector<Index> result;
-    for (std::size_t c = 0; c < mesh.corners(); ++c) {
-        auto& of_vertex = kinds[mesh.corner_vertex[c]];
-        const auto known = std::ranges::find_if(of_vertex, [&](Index first) { return is_alike(first, Index(c)); });
-        result.push_back(known == of_vertex.end() ? Index(c) : *known);
-        if (known == of_vertex.end())
-            of_vertex.push_back(Index(c));
-    }
-    return result;
-}
-/// Returns for each corner of a part of a mesh its number in the mesh.
-template <std::unsigned_integral Index>
-std::vector<Index> corners_of(const connectivity<Index>& mesh, const connectivity<Index>& part,
-                              std::span<const Index> face_from)
-{
-    std::vector<Index> result;
-    for (std::size_t f = 0; f < face_from.size(); ++f)
-        for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
-            result.push_back(Index(mesh.first_corner(face_from[f]) + (c - part.first_corner(f))));
-    return result;
-}
-
 /// The shapes of the parts of a mesh around its faces, and of those around the faces that steps make of them. Parts of
 /// one shape have the same polynomials. The scheme's own text refines a part of each shape once, with rows of weights
 /// for points. If a rule is given, this rule refines rows for values at corners instead. Several threads may use an
@@ -107,11 +80,10 @@ public:
             look(*here);
             if (here->polynomials[cell])
                 return here->polynomials[cell].get();
-            if (const auto corner = std::ranges::find(domain::corners, std::array{at.s, at.t});
-                corner != domain::corners.end() and here->in_domain.degree == domain::sides)
-                if (const auto& limit = here->at_corners[std::size_t(corner - domain::corners.begin())]) {
+            if (here->has_corner_limits)
+                if (const auto* limit = limit_at_corner(*here, at)) {
                     at = {0, 0};
-                    return limit.get();
+                    return limit;
                 }
             steps_without += here->leads_to_polynomials ? 0 : 1;
             if (depth == most_steps or steps_without > domain::steps)
@@ -127,6 +99,13 @@ private:
     using domain = domain_of<Scheme>;
     using mesh_type = typename shape::mesh_type;
 
+    /// Returns the limit at a corner of the face, if a place is there and has one.
+    static const surface_polynomial* limit_at_corner(const shape& here, const face_parameters& at)
+    {
+        const auto corner = std::ranges::find(domain::corners, std::array{at.s, at.t});
+        return corner == domain::corners.end() ? nullptr
+                                               : here.at_corners[std::size_t(corner - domain::corners.begin())].get();
+    }
     std::pair<shape*, std::vector<Index>> add_part(const part& around)
     {
         auto canonical = make_canonical(around.mesh, around.generation, around.scheme, around.face);
