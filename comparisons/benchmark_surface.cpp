@@ -3,7 +3,9 @@
 #include "exit_code.hpp"
 #include "random_meshes.hpp"
 
+#include <kith/closest_points.hpp>
 #include <kith/presets.hpp>
+#include <kith/ray_hits.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/refine.hpp>
 #include <kith/surface.hpp>
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <iostream>
@@ -143,6 +146,43 @@ void contest(const std::string& name, const basic_mesh<>& mesh, const Scheme& sc
     print("Bfr", theirs);
 }
 
+/// Times rays and nearest points, for which there is no peer.
+template <class Scheme>
+void time_searches(const std::string& name, const basic_mesh<>& mesh, const Scheme& scheme, int repeats)
+{
+    constexpr std::size_t queries = 2000;
+    double size = 0;
+    for (const auto& p : mesh.points())
+        for (const double x : p)
+            size = std::max(size, std::abs(x));
+    random_numbers random(2);
+    std::vector<kith::surface_ray> rays;
+    std::vector<std::array<double, 3>> points;
+    for (std::size_t i = 0; i < queries; ++i) {
+        const auto any = [&] {
+            return std::array{size * random.coordinate(), size * random.coordinate(), size * random.coordinate()};
+        };
+        const auto from = any(), to = any();
+        rays.push_back({from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]}});
+        points.push_back(from);
+    }
+    std::vector<times> all;
+    for (int i = 0; i < repeats; ++i) {
+        times& one = all.emplace_back();
+        std::optional<kith::ray_hits<Scheme>> hits;
+        std::optional<kith::closest_points<Scheme>> nearest;
+        one.set_up = seconds([&] { hits.emplace(mesh, scheme); });
+        nearest.emplace(mesh, scheme);
+        one.first = seconds([&] { static_cast<void>(hits->of(rays)); });
+        one.points = seconds([&] { static_cast<void>(nearest->of(points)); });
+    }
+    constexpr double microseconds = 1e6;
+    std::cout << name << ", " << mesh.face_count() << " faces: set-up "
+              << median(all, &times::set_up) * microseconds / double(mesh.face_count()) << " us a face, "
+              << median(all, &times::first) * microseconds / double(queries) << " us a ray, "
+              << median(all, &times::points) * microseconds / double(queries) << " us a nearest point\n";
+}
+
 } // namespace
 
 int main(int count, char** words)
@@ -150,7 +190,8 @@ int main(int count, char** words)
     return exit_code_of([&] {
         options::options_description all(
             "Places on limit surfaces, by kith and by OpenSubdiv's Bfr in turn, on one thread: the time of finding the "
-            "surfaces of all faces, of finding the places, of evaluating them, and of doing so again for moved points");
+            "surfaces of all faces, of finding the places, of evaluating them, and of doing so again for moved points; "
+            "rays and nearest points by kith alone");
         std::size_t places = 1'000'000;
         int repeats = 5;
         std::string file;
@@ -174,6 +215,8 @@ int main(int count, char** words)
         const auto catmull_clark = kith::like<kith::catmull_clark>(kith::library::opensubdiv);
         contest("Catmull-Clark", mesh, catmull_clark, places, repeats);
         contest("Catmull-Clark, once refined", kith::refine(mesh, catmull_clark, 1), catmull_clark, places, repeats);
+        std::cout << std::setprecision(1);
+        time_searches("Catmull-Clark", mesh, catmull_clark, repeats);
         const bool has_triangles = mesh.topology().degree == 3;
         const auto cut = shapes::triangulated(shape);
         if (file.empty() or has_triangles)

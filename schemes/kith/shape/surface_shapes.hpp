@@ -64,7 +64,14 @@ public:
         if (here.is_decided.load(std::memory_order_acquire))
             return;
         const std::scoped_lock lock(mutex_);
-        decide(here);
+        try {
+            decide(here);
+        } catch (...) { // what was open can be decided again
+            for (shape* const open : open_)
+                open->number = 0;
+            open_.clear();
+            throw;
+        }
     }
 
     /// Follows a place down to the piece of the surface that it lies in: calls descend(k) for each child on the way.
