@@ -45,7 +45,7 @@ parameters middle(const parameters& a, const parameters& b)
 
 /// Schemes that split faces into four, or polygons into quads.
 template <class Scheme>
-concept splits_in_four = kith::parametric_scheme<Scheme> and kith::detail::domain_of<Scheme>::fineness == 2;
+concept splits_in_four = kith::parametric_scheme<Scheme> and kith::detail::domain_of<Scheme>::splits_in_four;
 
 /// Returns the faces of the next level, whose numbers follow from those of the corners.
 template <class Scheme>
@@ -200,6 +200,35 @@ TEST(surface, has_a_ternary_split)
     }
 }
 
+/// Vertices of the first level are limits inside of faces, as those of the control mesh are.
+TEST(surface, has_dual_splits)
+{
+    constexpr std::array<parameters, 4> quarters{{{.25, .25}, {.75, .25}, {.75, .75}, {.25, .75}}};
+    for (const auto& [name, shape] : shapes::all_shapes()) {
+        SCOPED_TRACE(name);
+        const auto mesh = native(shape);
+        if (not mesh.topology().is_closed())
+            continue;
+        std::vector<surface_place> at_corners, at_edges(mesh.edge_count());
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            for (std::size_t k = 0; k < mesh.face(f).size(); ++k) {
+                const std::size_t corner = mesh.topology().first_corner(f) + k;
+                at_corners.push_back(mesh.face(f).size() == 4 ? surface_place{f, quarters[k][0], quarters[k][1], 0}
+                                                              : surface_place{f, .5, .5, k});
+                at_edges[mesh.topology().corner_halfedge[corner] / 2] = place_on_side(mesh, corner, .5, 4);
+            }
+        expect_limits_of_first_level(mesh, kith::doo_sabin{}, at_corners);
+        expect_limits_of_first_level(mesh, kith::doo_sabin{.weights = kith::doo_sabin_weights::averaging}, at_corners);
+        expect_limits_of_first_level(mesh, kith::mid_edge{}, at_edges);
+    }
+    EXPECT_EQ(error_text<kith::mesh_error>([] {
+                  kith::surface_locator surface(native(shapes::grid(3, 3)), kith::doo_sabin{});
+                  static_cast<void>(surface.locate(std::vector{surface_place{4, .5, .5}, surface_place{3, .5, .5}}));
+              }),
+              "place 1: face 3 touches the boundary, where doo-sabin has no parameters; take places in faces further "
+              "inside");
+}
+
 TEST(surface, has_a_sqrt3_split)
 {
     for (const auto& [name, shape] : shapes::triangle_shapes()) {
@@ -270,6 +299,9 @@ TEST(surface, has_the_slopes_of_its_points)
     };
     test(native(shapes::shaken(shapes::torus(5, 6))), kith::catmull_clark{});
     test(native(shapes::shaken(shapes::pentacube())), kith::catmull_clark{});
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::nasri_hasbini{});
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::doo_sabin{});
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::mid_edge{});
     test(native(shapes::shaken(shapes::triangulated(shapes::torus(5, 6)))), kith::loop{});
     test(native(shapes::shaken(shapes::with_flips(shapes::triangulated(shapes::torus(6, 6)), 3))), kith::loop{});
     test(native(shapes::shaken(shapes::grid(3, 3))), kith::linear{});

@@ -74,8 +74,7 @@ public:
     template <class Point>
     surface_cells(const basic_mesh<Point, Index>& mesh, const Scheme& scheme) : surface_(mesh, scheme)
     {
-        constexpr bool splits_in_four = domain_of<Scheme>::fineness == 2;
-        if constexpr (not scheme_of_places<Scheme> or not splits_in_four)
+        if constexpr (not scheme_of_places<Scheme> or not domain_of<Scheme>::splits_in_four)
             refuse();
         for (const Point& p : mesh.points()) {
             const auto& x = affine<Point>::load(p);

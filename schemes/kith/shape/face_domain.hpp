@@ -42,9 +42,28 @@ domain_face look_at(const connectivity<Index>& mesh, int generation, std::size_t
     return result;
 }
 
+/// What domains of faces have in common whose corners are vertices.
+template <std::size_t Sides>
+struct domain_at_vertices {
+    static constexpr std::size_t sides = Sides;
+    static constexpr bool splits_in_four = false;
+    static constexpr bool has_vertices_at_corners = true;
+    static constexpr bool takes_boundaries = true;
+    static constexpr int rings = 0; // those of the scheme
+
+    static std::size_t cells(std::size_t face_degree) { return face_degree == sides ? 1 : face_degree; }
+    static std::size_t enter(std::size_t, std::size_t corner, face_parameters&) { return corner; }
+    /// Children begin where their sub-faces are counted from.
+    template <class... Parts>
+    static std::size_t vertex_of_child(const Parts&...)
+    {
+        return std::size_t(-1);
+    }
+    static std::size_t cell_of_child(std::size_t, std::size_t, std::size_t cell) { return cell; }
+};
+
 /// Parameters of quads under splits that leave them quads. All other polygons consist of sub-faces.
-struct domain_of_quads {
-    static constexpr std::size_t sides = 4;
+struct domain_of_quads : domain_at_vertices<4> {
     static constexpr bool is_tensor = true;
     static constexpr std::size_t degree = 3; ///< of the splines that are looked for
     static constexpr std::array<std::array<double, 2>, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -55,17 +74,25 @@ struct domain_of_quads {
 
 /// How a split cuts the parameters of faces. A specialization has
 ///
-///   sides, corners, is_tensor, degree         of a face with parameters of its own, and of splines there
+///   sides, corners                            of a face with parameters of its own
+///   cells(degree)                             the number of cells of a face
+///   enter(degree, corner, parameters)         the cell of a place; makes its parameters those in the cell
+///   is_tensor, degree                         of the splines that are looked for in cells
 ///   fineness                                  of a lattice of which all children have points
 ///   steps                                     after which a net is small
+///   rings                                     around a face that its surface follows from; 0 for those of the scheme
 ///   children(face)                            the number of children of a domain_face
 ///   child(mesh, ids, f, k)                    the number of child k of face f
+///   vertex_of_child(mesh, ids, f, k)          its vertex from which cells are counted; -1 for its first corner
 ///   descend(face, cell, parameters)           the child_cell that a place lies in; makes its parameters those in it
+///   cell_of_child(degree, first, cell)        the number of that cell; `first` is the corner of vertex_of_child
+///   splits_in_four, has_vertices_at_corners, takes_boundaries
 template <class Columns>
 struct face_domain;
 
 template <>
 struct face_domain<decltype(quad_split::columns())> : domain_of_quads {
+    static constexpr bool splits_in_four = true;
     static constexpr std::size_t fineness = 2;
     static constexpr int steps = 27;
 
@@ -140,8 +167,7 @@ struct face_domain<decltype(ternary_split::columns())> : domain_of_quads {
 };
 
 /// Parameters of triangles.
-struct domain_of_triangles {
-    static constexpr std::size_t sides = 3;
+struct domain_of_triangles : domain_at_vertices<3> {
     static constexpr bool is_tensor = false;
     static constexpr std::size_t degree = 4;
     static constexpr std::array<std::array<double, 2>, 3> corners{{{0, 0}, {1, 0}, {0, 1}}};
@@ -152,6 +178,7 @@ struct domain_of_triangles {
 
 template <>
 struct face_domain<decltype(triangle_split::columns())> : domain_of_triangles {
+    static constexpr bool splits_in_four = true;
     static constexpr std::size_t fineness = 2;
     static constexpr int steps = 27;
 

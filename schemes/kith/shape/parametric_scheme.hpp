@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "dual_domains.hpp"
 #include "face_domain.hpp"
 
 #include <kith/crease/creases.hpp>
@@ -35,6 +36,8 @@ namespace detail {
 template <reaching_scheme Scheme>
 int rings_of_surface(const Scheme& scheme)
 {
+    if (domain_of<Scheme>::rings > 0)
+        return domain_of<Scheme>::rings;
     int rings = 1;
     while (reach_of(scheme, rings) > rings)
         ++rings;

@@ -115,7 +115,7 @@ private:
         for (const auto& [s, t] : lattice_points(1, domain::is_tensor)) {
             const auto k = std::size_t(std::ranges::find(domain::corners, std::array{s, t}) - domain::corners.begin());
             corners.push_back(corner_row(here, std::min(k, here.in_domain.degree - 1)));
-            if constexpr (Shape::has_points) // masks of limits are for points
+            if constexpr (Shape::has_points and domain::has_vertices_at_corners) // of the masks of limits
                 if (here.in_domain.degree == domain::sides and is_settled(here.scheme))
                     if (auto limit = limit_at_vertex(here.mesh, here.scheme, here.mesh.face(here.face)[k])) {
                         corners.back() = limit->at(0, 0);

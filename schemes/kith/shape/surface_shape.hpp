@@ -45,6 +45,7 @@ struct surface_shape {
     struct child {
         surface_shape* of;
         subdivision_matrix rows;
+        std::size_t first; ///< the corner of its face from which cells are counted
     };
 
     surface_shape(mesh_type m, corner_values at_each, std::size_t input_count, Scheme s, Index f, bool has_own_key)
@@ -55,7 +56,7 @@ struct surface_shape {
         , face(f)
         , has_key(has_own_key)
         , in_domain(look_at(mesh.topology(), mesh.generation(), f))
-        , polynomials(in_domain.degree == domain::sides ? 1 : in_domain.degree)
+        , polynomials(domain::cells(in_domain.degree))
         , at_corners(in_domain.degree)
     {
     }
@@ -78,13 +79,24 @@ struct surface_shape {
     std::size_t number = 0, oldest = 0;          ///< of a search for shapes that lead to one another
 };
 
+/// Returns the cell of a child that a place in a cell of a shape lies in. Makes its parameters those in it.
+template <class Shape>
+child_cell descend(const Shape& shape, std::size_t cell, face_parameters& at)
+{
+    using domain = typename Shape::domain;
+    child_cell next = domain::descend(shape.in_domain, cell, at);
+    const auto& child = shape.children[next.child];
+    next.cell = domain::cell_of_child(child.of->in_domain.degree, child.first, next.cell);
+    return next;
+}
+
 /// A point in a cell of a shape, and in the cell of a child that it lies in.
 template <class Shape>
 struct shape_sample {
     shape_sample(Shape& shape, std::size_t in_cell, double in_s, double in_t)
         : of(&shape), cell(in_cell), s(in_s), t(in_t), in_child{in_s, in_t}
     {
-        next = Shape::domain::descend(shape.in_domain, cell, in_child);
+        next = descend(shape, cell, in_child);
     }
 
     [[nodiscard]] const typename Shape::child& child() const { return of->children[next.child]; }

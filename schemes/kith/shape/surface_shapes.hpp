@@ -75,12 +75,13 @@ public:
     }
 
     /// Follows a place down to the piece of the surface that it lies in: calls descend(k) for each child on the way.
-    /// Returns the polynomial over the control points of the last shape. `cell` is the sub-face of the place if the face
+    /// Returns the polynomial over the control points of the last shape. `corner` is the sub-face of the place if the face
     /// has sub-faces, and `at` becomes the parameters in the piece.
     /// Cost: O(depth); a shape that is met for the first time costs a step.
     template <class Descend>
-    const surface_polynomial* find(shape& root, std::size_t cell, face_parameters& at, const Descend& descend)
+    const surface_polynomial* find(shape& root, std::size_t corner, face_parameters& at, const Descend& descend)
     {
+        std::size_t cell = domain::enter(root.in_domain.degree, corner, at);
         shape* here = &root;
         int steps_without = 0; // with no polynomial to come
         for (int depth = 0;; ++depth) {
@@ -95,7 +96,7 @@ public:
             steps_without += here->leads_to_polynomials ? 0 : 1;
             if (depth == most_steps or steps_without > domain::steps)
                 return here->at_end.get();
-            const child_cell next = domain::descend(here->in_domain, cell, at);
+            const child_cell next = detail::descend(*here, cell, at);
             descend(next.child);
             here = here->children[next.child].of;
             cell = next.cell;
@@ -226,12 +227,16 @@ private:
             take_part(of_part, scheme, cut.numbers());
             const auto place = std::ranges::lower_bound(cut.face_from, seed[0]) - cut.face_from.begin();
             part around{cut.mesh.topology(), fine.generation(), of_part, Index(place)};
+            const auto face = fine.face(seed[0]);
+            const std::size_t vertex = domain::vertex_of_child(here.mesh.topology(), ids, here.face, k);
+            const auto met = std::ranges::find(face, vertex) - face.begin();
+            const std::size_t first = std::size_t(met) % face.size();
             std::vector<stencil_row> rows;
             if constexpr (shape::has_points) {
                 const auto [child, input_from] = add_part(around);
                 for (const Index corner : input_from)
                     rows.push_back(cut.mesh.point(around.mesh.corner_vertex[corner]));
-                here.children.push_back({child, make_matrix(rows, here.inputs)});
+                here.children.push_back({child, make_matrix(rows, here.inputs), first});
             } else {
                 const auto corners = corners_of(fine.topology(), around.mesh, std::span<const Index>(cut.face_from));
                 around.first_alike = first_alike(around.mesh, [&](Index a, Index b) {
@@ -244,7 +249,7 @@ private:
                 const auto [child, input_from] = add_part(around);
                 for (const Index corner : input_from)
                     rows.push_back(fine_values.first[corners[corner]]);
-                here.children.push_back({child, make_matrix(rows, here.inputs)});
+                here.children.push_back({child, make_matrix(rows, here.inputs), first});
             }
         }
     }

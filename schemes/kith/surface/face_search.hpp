@@ -52,7 +52,7 @@ public:
                 if (next.size() <= child)
                     next.resize(child + 1, 0);
                 if (next[child] == 0) {
-                    const auto& [of, rows] = nets_[net].of->children[child];
+                    const auto& [of, rows, first] = nets_[net].of->children[child];
                     next[child] = nets_.size();
                     result.nets.push_back({&rows, net, of->inputs});
                     nets_.push_back({of, {}});

@@ -61,4 +61,20 @@ private:
     }
 };
 
+/// Returns true if a vertex of a face lies at the boundary.
+template <std::unsigned_integral Index>
+bool touches_boundary(const connectivity<Index>& mesh, std::size_t face)
+{
+    for (Index corner = mesh.first_corner(face); corner < mesh.first_corner(face + 1); ++corner) {
+        const Index start = mesh.vertex_corner[mesh.corner_vertex[corner]];
+        Index c = start;
+        do
+            c = mesh.next_in_fan(c);
+        while (c != mesh.none and c != start);
+        if (c == mesh.none)
+            return true;
+    }
+    return false;
+}
+
 } // namespace kith::detail

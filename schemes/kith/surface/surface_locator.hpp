@@ -44,8 +44,9 @@ class surface_cells;
 /// have no meaning, for the derivatives by u and v are zero or infinite, and second derivatives are no numbers.
 ///
 /// Takes Catmull-Clark, Loop, Nasri-Hasbini and the linear schemes, with all creases, and a user's own of such a
-/// split. Of a scheme that is no spline among regular faces (Butterfly, Kobbelt, sqrt3) places come from many steps;
-/// first derivatives have about seven digits, and second ones are no numbers.
+/// split; Doo-Sabin and mid-edge in faces that do not touch a boundary. Of a scheme that is no spline among regular
+/// faces (Butterfly, Kobbelt, sqrt3) places come from many steps; first derivatives have about seven digits, and second
+/// ones are no numbers.
 /// One thread at a time may use a locator. The mesh need not outlive it.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class surface_locator {
@@ -233,8 +234,14 @@ located_places surface_locator<Scheme, Index>::locate_with(const std::shared_ptr
     const detail::places_by_face by_face(mesh_.topology(), detail::domain_of<Scheme>::sides, places);
     std::vector<places_of_face> faces;
     for (std::size_t f = 0, begin = 0; f < mesh_.face_count(); begin = by_face.ends[f++])
-        if (by_face.ends[f] != begin)
+        if (by_face.ends[f] != begin) {
+            if constexpr (not detail::domain_of<Scheme>::takes_boundaries)
+                if (detail::touches_boundary(mesh_.topology(), f))
+                    throw mesh_error("place " + std::to_string(by_face.numbers[begin]) + ": face " + std::to_string(f) +
+                                     " touches the boundary, where " + std::string(scheme_name<Scheme>()) +
+                                     " has no parameters; take places in faces further inside");
             faces.push_back({Index(f), begin, neighbourhood_of_face(Index(f))});
+        }
     const std::size_t count = faces.size();
     faces.push_back({0, places.size(), nullptr});
 

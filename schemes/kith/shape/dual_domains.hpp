@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "face_domain.hpp"
+
+#include <kith/split/dual_split.hpp>
+#include <kith/split/mid_edge_split.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+namespace kith::detail {
+
+/// Parameters of splits that make faces of vertices. The limits of vertices of the control mesh lie inside their faces:
+/// the corners of parameters are the centres of the faces that vertices become. All faces consist of sub-faces, also
+/// quads, whose own parameters are those of their four quarters. Faces at boundaries are not taken.
+struct domain_of_dual_faces {
+    static constexpr std::size_t sides = 4;
+    static constexpr std::size_t degree = 2;
+    static constexpr std::size_t fineness = 2;
+    static constexpr bool splits_in_four = false;
+    static constexpr bool has_vertices_at_corners = false;
+    static constexpr bool takes_boundaries = false;
+    static constexpr auto corners = domain_of_quads::corners;
+
+    /// Returns the sub-face that a place lies in, and makes its parameters those of the sub-face.
+    static std::size_t enter_sub_face(std::size_t face_degree, std::size_t corner, face_parameters& at)
+    {
+        return face_degree == sides
+                   ? face_domain<decltype(quad_split::columns())>::descend({sides, {}, false}, 0, at).child
+                   : corner;
+    }
+};
+
+/// Children are the faces of the vertices, of the edges after them, and of the face.
+template <>
+struct face_domain<decltype(dual_split().columns())> : domain_of_dual_faces {
+    static constexpr bool is_tensor = true;
+    static constexpr int steps = 27;
+    static constexpr int rings = 0; // those of the scheme
+
+    static std::size_t cells(std::size_t face_degree) { return face_degree; }
+    static std::size_t enter(std::size_t face_degree, std::size_t corner, face_parameters& at)
+    {
+        return enter_sub_face(face_degree, corner, at);
+    }
+    static std::size_t children(const domain_face& face) { return 2 * face.degree + 1; }
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    {
+        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        return k < n       ? ids.faces.template id<tuple_kind::v>(mesh.corner_vertex[first + k])
+               : k < 2 * n ? ids.faces.template id<tuple_kind::e>(mesh.corner_halfedge[first + k - n] / 2)
+                           : ids.faces.template id<tuple_kind::f>(face);
+    }
+    /// Returns the vertex of child k from which its sub-faces are counted: that of a corner.
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    {
+        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        return ids.vertices.template id<tuple_kind::vf>(first + k % n);
+    }
+    static std::size_t cell_of_child(std::size_t child_degree, std::size_t first, std::size_t cell)
+    {
+        return (first + cell) % child_degree;
+    }
+    static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
+    {
+        const std::size_t n = face.degree;
+        const double s = at.s, t = at.t;
+        if (s >= .5 and t >= .5) {
+            at.replace(2 * s - 1, 2, 0, 2 * t - 1, 0, 2);
+            return {2 * n, cell};
+        }
+        if (s >= .5) {
+            at.replace(1 - 2 * t, 0, -2, 2 * s - 1, 2, 0);
+            return {n + cell, 0};
+        }
+        if (t >= .5) { // at the other end of the edge before
+            at.replace(2 * t - 1, 0, 2, 1 - 2 * s, -2, 0);
+            return {n + (cell + n - 1) % n, 3};
+        }
+        at.replace(1 - 2 * s, -2, 0, 1 - 2 * t, 0, -2);
+        return {cell, 0};
+    }
+};
+
+/// Children are the faces of the vertices and that of the face. A sub-face has two cells, triangles on both sides of
+/// its diagonal from the corner to the centre. (0, 0) of a cell is the corner, (1, 0) the middle of the edge, and (0, 1)
+/// the centre. The edge is that after the corner in the first cell, and that before it in the second.
+template <>
+struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
+    static constexpr bool is_tensor = false;
+    static constexpr int steps = 54;
+    static constexpr int rings = 2; // as many around a child follow from two around a face
+
+    static std::size_t cells(std::size_t face_degree) { return 2 * face_degree; }
+    static std::size_t enter(std::size_t face_degree, std::size_t corner, face_parameters& at)
+    {
+        const std::size_t sub_face = enter_sub_face(face_degree, corner, at);
+        const double s = at.s, t = at.t;
+        if (s >= t)
+            at.replace(s - t, 1, -1, t, 0, 1);
+        else
+            at.replace(t - s, -1, 1, s, 1, 0);
+        return 2 * sub_face + (s >= t ? 0 : 1);
+    }
+    static std::size_t children(const domain_face& face) { return face.degree + 1; }
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    {
+        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        return k < n ? ids.faces.template id<tuple_kind::v>(mesh.corner_vertex[first + k])
+                     : ids.faces.template id<tuple_kind::f>(face);
+    }
+    /// Returns the vertex of child k from which its sub-faces are counted: that of an edge.
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    {
+        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        return ids.vertices.template id<tuple_kind::e>(mesh.corner_halfedge[first + k % n] / 2);
+    }
+    static std::size_t cell_of_child(std::size_t child_degree, std::size_t first, std::size_t cell)
+    {
+        return 2 * ((first + cell / 2) % child_degree) + cell % 2;
+    }
+    static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
+    {
+        const std::size_t n = face.degree, corner = cell / 2;
+        const bool is_first = cell % 2 == 0;
+        const double s = at.s, t = at.t;
+        if (s + 2 * t > 1) { // a vertex of the child is the middle of the edge
+            at.replace(2 - 2 * s - 2 * t, -2, -2, s + 2 * t - 1, 1, 2);
+            return {n, is_first ? 2 * corner + 1 : 2 * ((corner + n - 1) % n)};
+        }
+        at.replace(2 * t, 0, 2, 1 - s - 2 * t, -1, -2);
+        return {corner, is_first ? std::size_t(0) : std::size_t(3)};
+    }
+};
+
+} // namespace kith::detail
