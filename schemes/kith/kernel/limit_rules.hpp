@@ -47,9 +47,9 @@ public:
     {
         return reach_of(scheme, rings);
     }
-    /// Whether the masks are the same, counted from the first corner of a fan, at all inner vertices of regular valence
-    /// that have only such vertices, and faces of one degree, within their rings. They ask there neither where faces and
-    /// other fans begin nor which way edges run. Then limit_surface_of reads them once for all these vertices.
+    /// True if the masks, counted from the first corner of a fan, are the same at all inner vertices of regular valence
+    /// that have only such vertices, and faces of one degree, within their rings. These masks ask neither where faces
+    /// and other fans begin nor which way edges run. Then limit_surface_of reads them once for all these vertices.
     static constexpr bool are_alike_where_regular = false;
     /// After how many further steps a normal may be known where a position is: beside irregular vertices one or two.
     static constexpr int tangent_steps = 2;

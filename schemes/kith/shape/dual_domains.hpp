@@ -87,8 +87,8 @@ struct face_domain<decltype(dual_split().columns())> : domain_of_dual_faces {
 };
 
 /// Children are the faces of the vertices and that of the face. A sub-face has two cells, triangles on both sides of
-/// its diagonal from the corner to the centre. (0, 0) of a cell is the corner, (1, 0) the middle of the edge, and (0, 1)
-/// the centre. The edge is that after the corner in the first cell, and that before it in the second.
+/// its diagonal from the corner to the centre. (0, 0) of a cell is the corner, (1, 0) the middle of the edge, and
+/// (0, 1) the centre. The edge is that after the corner in the first cell, and that before it in the second.
 template <>
 struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
     static constexpr bool is_tensor = false;

@@ -75,8 +75,8 @@ public:
     }
 
     /// Follows a place down to the piece of the surface that it lies in: calls descend(k) for each child on the way.
-    /// Returns the polynomial over the control points of the last shape. `corner` is the sub-face of the place if the face
-    /// has sub-faces, and `at` becomes the parameters in the piece.
+    /// Returns the polynomial over the inputs of the last shape. `corner` is the sub-face of the place if the face has
+    /// sub-faces, and `at` becomes the parameters in the piece.
     /// Cost: O(depth); a shape that is met for the first time costs a step.
     template <class Descend>
     const surface_polynomial* find(shape& root, std::size_t corner, face_parameters& at, const Descend& descend)

@@ -46,10 +46,10 @@ public:
     [[nodiscard]] std::size_t size() const { return all_.places.size(); }
 
     /// Returns the values of the limit surface for a value per vertex of the control mesh, such as points, colours or
-    /// rows of weights, and their derivatives; for a value per corner if the places were located for those. See `surface_locator` for what is not known at irregular vertices; such
-    /// derivatives are no numbers. Runs on the threads of OpenMP where values are plain bytes.
-    /// Errors: mesh_error unless there is a value for each. Cost: O(places), and for each face with places that
-    /// of a product with a matrix of 15 or 16 rows.
+    /// rows of weights, and their derivatives; for a value per corner if the places were located for those. See
+    /// `surface_locator` for what is not known at irregular vertices; such derivatives are no numbers. Runs on the
+    /// threads of OpenMP where values are plain bytes. Errors: mesh_error unless there is a value for each.
+    /// Cost: O(places), and for each face with places that of a product with a matrix of some dozen rows.
     template <affine_value T>
     [[nodiscard]] surface_values<T> evaluate(std::span<const T> control, derivatives wanted = derivatives::none) const
     {
