@@ -125,8 +125,8 @@ private:
     {
         return slots_.data() + Width * masks_.program().outputs()[number];
     }
-    /// Finds the points to be read around each vertex, and notes whether its fan is not one of the regular valence:
-    /// step by step around all of them, so that what one waits for from the memory, the others do, too.
+    /// Finds the points to be read around each vertex, and notes whether its fan has another valence. Each step is made
+    /// for all vertices before the next one, so that they wait for memory together.
     [[gnu::always_inline]] void find(const Index* vertices)
     {
         Index* const first = corners_.data();
@@ -159,7 +159,7 @@ private:
             found += at_once;
         }
     }
-    /// The corners that lie across from those so many corners on from the given ones.
+    /// Finds the corners across from those that lie `on` corners on from the given ones.
     [[gnu::always_inline]] void cross(const Index* corners, Index on, Index* across) const
     {
         const Index *const halfedge = mesh_.corner_halfedge.data(), *const at = mesh_.halfedge_corner.data();
@@ -167,7 +167,7 @@ private:
         for (std::size_t i = 0; i < at_once; ++i)
             across[i] = at[halfedge[from[i]] ^ 1];
     }
-    /// The corners that lie so many corners on in their faces.
+    /// Returns the corners that lie `on` corners on in their faces.
     [[nodiscard, gnu::always_inline]] std::array<Index, at_once> moved(const Index* corners, Index on) const
     {
         std::array<Index, at_once> result;
@@ -195,8 +195,8 @@ private:
                     to[i][k] = points[found[i]][k];
     }
 
-    /// The unit normals that two tangents give each, as normal_of; leaves open where the tangents or their product have
-    /// an exponent that asks for more.
+    /// Makes unit normals of two tangents each, as normal_of does. A vertex stays open if the exponents of its tangents
+    /// or of their product need more care.
     template <std::size_t Bytes>
     [[gnu::always_inline]] void make_normals(const point* first, const point* second, Index* is_open)
     {

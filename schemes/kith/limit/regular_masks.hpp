@@ -26,7 +26,7 @@ struct recorded_masks {
     std::vector<std::uint32_t> results;
 };
 
-/// Records them at the vertex where a walk begins. Values are numbered in the order of the walk.
+/// Records the limit masks at the vertex where a walk begins. Values are numbered in the order of the walk.
 template <scheme Scheme>
 recorded_masks record_masks(const Scheme& scheme, const basic_mesh<>& mesh, int generation, const regular_walk& around)
 {
@@ -82,11 +82,11 @@ public:
         return result;
     }
 
-    /// Each reaches one more corner, as those of a regular_walk.
+    /// Returns steps that each reach one more corner, as those of a regular_walk do.
     [[nodiscard]] std::span<const corner_from> steps() const { return steps_; }
-    /// The first corners reached are those of the vertex.
+    /// Returns the number of corners of the vertex, which are reached first.
     [[nodiscard]] std::size_t valence() const { return valence_; }
-    /// The corners of the vertices whose points the program reads.
+    /// Returns the corners of the vertices whose points the program reads.
     [[nodiscard]] std::span<const corner_from> inputs() const { return inputs_; }
     [[nodiscard]] const lane_program<double>& program() const { return program_; }
     [[nodiscard]] bool have_tangents() const { return program_.outputs().size() == 3; }

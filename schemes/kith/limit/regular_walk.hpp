@@ -96,9 +96,9 @@ private:
     std::vector<std::uint32_t> reached_, reached_by_; // corners, a face each; by faces, which of these corners
 };
 
-/// Marks the vertices around which a mask within some rings may meet more than faces of a degree, whole fans of a
-/// valence and no state. Empty if there are none to be marked but those that one look at their own faces tells: without
-/// rings valences and boundaries are left out. Cost: O(corners) where there is anything to look for.
+/// Marks the vertices around which a mask within some rings may meet state, a boundary, a face of another degree or a
+/// vertex of another valence. Without rings, boundaries and valences are not marked, since they show in the faces of a
+/// vertex. Returns an empty list if no vertex can need a mark. Cost: O(corners).
 template <std::unsigned_integral Index>
 std::vector<unsigned char> irregular_vertices(const connectivity<Index>& mesh, state_marks<Index> state,
                                               std::size_t degree, std::size_t valence, int rings)

@@ -29,7 +29,7 @@ struct limit_rules<kobbelt> : interpolating_limits {
         };
         use(curve(v.first_corner()), curve(v.first_corner().prev().across()));
     }
-    /// The faces of the neighbours.
+    /// The masks ask about the faces of the neighbours.
     static constexpr int rings(const kobbelt&) { return 1; }
 };
 

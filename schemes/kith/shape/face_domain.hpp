@@ -27,7 +27,7 @@ struct child_cell {
 /// The facts about a face by which a step cuts its parameters.
 struct domain_face {
     std::size_t degree;
-    std::array<bool, 4> is_wall{}; ///< the first three sides, if they lie at the boundary
+    std::array<bool, 3> is_wall{}; ///< the first three sides, if they lie at the boundary
     bool is_odd = false;           ///< the generation of the mesh
 };
 
@@ -42,7 +42,7 @@ domain_face look_at(const connectivity<Index>& mesh, int generation, std::size_t
     return result;
 }
 
-/// What domains of faces have in common whose corners are vertices.
+/// The common members of the domains of faces whose corners are vertices.
 template <std::size_t Sides>
 struct domain_at_vertices {
     static constexpr std::size_t sides = Sides;
@@ -72,7 +72,7 @@ struct domain_of_quads : domain_at_vertices<4> {
     static void turn(face_parameters& at) { at.replace(at.t, 0, 1, 1 - at.s, -1, 0); }
 };
 
-/// How a split cuts the parameters of faces. A specialization has
+/// Cuts the parameters of faces as a split does. A specialization has
 ///
 ///   sides, corners                            of a face with parameters of its own
 ///   cells(degree)                             the number of cells of a face

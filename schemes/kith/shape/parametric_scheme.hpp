@@ -17,7 +17,7 @@ namespace kith {
 
 namespace detail {
 
-/// How steps of a scheme cut the parameters of faces.
+/// The face_domain of the split of a scheme.
 template <class Scheme>
 using domain_of = face_domain<std::remove_cvref_t<decltype(columns_of(std::declval<const Scheme&>(), 0))>>;
 template <class Scheme>

@@ -66,7 +66,7 @@ struct surface_shape {
     corner_values values;
     Scheme scheme;
     Index face;
-    bool has_key; ///< others have its shape, if theirs is the same
+    bool has_key; ///< parts with the same key have this shape
     domain_face in_domain;
 
     std::atomic<bool> is_decided = false; ///< all members below are final

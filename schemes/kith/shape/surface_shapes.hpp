@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <atomic>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <memory>
@@ -220,6 +220,7 @@ private:
         Scheme scheme = here.scheme;
         advance(scheme, coarse, here.mesh.generation(), ids, fine);
         submesh_cutter<typename mesh_type::point_type, Index> cutter(fine);
+        std::vector<typename shape::child> children;
         for (std::size_t k = 0; k < domain::children(here.in_domain); ++k) {
             const std::array<Index, 1> seed{Index(domain::child(here.mesh.topology(), ids, here.face, k))};
             const auto cut = cutter.cut(cutter.faces_around(seed, rings_));
@@ -227,31 +228,28 @@ private:
             take_part(of_part, scheme, cut.numbers());
             const auto place = std::ranges::lower_bound(cut.face_from, seed[0]) - cut.face_from.begin();
             part around{cut.mesh.topology(), fine.generation(), of_part, Index(place)};
-            const auto face = fine.face(seed[0]);
-            const std::size_t vertex = domain::vertex_of_child(here.mesh.topology(), ids, here.face, k);
-            const auto met = std::ranges::find(face, vertex) - face.begin();
-            const std::size_t first = std::size_t(met) % face.size();
-            std::vector<stencil_row> rows;
-            if constexpr (shape::has_points) {
-                const auto [child, input_from] = add_part(around);
-                for (const Index corner : input_from)
-                    rows.push_back(cut.mesh.point(around.mesh.corner_vertex[corner]));
-                here.children.push_back({child, make_matrix(rows, here.inputs), first});
-            } else {
-                const auto corners = corners_of(fine.topology(), around.mesh, std::span<const Index>(cut.face_from));
-                around.first_alike = first_alike(around.mesh, [&](Index a, Index b) {
-                    return fine_values.first[corners[a]] == fine_values.first[corners[b]];
-                });
+            const auto corners = corners_of(fine.topology(), around.mesh, std::span<const Index>(cut.face_from));
+            if constexpr (not shape::has_points) {
                 const auto& [fine_rows, fine_marks] = fine_values;
+                around.first_alike = first_alike(
+                    around.mesh, [&](Index a, Index b) { return fine_rows[corners[a]] == fine_rows[corners[b]]; });
                 around.marks = storage<typename Rule::mark_type>(fine_marks.empty() ? 0 : corners.size());
                 for (std::size_t c = 0; c < around.marks.size(); ++c)
                     around.marks[c] = fine_marks[corners[c]];
-                const auto [child, input_from] = add_part(around);
-                for (const Index corner : input_from)
-                    rows.push_back(fine_values.first[corners[corner]]);
-                here.children.push_back({child, make_matrix(rows, here.inputs), first});
             }
+            const auto [child, input_from] = add_part(around);
+            std::vector<stencil_row> rows;
+            for (const Index corner : input_from)
+                if constexpr (shape::has_points)
+                    rows.push_back(fine.point(fine.topology().corner_vertex[corners[corner]]));
+                else
+                    rows.push_back(fine_values.first[corners[corner]]);
+            const auto face = fine.face(seed[0]);
+            const std::size_t vertex = domain::vertex_of_child(here.mesh.topology(), ids, here.face, k);
+            const auto first = std::size_t(std::ranges::find(face, vertex) - face.begin()) % face.size();
+            children.push_back({child, make_matrix(rows, here.inputs), first});
         }
+        here.children = std::move(children);
     }
     /// Returns rows and marks of the corners after a step.
     template <class Step>

@@ -121,16 +121,28 @@ private:
         of_class.inputs = walked_inputs(of_class.control);
         return of_class;
     }
-    [[nodiscard]] neighbourhood neighbourhood_around(Index face)
+    /// A face with the faces around it and their state.
+    struct face_part {
+        submesh<float, Index> cut;
+        Scheme scheme;
+        Index face;
+    };
+    [[nodiscard]] face_part part_around(Index face)
     {
         const std::array<Index, 1> seed{face};
-        const auto part = cutter_.cut(cutter_.faces_around(seed, rings_));
-        const auto place = std::ranges::lower_bound(part.face_from, face) - part.face_from.begin();
+        auto cut = cutter_.cut(cutter_.faces_around(seed, rings_));
+        const auto place = std::ranges::lower_bound(cut.face_from, face) - cut.face_from.begin();
         Scheme scheme = scheme_;
-        detail::take_part(scheme, scheme_, part.numbers());
-        auto [around, control] = shapes_->of_part({part.mesh.topology(), mesh_.generation(), scheme, Index(place)});
+        detail::take_part(scheme, scheme_, cut.numbers());
+        return {std::move(cut), std::move(scheme), Index(place)};
+    }
+    [[nodiscard]] neighbourhood neighbourhood_around(Index face)
+    {
+        const face_part part = part_around(face);
+        const auto& topology = part.cut.mesh.topology();
+        auto [around, control] = shapes_->of_part({topology, mesh_.generation(), part.scheme, part.face});
         for (Index& input : control)
-            input = part.vertex_from[part.mesh.topology().corner_vertex[input]];
+            input = part.cut.vertex_from[topology.corner_vertex[input]];
         return {around, std::move(control)};
     }
     /// Same, but with the shape of values at corners.
@@ -138,16 +150,12 @@ private:
     [[nodiscard]] auto neighbourhood_around(Index face, const field<field_on::corners, T, Rule>& values,
                                             detail::surface_shapes<Index, Scheme, Rule>& all)
     {
-        const std::array<Index, 1> seed{face};
-        const auto cut = cutter_.cut(cutter_.faces_around(seed, rings_));
-        const auto place = std::ranges::lower_bound(cut.face_from, face) - cut.face_from.begin();
-        Scheme scheme = scheme_;
-        detail::take_part(scheme, scheme_, cut.numbers());
-        const auto& topology = cut.mesh.topology();
-        const auto corners = detail::corners_of(mesh_.topology(), topology, std::span<const Index>(cut.face_from));
+        const face_part part = part_around(face);
+        const auto& topology = part.cut.mesh.topology();
+        const auto corners = detail::corners_of(mesh_.topology(), topology, std::span<const Index>(part.cut.face_from));
         auto alike = detail::first_alike(topology,
                                          [&](Index a, Index b) { return values[corners[a]] == values[corners[b]]; });
-        auto [around, control] = all.of_part({topology, mesh_.generation(), scheme, Index(place), std::move(alike)});
+        auto [around, control] = all.of_part({topology, mesh_.generation(), part.scheme, part.face, std::move(alike)});
         for (Index& input : control)
             input = corners[input];
         return detail::face_neighbourhood<Index, typename detail::surface_shapes<Index, Scheme, Rule>::shape>{
