@@ -40,6 +40,10 @@ struct times {
     double set_up, locate, first, points, moved;
 };
 using runs = std::vector<times>;
+/// Seconds of one run.
+struct search_times {
+    double set_up, rays, nearest;
+};
 
 basic_mesh<> mesh_of(const kith::io::polygon_soup& soup)
 {
@@ -53,10 +57,11 @@ double seconds(const F& f)
     f();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
-double median(const runs& all, double times::* which)
+template <class Times>
+double median(const std::vector<Times>& all, double Times::* which)
 {
     std::vector<double> values;
-    for (const times& one : all)
+    for (const Times& one : all)
         values.push_back(one.*which);
     std::ranges::sort(values);
     return values[values.size() / 2];
@@ -166,21 +171,21 @@ void time_searches(const std::string& name, const basic_mesh<>& mesh, const Sche
         rays.push_back({from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]}});
         points.push_back(from);
     }
-    std::vector<times> all;
+    std::vector<search_times> all;
     for (int i = 0; i < repeats; ++i) {
-        times& one = all.emplace_back();
+        search_times& one = all.emplace_back();
         std::optional<kith::ray_hits<Scheme>> hits;
         std::optional<kith::closest_points<Scheme>> nearest;
         one.set_up = seconds([&] { hits.emplace(mesh, scheme); });
         nearest.emplace(mesh, scheme);
-        one.first = seconds([&] { static_cast<void>(hits->of(rays)); });
-        one.points = seconds([&] { static_cast<void>(nearest->of(points)); });
+        one.rays = seconds([&] { static_cast<void>(hits->of(rays)); });
+        one.nearest = seconds([&] { static_cast<void>(nearest->of(points)); });
     }
     constexpr double microseconds = 1e6;
     std::cout << name << ", " << mesh.face_count() << " faces: set-up "
-              << median(all, &times::set_up) * microseconds / double(mesh.face_count()) << " us a face, "
-              << median(all, &times::first) * microseconds / double(queries) << " us a ray, "
-              << median(all, &times::points) * microseconds / double(queries) << " us a nearest point\n";
+              << median(all, &search_times::set_up) * microseconds / double(mesh.face_count()) << " us a face, "
+              << median(all, &search_times::rays) * microseconds / double(queries) << " us a ray, "
+              << median(all, &search_times::nearest) * microseconds / double(queries) << " us a nearest point\n";
 }
 
 } // namespace

@@ -170,6 +170,9 @@ TEST(closest_points, refuse_schemes_that_are_no_splines)
     EXPECT_EQ(
         error_text<kith::mesh_error>([&] { const kith::closest_points surface(quads, own_state::some_drawn(quads)); }),
         expected);
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { const kith::closest_points surface(quads, kith::doo_sabin{}); }),
+              "doo-sabin does not split each face into four, as searches of its surface need; search a tessellation "
+              "instead");
 }
 
 TEST(closest_points, refuse_what_is_not_finite)

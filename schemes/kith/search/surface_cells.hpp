@@ -18,6 +18,7 @@
 #include <deque>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -74,7 +75,11 @@ public:
     template <class Point>
     surface_cells(const basic_mesh<Point, Index>& mesh, const Scheme& scheme) : surface_(mesh, scheme)
     {
-        if constexpr (not scheme_of_places<Scheme> or not domain_of<Scheme>::splits_in_four)
+        if constexpr (not domain_of<Scheme>::splits_in_four)
+            throw mesh_error(std::string(scheme_name<Scheme>()) +
+                             " does not split each face into four, as searches of its surface need; search a "
+                             "tessellation instead");
+        else if constexpr (not scheme_of_places<Scheme>)
             refuse();
         for (const Point& p : mesh.points()) {
             const auto& x = affine<Point>::load(p);
