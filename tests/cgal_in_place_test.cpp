@@ -365,6 +365,18 @@ base torus_with_values()
     auto label = mesh.add_property_map<face, int>("f:label").first;
     for (const face f : mesh.faces())
         label[f] = int(f) * 7 + 1;
+    auto uv = mesh.add_property_map<halfedge, kernel::Point_2>("h:uv").first;
+    auto side = mesh.add_property_map<halfedge, int>("h:side").first;
+    for (const halfedge h : mesh.halfedges()) {
+        uv[h] = {std::sin(double(h)), double(h % 7) / 3};
+        side[h] = int(h) + 1;
+    }
+    auto kind = mesh.add_property_map<edge, int>("e:kind").first;
+    for (const edge e : mesh.edges())
+        kind[e] = int(e) + 1;
+    auto name = mesh.add_property_map<vertex, int>("v:name").first;
+    for (const vertex v : mesh.vertices())
+        name[v] = int(v) + 1;
     return mesh;
 }
 
@@ -444,6 +456,17 @@ TEST(cgal_in_place, makes_several_levels_at_once_with_the_bits_of_one_after_the_
         ASSERT_EQ(mesh.target(mesh.halfedge(f)), expected.target(expected.halfedge(f))) << f;
         ASSERT_EQ(label[f], expected_label[f]) << f;
     }
+    const auto expect_same =
+        [&]<class Handle, class T>(const Handle&, const T&, const char* property, const auto& all) {
+            const auto made = mesh.add_property_map<Handle, T>(property).first,
+                       from = expected.add_property_map<Handle, T>(property).first;
+            for (const Handle h : all)
+                ASSERT_EQ(made[h], from[h]) << property << ' ' << h;
+        };
+    expect_same(halfedge(), kernel::Point_2(), "h:uv", mesh.halfedges());
+    expect_same(halfedge(), 0, "h:side", mesh.halfedges());
+    expect_same(edge(), 0, "e:kind", mesh.edges());
+    expect_same(vertex(), 0, "v:name", mesh.vertices());
 }
 
 } // namespace

@@ -92,7 +92,7 @@ TEST(level_state, columns_may_follow_it)
     for (int level = 0; level <= 3; ++level)
         EXPECT_EQ(planned[std::size_t(level)].counts, levels.elements(level).counts());
     EXPECT_TRUE(same_bits(kith::refine(mesh, scheme, 3), levels.finest()));
-    const kith::patch_refinement patches(mesh, scheme, 3, kith::connect::everything, all_templates);
+    kith::patch_refinement patches(mesh, scheme, 3, kith::connect::everything, all_templates);
     ASSERT_TRUE(patches.is_worth_looking());
     EXPECT_TRUE(same_bits(made_by_patches(mesh, scheme, 3, kith::connect::everything, all_templates), levels.finest()));
     kith::evaluator surface(mesh, scheme, 3);

@@ -11,33 +11,22 @@
 #include <limits>
 #include <utility>
 
-/// So that there are patches wherever there can be, with a template for every class of faces.
-inline constexpr kith::patch_costs all_templates{.in_patch = 0,
-                                                 .among_few = 1,
-                                                 .of_template = 0,
-                                                 .of_face_in_template = 0,
-                                                 .of_look = 0,
-                                                 .share_if_alike = 1, // whatever the control mesh looks like
-                                                 .to_be_cheaper = std::numeric_limits<double>::infinity(),
-                                                 .least_if_late = 1,
-                                                 .least_if_ordered = 1,
-                                                 .least_if_ordered_with_edges = 1,
-                                                 .least_faces = 1,
-                                                 .least_faces_if_scattered = 1};
+/// Costs by which there are patches wherever there can be, with a template for every class of faces.
+inline constexpr kith::strategy_costs all_templates = kith::strategy_costs::of_templates_for_all();
 
-/// The same with templates for classes that have some members, or for none.
-constexpr kith::patch_costs with_cost_of_template(double cost)
+/// Returns the same with templates for classes that have some members, or for none.
+constexpr kith::strategy_costs with_cost_of_template(double cost)
 {
     auto costs = all_templates;
     costs.of_template = cost;
     return costs;
 }
-inline constexpr kith::patch_costs some_templates = with_cost_of_template(300);
+inline constexpr kith::strategy_costs some_templates = with_cost_of_template(300);
 
 /// What patches make, where they are a gain.
 template <class Point, class Index, class Scheme>
 kith::basic_mesh<Point, Index> made_by_patches(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
-                                               kith::connect last, const kith::patch_costs& costs)
+                                               kith::connect last, const kith::strategy_costs& costs)
 {
     auto made = kith::patch_refinement<Point, Index, Scheme>(mesh, scheme, levels, last, costs).refine(mesh, scheme);
     EXPECT_TRUE(made);
@@ -46,11 +35,11 @@ kith::basic_mesh<Point, Index> made_by_patches(kith::basic_mesh<Point, Index> me
 /// The same written into a mesh of another library.
 template <class Point, class Index, class Scheme>
 kith::basic_mesh<Point, Index> written_by_patches(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
-                                                  const kith::patch_costs& costs)
+                                                  const kith::strategy_costs& costs)
 {
     const thread_count one(1);
     written_level<Point, Index> written;
-    const kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, kith::connect::everything, costs);
+    kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, kith::connect::everything, costs);
     EXPECT_TRUE(patches.refine_into(written, mesh, scheme));
     return written.take();
 }

@@ -42,7 +42,7 @@ kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mes
                                         : kith::refine_mesh<connect::everything>(mesh, scheme, ids);
 }
 
-constexpr kith::patch_costs no_templates = with_cost_of_template(std::numeric_limits<double>::infinity());
+constexpr kith::strategy_costs no_templates = with_cost_of_template(std::numeric_limits<double>::infinity());
 
 template <class Scheme>
 constexpr bool has_patches = kith::patchable_scheme<Scheme, std::array<double, 3>, std::uint32_t>;
@@ -117,7 +117,7 @@ TEST(refine_in_patches, makes_the_same_bits_of_irregular_meshes_in_any_order)
 template <class Scheme>
 void expect_hierarchy_in_patches(const mesh3d& control, const Scheme& scheme, int levels)
 {
-    const kith::patch_refinement<std::array<double, 3>, std::uint32_t, Scheme> patches(
+    kith::patch_refinement<std::array<double, 3>, std::uint32_t, Scheme> patches(
         control, scheme, levels, connect::everything);
     ASSERT_TRUE(patches.is_worth_looking());
     ASSERT_LT(patches.begin(), levels - 1);
@@ -218,10 +218,10 @@ TEST(refine_in_patches, makes_the_same_bits_of_a_scattered_mesh_in_the_order_of_
 {
     const auto compare_scattered = [](const mesh3d& mesh, const auto& scheme, int levels, double share_if_alike) {
         using scheme_type = std::remove_cvref_t<decltype(scheme)>;
-        ASSERT_TRUE(is_worth_ordering(mesh.topology(), scheme, levels));
+        ASSERT_TRUE(can_be_ordered(mesh.topology(), scheme, levels) and is_scattered(mesh.topology()));
         auto costs = all_templates;
         costs.share_if_alike = share_if_alike;
-        const kith::patch_refinement<std::array<double, 3>, std::uint32_t, scheme_type> patches(
+        kith::patch_refinement<std::array<double, 3>, std::uint32_t, scheme_type> patches(
             mesh, scheme, levels, connect::everything, costs);
         ASSERT_TRUE(patches.is_worth_looking());
         const auto everything = level_by_level(mesh, scheme, levels, connect::everything);
@@ -253,7 +253,7 @@ TEST(refine_in_patches, leaves_a_scattered_mesh_as_it_is_where_patches_are_no_ga
     const auto mesh = scattered_triangles();
     auto level = mesh;
     kith::loop scheme;
-    const kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::loop> patches(
+    kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::loop> patches(
         mesh, scheme, 2, connect::faces, costs);
     EXPECT_FALSE(patches.refine(level, scheme));
     EXPECT_TRUE(same_level(level, mesh));
@@ -261,13 +261,13 @@ TEST(refine_in_patches, leaves_a_scattered_mesh_as_it_is_where_patches_are_no_ga
 
 TEST(refine_in_patches, leaves_small_patches_of_a_scattered_mesh_to_the_order_of_its_surface)
 {
-    const kith::patch_costs usual;
+    const kith::strategy_costs usual;
     auto costs = all_templates;
     costs.least_if_ordered = usual.least_if_ordered;
     costs.least_if_ordered_with_edges = usual.least_if_ordered_with_edges;
     costs.least_faces_if_scattered = usual.least_faces_if_scattered;
     const auto makes = [&](auto mesh, auto scheme, int levels, connect last) {
-        const kith::patch_refinement<std::array<double, 3>, std::uint32_t, decltype(scheme)> patches(
+        kith::patch_refinement<std::array<double, 3>, std::uint32_t, decltype(scheme)> patches(
             mesh, scheme, levels, last, costs);
         EXPECT_TRUE(patches.is_worth_looking()) << levels;
         return patches.refine(mesh, scheme).has_value();
@@ -543,7 +543,7 @@ TEST(refine_in_patches, takes_the_marks_of_any_level)
     // Its boundary is not marked as its generation says, so that levels have other counts than foreseen.
     const auto open = kith::tri_quad(native(shapes::shaken(shapes::grid(3, 4))));
     const auto other = of_generation(open, open.generation() + 1);
-    const kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::four_eight> patches(
+    kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::four_eight> patches(
         other, kith::four_eight{}, 4, connect::everything, all_templates);
     ASSERT_TRUE(patches.is_worth_looking());
     auto coarse = other;

@@ -1,26 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/field/values_in_patches.hpp>
 
+#include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>
 #include <kith/crease/make_creases.hpp>
 #include <kith/doo_sabin.hpp>
+#include <kith/face_varying.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/kobbelt.hpp>
+#include <kith/linear.hpp>
 #include <kith/loop.hpp>
+#include <kith/mid_edge.hpp>
 #include <kith/refine_with_fields.hpp>
+#include <kith/sqrt3.hpp>
 
+#include "forced_way.hpp"
 #include "native_shape.hpp"
 #include "same_mesh.hpp"
 #include "shapes.hpp"
+#include "shuffled.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -126,6 +137,75 @@ TEST(values_in_patches, go_along_with_a_mesh_that_is_refined_in_patches)
     }
 }
 
+/// Refines with a field of each kind that inherits, at once and step by step.
+template <class Scheme>
+void expect_inherited(const mesh_type& control, const Scheme& scheme, int levels, bool are_corners_taken = true)
+{
+    const auto numbers = [](std::size_t count, double factor) {
+        std::vector<double> result(count);
+        for (std::size_t i = 0; i < count; ++i)
+            result[i] = std::sin(factor * double(i + 1));
+        return result;
+    };
+    const auto make = [&] {
+        std::vector<int> labels(control.corner_count());
+        std::iota(labels.begin(), labels.end(), 1);
+        std::vector<colour> uv(control.corner_count());
+        for (std::size_t c = 0; c < uv.size(); ++c)
+            uv[c] = {float(std::sin(double(c))), float(c % 7), float(1) / float(c + 3), 1};
+        return std::tuple(
+            kith::on_corners(uv, kith::linear_in_faces()),
+            kith::on_corners(numbers(control.corner_count(), 3), kith::face_varying{kith::face_varying_linear::all}),
+            kith::on_corners(labels, kith::along_sides()),
+            kith::on_edges(numbers(control.edge_count(), 5), kith::along_edges()),
+            kith::on_vertices(numbers(control.vertex_count(), 7), kith::from_vertex()),
+            kith::on_faces(numbers(control.face_count(), 9), kith::from_parent()));
+    };
+    auto together = make(), expected = make();
+    const auto refined = [&](auto& fields, kith::refinement_way way) {
+        const forced_way_here in(way);
+        return std::apply([&](auto&... each) { return refine_with_fields(control, scheme, levels, std::tie(each...)); },
+                          fields);
+    };
+    EXPECT_TRUE(same_bits(refined(together, kith::refinement_way::in_patches),
+                          refined(expected, kith::refinement_way::by_levels)));
+    const auto same = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return std::array{same_values(std::get<I>(together).values(), std::get<I>(expected).values())...};
+    };
+    for (const bool is_same : same(std::make_index_sequence<6>()))
+        EXPECT_TRUE(is_same) << kith::scheme_name<Scheme>();
+
+    kith::hierarchy all(control, scheme);
+    all.refine(levels);
+    std::apply([&](const auto&... each) { together = std::tuple(all.carry(0, levels, each)...); }, make());
+    for (const bool is_same : same(std::make_index_sequence<6>()))
+        EXPECT_TRUE(is_same) << "carried by a hierarchy, " << kith::scheme_name<Scheme>();
+
+    const auto plan = kith::plan_patches(
+        count(control.topology()), control.topology().degree, scheme, levels, control.generation());
+    ASSERT_TRUE(plan);
+    const auto& level = all[plan->begin];
+    const kith::fields_in_patches in_patches(
+        level.topology(), level.generation(), scheme, *plan, kith::connect::everything);
+    EXPECT_EQ(in_patches.can_take(std::get<0>(together)), are_corners_taken) << kith::scheme_name<Scheme>();
+}
+
+TEST(values_in_patches, are_inherited_by_corners_edges_and_vertices)
+{
+    const auto quads = native(shapes::shaken(shapes::shuffled(shapes::torus(7, 6), 3)));
+    const auto polygons = native(shapes::shaken(shapes::both(shapes::house(), shapes::pentacube())));
+    const auto open = native(shapes::shaken(shapes::grid(4, 5)));
+    const auto triangles = native(shapes::shaken(shapes::shuffled(shapes::triangulated(shapes::torus(6, 5)), 5)));
+    for (const auto& mesh : {quads, polygons, open})
+        expect_inherited(mesh, kith::catmull_clark{}, 3);
+    for (const auto& mesh : {quads, polygons})
+        expect_inherited(mesh, kith::linear{}, 3);
+    expect_inherited(quads, kith::kobbelt{}, 2);
+    expect_inherited(triangles, kith::loop{}, 3);
+    expect_inherited(triangles, kith::butterfly{}, 2);
+    expect_inherited(triangles, kith::sqrt3{}, 3, false); // corners come from two faces: step by step
+}
+
 TEST(values_in_patches, are_those_of_one_kind_of_rule_each)
 {
     using kith::field_on;
@@ -136,6 +216,9 @@ TEST(values_in_patches, are_those_of_one_kind_of_rule_each)
     static_assert(kith::go_in_patches<std::tuple<weight, label>, scheme, std::uint32_t>);
     static_assert(not kith::go_in_patches<std::tuple<weight, linear>, scheme, std::uint32_t>);
     static_assert(not kith::go_in_patches<std::tuple<>, scheme, std::uint32_t>);
+    using corner = kith::field<field_on::corners, double, kith::linear_in_faces>;
+    static_assert(kith::go_in_patches<std::tuple<corner>, scheme, std::uint32_t>);
+    static_assert(not kith::go_in_patches<std::tuple<corner>, kith::mid_edge, std::uint32_t>);
     static_assert(not kith::go_in_patches<std::tuple<label>, kith::doo_sabin, std::uint32_t>); // born by edges, too
 }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,11 @@ namespace kith::tool {
 /// its parent has; one that is born by an edge or a vertex has nothing.
 class attribute_fields {
 public:
+    using numbers = std::array<double, 4>; ///< of as many attributes, which are carried together
+    using parent_field = field<field_on::faces, std::uint32_t, from_parent<>>;
+    using fields = std::tuple<field<field_on::vertices, numbers, by_mask>,
+                              field<field_on::corners, numbers, face_varying>, parent_field>;
+
     attribute_fields() = default;
     /// Precondition: a value per element; those of vertices may go on, for points without a face.
     attribute_fields(const io::mesh_attributes& attributes, const basic_mesh<>& mesh,
@@ -50,6 +56,16 @@ public:
         result.parents_ = carry(parents_);
         result.of_control_faces_ = of_control_faces_;
         return result;
+    }
+    /// Calls f for each field.
+    template <class F>
+    void for_each_field(const F& f) const
+    {
+        for (const auto& field : vertices_)
+            f(field);
+        for (const auto& field : corners_)
+            f(field);
+        f(parents_);
     }
     /// Those of a part of the level.
     template <std::unsigned_integral Index>
@@ -98,22 +114,10 @@ public:
     [[nodiscard]] io::mesh_attributes at_level(const io::mesh_attributes& kinds) const;
 
 private:
-    using parent_field = field<field_on::faces, std::uint32_t, from_parent<>>;
     using control_values = std::vector<std::vector<double>>; ///< of each attribute of faces
 
-    template <class F>
-    void for_each_field(const F& f) const
-    {
-        for (const auto& field : vertices_)
-            f(field);
-        for (const auto& field : corners_)
-            f(field);
-        f(parents_);
-    }
     /// The parents and their values, without control faces from which no face here comes.
     [[nodiscard]] std::pair<parent_field, control_values> faces_here() const;
-
-    using numbers = std::array<double, 4>; ///< of as many attributes, which are carried together
 
     std::vector<field<field_on::vertices, numbers, by_mask>> vertices_;
     std::vector<field<field_on::corners, numbers, face_varying>> corners_;

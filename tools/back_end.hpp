@@ -7,6 +7,7 @@
 
 #include <kith/field/field.hpp>
 #include <kith/mesh/basic_mesh.hpp>
+#include <kith/strategy/strategy.hpp>
 #include <kith/format/mesh_tags.hpp>
 
 #include <array>
@@ -46,5 +47,8 @@ struct refined_mesh {
 refined_mesh refine_native(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_cgal(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request);
+
+/// Returns how refine_native makes the last level, and why. Errors: those of strategy_of.
+strategy strategy_of_native(const basic_mesh<>& control, const refine_request& request);
 
 } // namespace kith::tool

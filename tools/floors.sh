@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 # root: its folders from the ground up; `.` is what lies in the root itself, which most people include, but for headers that
 # are named, which lie above it or know what does. `<` names the roots below.
 floors='
-include     : base lane mesh repair mask level property association step neighbourhood patch engine field lineage .
+include     : base lane mesh repair mask level property association step neighbourhood strategy patch engine field lineage .
 schemes     < include : compiled split kernel crease seam nasri_hasbini selected . presets.hpp compiled_schemes.hpp limit_rules limit spline shape surface tessellation surface.hpp search closest_points.hpp ray_hits.hpp schemes.hpp
 distributed < include schemes : part number tile output mpi ranks slices .
 adapters    < include schemes : . in_place cgal openmesh cgal_subdivision.hpp openmesh_subdivision.hpp

@@ -224,7 +224,7 @@ bool is_reordered(const any_scheme& scheme, const basic_mesh<>& control, int lev
     return std::visit(
         [&]<class Scheme>(const Scheme& s) {
             if constexpr (orderable_scheme<Scheme, std::uint32_t>)
-                return is_worth_ordering(control.topology(), s, levels);
+                return can_be_ordered(control.topology(), s, levels) and is_scattered(control.topology());
             else
                 return false;
         },

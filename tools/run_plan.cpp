@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "back_end.hpp"
 #include "command_line.hpp"
 #include "errors.hpp"
 #include "holes.hpp"
@@ -34,6 +35,7 @@ namespace po = boost::program_options;
 struct planned_job {
     std::vector<planned_level> levels;
     std::uint64_t bytes = 0;
+    std::string why; ///< a sentence about the way; empty if it is not wanted
 };
 
 /// A column of a table: its heading, which may have blanks before it, and its entries.
@@ -78,6 +80,8 @@ void print_table(const planned_job& job)
     print_columns(columns);
     std::cout << "refining needs " << job.bytes << " bytes at once; keeping all levels needs "
               << peak_bytes(levels, true) << '\n';
+    if (not job.why.empty())
+        std::cout << job.why << '\n';
 }
 
 void print_json(const planned_job& job)
@@ -90,12 +94,11 @@ void print_json(const planned_job& job)
                               .add("edges", counts.edges)
                               .add("faces", counts.faces)
                               .add("bytes", bytes));
-    std::cout << json_object()
-                     .add("levels", objects)
-                     .add("bytes_at_once", job.bytes)
-                     .add("bytes_of_all_levels", peak_bytes(levels, true))
-                     .text()
-              << '\n';
+    json_object result;
+    result.add("levels", objects).add("bytes_at_once", job.bytes).add("bytes_of_all_levels", peak_bytes(levels, true));
+    if (not job.why.empty())
+        result.add("why", job.why);
+    std::cout << result.text() << '\n';
 }
 
 void print_table(const planned_ranks& plan)
@@ -165,6 +168,7 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     add_option<std::int64_t>(options, "ranks", "N", "predict the work of each of N ranks of kith-mpi instead");
     add_option<std::int64_t>(options, "tiles-per-rank", "K", "with --ranks: K tiles per rank");
     add_option<std::string>(options, "partitioner", "P", "how to cut tiles: metis, block or file:PATH");
+    add_flag(options, "why", "tell how `kith refine` would make the last level, and why");
     add_flag(options, "json", "print JSON");
     const auto values = parse(verb, options, {"IN"}, arguments);
     if (not values)
@@ -178,6 +182,9 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     if (values->count("mesh") != 0 and values->count("ranks") != 0)
         throw usage_error(
             "--mesh and --ranks do not go together, since ranks refine native tiles; leave one of them out");
+    const bool tells_why = values->count("why") != 0;
+    if (tells_why and (values->count("mesh") != 0 or values->count("ranks") != 0))
+        throw usage_error("--why: tells of native meshes in one process; leave --mesh and --ranks out");
     control_mesh input = read_mesh(required(*values, "IN"), input_repair_from(*values));
     give_creases(scheme, input, words);
     const bool limit = values->count("limit") != 0;
@@ -196,7 +203,12 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     const partial_plan planned = std::visit(fits, scheme);
     const job_kind kind{
         .mesh = mesh_kind_from(*values), .limit = limit, .holes = has_holes, .attributes = count_of(input.attributes)};
-    const planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels))};
+    planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels)), {}};
+    if (tells_why and planned.problem.empty()) {
+        refine_request request{.scheme = scheme, .levels = levels, .limit = limit};
+        job.why = explain(input.attributes.empty() ? strategy_of_native(control, request)
+                                                   : strategy{.reason = strategy_reason::values});
+    }
     if (values->count("json") != 0)
         print_json(job);
     else

@@ -76,6 +76,11 @@ po::options_description options_of_refine()
     add_flag(
         options, "verify", "with tiles: read the output back; with a journal, also tiles that earlier jobs finished");
     add_flag(options, "checksum", "with tiles: print a checksum of the surface, independent of the number of tiles");
+    add_option<std::string>(
+        options,
+        "way",
+        "WAY",
+        "go one way where it can be gone: levels, order or patches; `kith plan --why` tells which is taken");
     add_option<std::string>(options, "stats", "FILE", stats_help);
     add_flag(options, "json", "print the result line as JSON");
     return options;
@@ -175,6 +180,18 @@ void set_threads([[maybe_unused]] const po::variables_map& values)
 #endif
 }
 
+void force_way_from(const po::variables_map& values)
+{
+    if (values.count("way") == 0)
+        return;
+    const std::string given = required(values, "way");
+    constexpr std::array names{"levels", "order", "patches"}; // in the order of refinement_way
+    const auto found = std::ranges::find(names, given);
+    if (found == names.end())
+        throw usage_error("--way: '" + given + "' is not one of levels, order, patches");
+    force_way(refinement_way(found - names.begin()));
+}
+
 } // namespace
 
 int run_refine(const verb& verb, const std::vector<std::string>& arguments)
@@ -184,6 +201,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
         return 0;
     const auto given = [&](const char* option) { return values->count(option) != 0; };
     set_threads(*values);
+    force_way_from(*values);
     if (given("tiles") or given("journal") or given("only") or is_tile_format_only(*values))
         return run_refine_tiles(*values);
     for (const char* option : {"verify", "checksum", "partitioner"})

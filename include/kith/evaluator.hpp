@@ -76,16 +76,12 @@ public:
 private:
     using patches = typename possible_patches<Point, Index, Scheme>::type;
 
-    /// A template pays when it saves more than a few evaluations of the faces that it is for.
-    static constexpr patch_costs costs{
-        .in_patch = .2, .of_template = 100, .of_face_in_template = 5, .to_be_cheaper = .5, .least_faces = 1};
-
     void find_patches(const std::vector<kind>& kinds, int last_rings, int generation)
     {
         if constexpr (patchable_scheme<Scheme, Point, Index>) {
             const connectivity<Index>& control = levels_[0].topology();
             auto plan = plan_patches(count(control), control.degree, levels_.scheme(0), count_, generation, last_rings);
-            if (not plan)
+            if (not plan or are_patches_ruled_out())
                 return;
             look(kinds, *plan);
             if (not has_patches() and plan->begin + 1 < count_) { // faces of the next level are more alike
@@ -105,6 +101,7 @@ private:
         const auto& mesh = levels_.finest();
         const auto& scheme = levels_.scheme(plan.begin);
         const face_classes<Index> classes(mesh.topology(), plan.rings, state_marks<Index>(mesh.topology(), scheme));
+        const strategy_costs costs = usual_costs(strategy_costs::of_evaluations());
         for (const auto& kind : kinds) {
             auto made = make_patches(mesh, classes, scheme, plan, costs, false, kind);
             if (not made)

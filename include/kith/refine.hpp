@@ -32,16 +32,19 @@ struct refine_options {
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// Tells whether a refinement gains by the order of the surface if its last level is made in one step. With all
-/// connectivity that step writes to scattered places, so the level must be larger than the caches. Cost: O(levels).
+/// Returns true if a refinement gains by the order of the surface where it is made level by level: the control mesh is
+/// scattered, and the last level is so large that this costs more than sorting. Levels after the control mesh are as
+/// scattered, but look less so. Cost: O(levels).
 template <scheme Scheme, class Point, std::unsigned_integral Index>
     requires orderable_scheme<Scheme, Index>
 bool is_worth_ordering(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, connect last_level)
 {
-    // As measured, comparisons/README.md.
-    const std::uint64_t least_faces = last_level == connect::faces ? 200'000 : 750'000;
-    return plan(count(control.topology()), scheme, levels, control.generation()).back().counts.faces >= least_faces and
-           is_worth_ordering(control.topology(), scheme, levels);
+    if (not can_be_ordered(control.topology(), scheme, levels))
+        return false;
+    if (const auto way = forced_way())
+        return way == refinement_way::in_surface_order;
+    const auto last = plan(count(control.topology()), scheme, levels, control.generation()).back().counts;
+    return double(last.faces) >= usual_costs().least_to_order(last_level) and is_scattered(control.topology());
 }
 
 namespace detail {
@@ -149,6 +152,18 @@ void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Inde
     refine_mesh_into(fine, coarse, scheme, ids);
 }
 
+/// Returns whether the last steps are made in patches, and why.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+strategy strategy_in_patches([[maybe_unused]] basic_mesh<Point, Index> control, [[maybe_unused]] Scheme scheme,
+                             [[maybe_unused]] int levels, [[maybe_unused]] connect last_level)
+{
+#ifdef KITH_HAS_LANES
+    if constexpr (patchable_scheme<Scheme, Point, Index>)
+        return patch_refinement<Point, Index, Scheme>(control, scheme, levels, last_level).decide(control, scheme);
+#endif
+    return {};
+}
+
 /// A copy whose edges are known; a copy made with face-vertex lists only gets them by matching.
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
@@ -179,7 +194,6 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
     const std::uint64_t bytes_left = detail::require_refinable(coarse, scheme, levels, options);
     if (levels == 0)
         return coarse;
-    // Asked of the control mesh: the levels after it are as scattered, but look less so.
     bool is_ordering_worth_it = false;
     if constexpr (orderable_scheme<Scheme, Index>)
         is_ordering_worth_it = is_worth_ordering(coarse, scheme, levels, options.last_level);
@@ -213,6 +227,34 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
             return build_like(mesh, detail::refine_levels(std::move(control), scheme, levels, connect::everything));
         }
     });
+}
+
+/// Returns how `refine` makes the last level, and why; explain(strategy) says it in a sentence. Errors: those of
+/// `refine`. Cost: that of the level with which patches begin, if they are a gain, and of their templates, which are
+/// kept.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+strategy strategy_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
+                     const refine_options& options = {})
+{
+    validate(mesh).require_ok();
+    auto control = detail::with_edges(mesh);
+    detail::require_refinable(control, scheme, levels, options);
+    bool is_ordering_worth_it = false;
+    if constexpr (orderable_scheme<Scheme, Index>)
+        is_ordering_worth_it = is_worth_ordering(control, scheme, levels, options.last_level);
+    strategy how = detail::strategy_in_patches(std::move(control), scheme, levels, options.last_level);
+    if (how.way == refinement_way::by_levels and is_ordering_worth_it) {
+        how.way = refinement_way::in_surface_order;
+        how.is_ordered = true;
+    }
+    return how;
+}
+template <refinable_mesh M, scheme Scheme>
+strategy strategy_of(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
+{
+    auto control = lift_valid(mesh);
+    detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
+    return detail::strategy_in_patches(std::move(control), scheme, levels, connect::everything);
 }
 
 /// Refines a list of points and a list of faces, such as vectors of std::array<double, 3> and std::array<int, 4>, and

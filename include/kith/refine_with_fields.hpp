@@ -54,19 +54,17 @@ template <class Point, std::unsigned_integral Index, scheme Scheme, class Fields
 basic_mesh<Point, Index> refine_with_in_patches(basic_mesh<Point, Index> mesh, Scheme scheme, Fields& fields,
                                                 int levels, connect last_level)
 {
-    const patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, last_level);
+    patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, last_level);
     if (not patches.is_worth_looking())
         return refine_with(std::move(mesh), scheme, fields, levels, last_level);
     const int begin = patches.begin();
     mesh = refine_with(std::move(mesh), scheme, fields, begin, connect::everything);
-    auto fine = patches.refine_from(mesh, scheme);
+    const fields_in_patches in_patches(mesh.topology(), mesh.generation(), scheme, patches.plan(), last_level);
+    const bool are_taken = std::apply([&](const auto&... each) { return (in_patches.can_take(each) and ...); }, fields);
+    auto fine = are_taken ? patches.refine_from(mesh, scheme) : std::nullopt;
     if (not fine)
         return refine_with(std::move(mesh), scheme, fields, levels - begin, last_level);
-    std::apply(
-        [&](auto&... each) {
-            ((each = after_patches(each, mesh.topology(), mesh.generation(), scheme, patches.plan())), ...);
-        },
-        fields);
+    std::apply([&](auto&... each) { ((each = in_patches.last(each)), ...); }, fields);
     return std::move(*fine);
 }
 #endif

@@ -42,6 +42,9 @@ struct face_varying {
 
     face_varying_linear linear = face_varying_linear::corners_plus1;
 
+    /// Returns true if the rule is that of linear_in_faces with every scheme.
+    [[nodiscard]] bool is_linear_in_faces() const { return linear == face_varying_linear::all; }
+
     template <affine_value T, finished_step Step>
         requires std::equality_comparable<T>
     [[nodiscard]] std::pair<storage<T>, storage<corner_mark>>

@@ -12,7 +12,10 @@ namespace kith {
 struct linear {
     static constexpr auto traits()
     {
-        return scheme_traits{.name = "linear", .trusted = true, .reach = [](int rings) { return rings / 2 + 1; }};
+        return scheme_traits{.name = "linear",
+                             .trusted = true,
+                             .reach = [](int rings) { return rings / 2 + 1; },
+                             .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns() { return quad_split::columns(); }
 
@@ -36,7 +39,8 @@ struct linear_triangles {
                              .faces = face_shape::triangles,
                              .trusted = true,
                              .require = three_faces_at_vertices,
-                             .reach = [](int rings) { return rings / 2 + 1; }};
+                             .reach = [](int rings) { return rings / 2 + 1; },
+                             .ignores_numbers = [] { return true; }};
     }
     static constexpr auto columns() { return triangle_split::columns(); }
 

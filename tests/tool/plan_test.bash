@@ -23,6 +23,28 @@ run plan tetra.off -s loop -n 2 --json
 exits 0
 prints '^\{"levels":\[\{"vertices":4,"edges":6,"faces":4,"bytes":[0-9]+\},\{"vertices":10,"edges":24,"faces":16,'
 prints '"bytes_at_once":[0-9]+,"bytes_of_all_levels":[0-9]+\}$'
+
+# The way, and why.
+run plan cube.off -s catmull-clark -n 3 --why
+exits 0
+prints '^level by level: 384 faces are fewer than 50000, where templates begin to pay$'
+run plan cube.off -s catmull-clark -n 9 --why --json
+prints '"why":"in patches from level 6 on: [0-9]+ classes of faces, [0-9]+ with templates"\}$'
+run plan cube.off -s catmull-clark -n 9 --why --limit
+prints '^level by level: the levels between are wanted, too$'
+run plan cube.off -s catmull-clark -n 3 --why --mesh cgal
+exits 2
+says 'leave --mesh and --ranks out'
+for way in levels order patches; do
+    run refine cube.off -s catmull-clark -n 3 -o $way.ply --way $way
+    exits 0
+    check "the same bytes by $way" cmp levels.ply $way.ply
+    run refine cube.off -s catmull-clark -n 3 -o $way.vtu --tiles 4 --way $way
+    check "the same tiles by $way" cmp levels.vtu $way.vtu
+done
+run refine cube.off -s catmull-clark -n 3 -o none.ply --way sideways
+exits 2
+says "'sideways' is not one of levels, order, patches"
 check "two levels and the control mesh" test "$(grep -o '"vertices"' "$results/out" | wc -l)" -eq 3
 run plan quad.off -s doo-sabin -n 1
 prints '^ +1 +4 +4 +1 '

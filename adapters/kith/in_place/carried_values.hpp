@@ -6,7 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -52,23 +52,36 @@ struct carried_values {
     }
 
 #ifdef KITH_HAS_LANES
-    /// Returns true if all of them can go through several steps of a scheme at once.
+    /// Returns true if all of them may go through several steps of a scheme at once.
     template <scheme Scheme>
-    [[nodiscard]] bool goes_in_patches() const
+    [[nodiscard]] bool may_go_in_patches() const
     {
-        constexpr bool with_labels = go_in_patches<std::tuple<decltype(face_heirs)>, Scheme, std::uint32_t>;
-        return corner_means.empty() and corner_heirs.empty() and vertex_heirs.empty() and edge_heirs.empty() and
-               (with_labels or face_heirs.empty());
+        bool result = true;
+        for_each_field([&](const auto& each) {
+            result = result and
+                     (each.empty() or goes_in_patches<std::remove_cvref_t<decltype(each)>, Scheme, std::uint32_t>);
+        });
+        return result;
     }
-    /// Makes them those of the last level of a plan; see `after_patches`. Precondition: goes_in_patches().
+    /// Returns true if all of them can be taken so from this level. Precondition: may_go_in_patches().
     template <scheme Scheme>
-    void advance_in_patches(const connectivity<std::uint32_t>& level, int generation, const Scheme& scheme,
-                            const patch_plan& plan)
+    [[nodiscard]] bool can_go(const fields_in_patches<std::uint32_t, Scheme>& in_patches) const
     {
-        for (auto& each : vertex_means)
-            each = after_patches(each, level, generation, scheme, plan);
-        if constexpr (go_in_patches<std::tuple<decltype(face_heirs)>, Scheme, std::uint32_t>)
-            face_heirs = after_patches(face_heirs, level, generation, scheme, plan);
+        bool result = true;
+        for_each_field([&](const auto& each) {
+            if constexpr (goes_in_patches<std::remove_cvref_t<decltype(each)>, Scheme, std::uint32_t>)
+                result = result and in_patches.can_take(each);
+        });
+        return result;
+    }
+    /// Makes them those of the last level. Precondition: can_go().
+    template <scheme Scheme>
+    void go(const fields_in_patches<std::uint32_t, Scheme>& in_patches)
+    {
+        for_each_field([&](auto& each) {
+            if constexpr (goes_in_patches<std::remove_cvref_t<decltype(each)>, Scheme, std::uint32_t>)
+                each = in_patches.last(each);
+        });
     }
 #endif
 
@@ -81,6 +94,29 @@ struct carried_values {
     field<field_on::faces, std::uint32_t, from_parent<>> face_heirs;
 
 private:
+    template <class F>
+    void for_each_field(const F& f)
+    {
+        for_each_field_of(*this, f);
+    }
+    template <class F>
+    void for_each_field(const F& f) const
+    {
+        for_each_field_of(*this, f);
+    }
+    template <class Self, class F>
+    static void for_each_field_of(Self& self, const F& f)
+    {
+        for (auto& each : self.vertex_means)
+            f(each);
+        for (auto& each : self.corner_means)
+            f(each);
+        f(self.vertex_heirs);
+        f(self.corner_heirs);
+        f(self.edge_heirs);
+        f(self.face_heirs);
+    }
+
     /// Without numbers where nothing is inherited.
     template <class Values>
     static storage<std::uint32_t> heirs_of(const Values& values)

@@ -22,12 +22,17 @@ public:
     {
     }
     template <scheme Scheme>
-    [[nodiscard]] static bool goes_in_patches()
+    [[nodiscard]] static bool may_go_in_patches()
     {
         return true;
     }
-    template <scheme Scheme, class Plan>
-    void advance_in_patches(const connectivity<std::uint32_t>&, int, const Scheme&, const Plan&) const
+    template <class InPatches>
+    [[nodiscard]] static bool can_go(const InPatches&)
+    {
+        return true;
+    }
+    template <class InPatches>
+    void go(const InPatches&) const
     {
     }
     template <class M, class Vertices>

@@ -99,7 +99,7 @@ struct values_with_rules : carried_values<Number> {
 
     /// Returns false, since rules of the user know single steps.
     template <scheme Scheme>
-    [[nodiscard]] bool goes_in_patches() const
+    [[nodiscard]] bool may_go_in_patches() const
     {
         return false;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <kith/engine/refine_in_patches.hpp>
+#include <kith/field/values_in_patches.hpp>
 #include <kith/four_eight.hpp>
 #include <kith/level/lift.hpp>
 #include <kith/neighbourhood/coming_scheme.hpp>
@@ -111,15 +112,19 @@ void require_faces(const M& mesh, const native_mesh<Point>& control, const Schem
 /// Preconditions: patches.is_worth_looking(), and the level is patches.begin().
 template <class Point, scheme Scheme, class Carried>
 std::optional<refined<Point>> last_in_patches(const refined<Point>& surface, Scheme& scheme, Carried& carried,
-                                              const patch_refinement<Point, std::uint32_t, Scheme>& patches)
+                                              patch_refinement<Point, std::uint32_t, Scheme>& patches)
 {
     const auto& topology = surface.mesh.topology();
     if (not scheme_of_places<Scheme> or not state_marks<std::uint32_t>(topology, scheme).empty())
         return {};
+    const fields_in_patches in_patches(
+        topology, surface.mesh.generation(), scheme, patches.plan(), connect::everything);
+    if (not carried.can_go(in_patches))
+        return {};
     auto fine = patches.refine_from(surface.mesh, scheme);
     if (not fine)
         return {};
-    carried.advance_in_patches(topology, surface.mesh.generation(), scheme, patches.plan());
+    carried.go(in_patches);
     for (int generation = surface.mesh.generation(); generation < fine->generation(); ++generation)
         kith::detail::advance_without_elements<native_mesh<Point>>(scheme, generation);
     const bool keeps = std::ranges::all_of(patches.plan().bases, [](const column_bases& step) {
@@ -151,9 +156,8 @@ std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme,
     };
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_scheme<Scheme, Point, std::uint32_t>)
-        if (not points_stay and carried.template goes_in_patches<Scheme>()) {
-            const patch_refinement<Point, std::uint32_t, Scheme> patches(
-                surface.mesh, scheme, levels, connect::everything);
+        if (not points_stay and carried.template may_go_in_patches<Scheme>()) {
+            patch_refinement<Point, std::uint32_t, Scheme> patches(surface.mesh, scheme, levels, connect::everything);
             if (patches.is_worth_looking()) {
                 if (not go_to(patches.begin()))
                     return std::nullopt;

@@ -42,7 +42,8 @@ int first_in_patches([[maybe_unused]] const tile<Point, Index>& control, [[maybe
                      int levels)
 {
     if constexpr (patchable_in_tiles<Scheme, Point, Index>) {
-        if (const auto plan = detail::plan_for_tile(control.mesh, scheme, levels))
+        const auto plan = detail::plan_for_tile(control.mesh, scheme, levels);
+        if (plan and not are_patches_ruled_out())
             return plan->begin;
     }
     return levels;
@@ -51,10 +52,10 @@ int first_in_patches([[maybe_unused]] const tile<Point, Index>& control, [[maybe
 /// Returns when patches are worth while for a tile of this level: other tiles of the surface use the same templates.
 /// Cost: O(faces of the tile).
 template <tile_like Tile, reaching_scheme Scheme>
-patch_costs costs_in_tiles(const Tile& coarse, int level, const whole_levels<Scheme>& whole)
+strategy_costs costs_in_tiles(const Tile& coarse, int level, const whole_levels<Scheme>& whole)
 {
     const auto owned = std::max<std::uint64_t>(owned_count(coarse.face_marks), 1);
-    return patch_costs().if_in_tiles(double(whole.counts(level).faces) / double(owned));
+    return usual_costs(strategy_costs().if_in_tiles(double(whole.counts(level).faces) / double(owned)));
 }
 
 /// Makes the remaining steps of a tile of level `level` at once, in patches: returns the faces of the last level that
@@ -65,7 +66,7 @@ template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<tile<Point, Index>> last_in_patches([[maybe_unused]] const tile<Point, Index>& coarse,
                                                   [[maybe_unused]] const Scheme& scheme, [[maybe_unused]] int level,
                                                   [[maybe_unused]] const whole_levels<Scheme>& whole,
-                                                  [[maybe_unused]] const patch_costs& costs)
+                                                  [[maybe_unused]] const strategy_costs& costs)
 {
 #ifdef KITH_HAS_LANES
     if constexpr (patchable_in_tiles<Scheme, Point, Index>) {

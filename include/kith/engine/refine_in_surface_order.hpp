@@ -10,19 +10,18 @@
 
 namespace kith {
 
-/// Whether a refinement may gain by the order of the surface: the mesh is scattered, and the first level alone is not
-/// worth the sorting. Cost: O(1).
-template <scheme Scheme, std::unsigned_integral Index>
+/// Returns true if a refinement can be made in the order of the surface. The first level alone is not worth the
+/// sorting. Cost: O(1).
+template <std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>
-bool is_worth_ordering(const connectivity<Index>& control, const Scheme& scheme, int levels)
+bool can_be_ordered(const connectivity<Index>& control, const Scheme& scheme, int levels)
 {
-    return levels >= 2 and ignores_numbers(scheme) and detail::is_free_of_order<Scheme>(control.is_closed()) and
-           is_scattered(control);
+    return levels >= 2 and ignores_numbers(scheme) and detail::is_free_of_order<Scheme>(control.is_closed());
 }
 
 /// Refines a mesh that is in another order, so that it becomes a later level, in that order, with the numbers that
-/// its elements have where the given mesh is refined, and the scheme that of this level. Precondition: as for
-/// `is_worth_ordering`. Cost: that of the steps, and for each element of their levels its number.
+/// its elements have where the given mesh is refined, and the scheme that of this level. Precondition:
+/// can_be_ordered. Cost: that of the steps, and for each element of their levels its number.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>
 void refine_ordered(ordered_mesh<Point, Index>& mesh, Scheme& scheme, int steps)
@@ -39,7 +38,7 @@ void refine_ordered(ordered_mesh<Point, Index>& mesh, Scheme& scheme, int steps)
 }
 
 /// Returns what `refine` makes of a mesh, to the bit, by way of the mesh in the order of its surface.
-/// Preconditions: levels > 1, and is_worth_ordering but for the part about scattered meshes; the mesh has its edges.
+/// Preconditions: can_be_ordered; the mesh has its edges.
 /// Cost: that of the levels, and for each element of the last but one its number.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>

@@ -152,6 +152,8 @@ private:
 /// old faces at its edge or vertex.
 /// Cost: O(corners).
 struct linear_in_faces {
+    static constexpr bool is_linear_in_faces() { return true; }
+
     template <affine_value T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
     {

@@ -63,15 +63,22 @@ T mean_of_tuple(const tuple_elements& tuple, const AtVertex& at_vertex, const At
 /// What a linear rule says of the tuples of one face or edge; `at(corner)` is the value that a corner has there. The
 /// value of a tuple is the mean of what its elements have, and a vertex has its own, an edge that of its middle, a face
 /// the mean of its corners. But a scheme that makes two vertices of an edge cuts it in thirds, and its faces, too.
+/// Masks are inlined, since g++ hands over arrays of two numbers by a detour through the memory.
 template <affine_value T, bool InThirds>
 struct linear_masks {
-    [[nodiscard]] static T middle(const T& a, const T& b) { return blend<T>(a).add(b).over(2); }
-    [[nodiscard]] static T third(const T& near, const T& far) { return blend<T>(near).add(near).add(far).over(3); }
-    [[nodiscard]] static T in_face(const T& corner, const T& mean)
+    [[nodiscard, gnu::always_inline]] static inline T middle(const T& a, const T& b)
+    {
+        return blend<T>(a).add(b).over(2);
+    }
+    [[nodiscard, gnu::always_inline]] static inline T third(const T& near, const T& far)
+    {
+        return blend<T>(near).add(near).add(far).over(3);
+    }
+    [[nodiscard, gnu::always_inline]] static inline T in_face(const T& corner, const T& mean)
     {
         return InThirds ? third(mean, corner) : middle(corner, mean);
     }
-    [[nodiscard]] static T of_three(const T& vertex, const T& edge, const T& face)
+    [[nodiscard, gnu::always_inline]] static inline T of_three(const T& vertex, const T& edge, const T& face)
     {
         return blend<T>(vertex).add(edge).add(face).over(3);
     }

@@ -23,7 +23,7 @@ std::optional<Mesh> next_in_patches([[maybe_unused]] const Store& levels, [[mayb
     if constexpr (patchable_scheme<Scheme, typename Mesh::point_type, typename Mesh::index_type>) {
         using refinement = patch_refinement<typename Mesh::point_type, typename Mesh::index_type, Scheme>;
         const auto &control = levels.entry_at(0), &coarse = levels.entry_at(level);
-        const refinement patches(control.here->mesh, control.scheme, level + 1, connect::everything);
+        refinement patches(control.here->mesh, control.scheme, level + 1, connect::everything);
         if (not patches.is_worth_looking())
             return {};
         const auto& begin = levels.entry_at(patches.begin());
@@ -52,24 +52,45 @@ Field carry_in_patches([[maybe_unused]] const Store& levels, int from, int to, F
 {
 #ifdef KITH_HAS_LANES
     using index = typename std::remove_cvref_t<decltype(levels.elements(from))>::index_type;
-    if constexpr (is_masked_in_patches<Field, Scheme, index>) {
-        using value = typename Field::value_type;
+    if constexpr (goes_in_patches<Field, Scheme, index>) {
         const auto native = [&](int level) -> decltype(auto) {
             return native_of(levels.at(level).here->mesh, levels.elements(level), levels.generation(level));
         };
         const auto& control = native(from);
-        const patch_refinement<value, index, Scheme> patches(
-            control.topology(), control.generation(), levels.at(from).scheme, to - from, connect::nothing);
-        const int begin = patches.is_worth_looking() ? from + patches.begin() : to;
-        if (values.empty() or begin == to or levels.entry_at(begin).here == nullptr)
-            return by_levels(from, to, std::move(values));
-        values = by_levels(from, begin, std::move(values));
-        const auto& level = native(begin);
-        const basic_mesh<value, index> points(
-            storage<value>(values.values()), connectivity<index>(level.topology()), level.generation());
-        if (auto last = patches.values_from(points, levels.at(begin).scheme))
-            return Field(std::move(*last), values.rule());
-        from = begin;
+        const auto begin_at = [&](int begin) {
+            if (values.empty() or begin == to or levels.entry_at(begin).here == nullptr)
+                return false;
+            values = by_levels(from, begin, std::move(values));
+            from = begin;
+            return true;
+        };
+        if constexpr (is_masked_in_patches<Field, Scheme, index>) {
+            using value = typename Field::value_type;
+            patch_refinement<value, index, Scheme> patches(
+                control.topology(), control.generation(), levels.at(from).scheme, to - from, connect::nothing);
+            if (patches.is_worth_looking() and begin_at(from + patches.begin())) {
+                const auto& level = native(from);
+                const basic_mesh<value, index> points(
+                    storage<value>(values.values()), connectivity<index>(level.topology()), level.generation());
+                if (auto last = patches.values_from(points, levels.at(from).scheme))
+                    return Field(std::move(*last), values.rule());
+            }
+        } else {
+            const auto plan = plan_patches(count(control.topology()),
+                                           control.topology().degree,
+                                           levels.at(from).scheme,
+                                           to - from,
+                                           control.generation());
+            if (plan and not are_patches_ruled_out() and begin_at(from + plan->begin)) {
+                const auto& level = native(from);
+                const auto& scheme = levels.at(from).scheme;
+                if (plan->has_counts_of(level.topology(), scheme, level.generation()))
+                    if (const fields_in_patches in_patches(
+                            level.topology(), level.generation(), scheme, *plan, connect::everything);
+                        in_patches.can_take(values))
+                        return in_patches.last(values);
+            }
+        }
     }
 #endif
     return by_levels(from, to, std::move(values));

@@ -5,6 +5,7 @@
 
 #include <kith/mesh/connect.hpp>
 #include <kith/step/scheme.hpp>
+#include <kith/strategy/strategy_choice.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -68,15 +69,6 @@ private:
 };
 
 } // namespace detail
-
-/// How much some steps have made without templates, of levels of one size. Who refines a small level once spends more
-/// on templates than they save. Who does it again and again gets them when about as much has been made without as they
-/// cost, which is never more than twice what would have been best (the ski rental problem: Karlin, Manasse, Rudolph &
-/// Sleator 1988).
-struct template_demand {
-    double made = 0;      ///< final faces
-    double next_look = 0; ///< at so many faces in all; twice as many as at the last look, if that was in vain
-};
 
 /// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there
 /// that they are for. They are kept for the process, for each type of scheme and point, so that who refines this mesh

@@ -7,14 +7,17 @@
 
 #include <kith/lane/tape.hpp>
 #include <kith/level/native_level.hpp>
+#include <kith/neighbourhood/face_children.hpp>
 #include <kith/neighbourhood/placed_state.hpp>
 #include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -69,6 +72,10 @@ public:
                                              const sources_of_part<Index>& sources) const = 0;
     [[nodiscard]] virtual owned_part record(basic_mesh<recorded<Scalar>, Index> part, const part_numbers<Index>& from,
                                             part_of_whole<owned_number<Index>> numbers) const = 0;
+    /// Returns what a step makes of each face of a level; nothing if its children come from other faces, too.
+    /// Precondition: there are faces, of the degree of refined ones. Cost: O(elements), and a step around a face.
+    [[nodiscard]] virtual std::optional<face_children> children_of_faces(const connectivity<Index>& level,
+                                                                         int generation) const = 0;
 
 protected:
     part_recorder(std::size_t degree, std::vector<int> rings, std::vector<column_bases> bases,
@@ -125,6 +132,21 @@ public:
         return last_of(std::move(part), from, std::move(numbers), [](const owned_number<Index>& element) {
             return element.owned;
         });
+    }
+    [[nodiscard]] std::optional<face_children> children_of_faces(const connectivity<Index>& level,
+                                                                 int generation) const override
+    {
+        const mesh whole(storage<recorded<Scalar>>(level.vertices), connectivity<Index>(level), generation);
+        submesh_cutter<recorded<Scalar>, Index> cutter(whole);
+        auto part = cutter.cut(cutter.faces_around(std::vector<Index>{0}, 1)).mesh;
+        for (std::size_t v = 0; v < part.vertex_count(); ++v)
+            part.points()[v] = recorded<Scalar>(std::uint32_t(v));
+        tape<Scalar> unused;
+        unused.restart(part.vertex_count());
+        const recording<Scalar> here(unused);
+        numbering ids;
+        const mesh fine = step(part, plain_, ids);
+        return children_of_face(part.topology(), 0, fine.topology(), ids);
     }
 
 private:

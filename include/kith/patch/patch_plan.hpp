@@ -7,15 +7,13 @@
 #include <kith/mesh/connectivity.hpp>
 #include <kith/neighbourhood/coming_scheme.hpp>
 #include <kith/neighbourhood/face_classes.hpp>
+#include <kith/strategy/strategy_costs.hpp>
 
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
-#include <span>
-#include <utility>
 #include <vector>
 
 namespace kith {
@@ -53,6 +51,8 @@ struct patch_plan {
     [[nodiscard]] const counts& of_begin() const { return levels[std::size_t(begin)]; }
     [[nodiscard]] const counts& last() const { return levels.back(); }
     [[nodiscard]] double faces_of_patch() const { return double(last().faces) / double(of_begin().faces); }
+    /// Returns what a strategy follows from.
+    [[nodiscard]] patch_sizes sizes() const { return {double(last().faces), faces_of_patch(), rings}; }
     /// Returns true if the classes of the faces that own patches can be found.
     [[nodiscard]] bool has_room_for_classes() const
     {
@@ -118,137 +118,5 @@ std::optional<patch_plan> plan_patches(const counts& control, int degree, const 
     plan.begin_at(plan.begin, scheme, generation);
     return plan;
 }
-
-/// When patches are worth while: what a final face costs in each of the ways to make it, level by level being 1.
-/// Measured with the schemes of the library.
-struct patch_costs {
-    double in_patch = .45;           ///< .3 (Butterfly) to .6
-    double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
-    double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
-    double of_template = 600;        ///< of making one, in final faces: half of what it takes, since templates are kept
-    double of_face_in_template = 20; ///< the same for each face of its patch: small ones, with fewer, gain more of them
-    double of_look = 3;              ///< of finding the class of a face, per ring, in final faces
-    double most_of_looks = .4;       ///< classes are not looked for where that costs more of the whole
-    double share_if_alike = .3;      ///< so few classes has a sample of faces of a control mesh whose faces are alike
-    double to_be_cheaper = .9;       ///< patches must come to less than so much
-    double least_if_late = 12;    ///< smaller patches do not gain where they begin late since faces are unlike before
-    double least_if_ordered = 32; ///< smaller patches do not gain on the order of the surface alone, faces only
-    double least_if_ordered_with_edges = 16; ///< the same with all connectivity
-    double least_faces = 12e6; ///< of the last level times those of a patch; fewer are not searched if one ring tells
-    double least_faces_if_scattered = 40e6; ///< the same where they lie in no order and cannot be put into one
-    double least_faces_again = .8e6; ///< the same where such levels have been made without templates again and again
-    double of_class_again = 0;       ///< of finding the template of a class there
-    double least_of_class = 1;       ///< filling fewer faces of a class takes as long as filling so many
-
-    /// Returns the costs of who has no other way than patches: each class of some faces is worth a template.
-    [[nodiscard]] static patch_costs without_choice()
-    {
-        patch_costs result;
-        result.to_be_cheaper = std::numeric_limits<double>::infinity();
-        return result;
-    }
-    /// Returns the faces of the last level below which classes are not sought. More rings tell more classes apart.
-    [[nodiscard]] double least_to_look(const patch_plan& plan) const
-    {
-        return least_faces / plan.faces_of_patch() * (1 + plan.rings) / 2;
-    }
-
-    /// Returns the costs where the faces of the control mesh are unlike and lie in no order. Level by level takes two
-    /// to three times as long there, making a template does not, and looking reads from all over the memory. Where
-    /// patches begin late for that reason, there is much to look at, and there are many classes.
-    [[nodiscard]] patch_costs if_unlike(bool is_late) const
-    {
-        patch_costs costs = *this;
-        if (is_late)
-            costs.least_faces *= 8;
-        costs.of_template /= 2;
-        costs.of_face_in_template /= 2;
-        return costs;
-    }
-    /// Returns the costs of levels that are made so many times, and the templates once. Such levels have few faces, or
-    /// templates were no gain for them before.
-    [[nodiscard]] patch_costs if_again(double times) const
-    {
-        patch_costs costs = *this;
-        costs.of_template /= times;
-        costs.of_face_in_template /= times;
-        costs.of_class_again = 250;
-        return costs;
-    }
-    /// Returns the costs for one of so many tiles. Level by level a tile takes several times as long as a mesh: it
-    /// refines faces of other tiles, too, and cuts them off after each step. What patches make is copied once.
-    [[nodiscard]] patch_costs if_in_tiles(double tiles) const
-    {
-        constexpr double times_as_long = 6;
-        patch_costs costs = if_again(tiles);
-        for (double* cost :
-             {&costs.in_patch, &costs.among_few, &costs.of_template, &costs.of_face_in_template, &costs.of_class_again})
-            *cost /= times_as_long;
-        costs.in_patch *= 2;
-        costs.least_of_class = 8; // as many as most processors have lanes for
-        return costs;
-    }
-};
-
-/// The origin of the template of a class of faces.
-enum class template_choice : unsigned char { none, made, kept };
-
-/// The cost of a level patch by patch, in final faces level by level.
-class patch_estimate {
-public:
-    /// Estimates it for classes of these sizes, which own patches with faces only or with all connectivity.
-    patch_estimate(const patch_costs& costs, const patch_plan& plan, std::vector<std::size_t> sizes, bool with_edges)
-        : costs_(costs)
-        , sizes_(std::move(sizes))
-        , of_patch_(plan.faces_of_patch())
-        , in_patch_(with_edges ? costs.in_patch_with_edges : costs.in_patch)
-        , of_template_(costs.of_template + costs.of_face_in_template * of_patch_)
-    {
-    }
-
-    /// Returns true if making a template costs less than its class does without.
-    [[nodiscard]] bool gains(std::size_t of_class) const
-    {
-        return alone(of_class) > filled(of_class) + of_template_ + costs_.of_class_again;
-    }
-    /// Returns true if patches are cheaper than going level by level, if each class does what is best.
-    [[nodiscard]] bool is_gain_without_kept() const
-    {
-        std::vector<template_choice> choices(sizes_.size(), template_choice::none);
-        for (std::size_t c = 0; c < sizes_.size(); ++c)
-            if (gains(c))
-                choices[c] = template_choice::made;
-        return is_gain(choices);
-    }
-    /// Returns the same with these choices.
-    [[nodiscard]] bool is_gain(std::span<const template_choice> choices) const
-    {
-        double cost = 0, faces = 0;
-        for (std::size_t c = 0; c < sizes_.size(); ++c) {
-            if (sizes_[c] == 0)
-                continue;
-            cost += choices[c] == template_choice::none ? alone(c) : filled(c) + costs_.of_class_again;
-            cost += choices[c] == template_choice::made ? of_template_ : 0;
-            faces += double(sizes_[c]) * of_patch_;
-        }
-        return cost <= costs_.to_be_cheaper * faces;
-    }
-
-private:
-    /// Returns the cost of the patches of a class without a template.
-    [[nodiscard]] double alone(std::size_t of_class) const
-    {
-        return double(sizes_[of_class]) * of_patch_ * costs_.among_few;
-    }
-    /// Returns the cost of filling the patches of a class from its template.
-    [[nodiscard]] double filled(std::size_t of_class) const
-    {
-        return std::max(double(sizes_[of_class]), costs_.least_of_class) * of_patch_ * in_patch_;
-    }
-
-    patch_costs costs_;
-    std::vector<std::size_t> sizes_;
-    double of_patch_, in_patch_, of_template_;
-};
 
 } // namespace kith

@@ -11,6 +11,7 @@
 #include <kith/base/for_parts.hpp>
 #include <kith/base/storage.hpp>
 #include <kith/neighbourhood/face_classes.hpp>
+#include <kith/strategy/patch_estimate.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -40,7 +41,10 @@ public:
     /// all connectivity. Returns nothing where it is no gain. Cost: O(faces), and that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                                              recorder_pointer recorder, const patch_plan& plan,
-                                             const patch_costs& costs, bool with_edges);
+                                             const strategy_costs& costs, bool with_edges);
+
+    /// Returns the number of classes that have a template.
+    [[nodiscard]] std::size_t template_count() const { return templates_.size(); }
 
     /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some
     /// hundred bytes for a face.
@@ -178,10 +182,10 @@ template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 std::optional<patched_level<Point, Index>>
 patched_level<Point, Index>::make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
-                                  recorder_pointer recorder, const patch_plan& plan, const patch_costs& costs,
+                                  recorder_pointer recorder, const patch_plan& plan, const strategy_costs& costs,
                                   bool with_edges)
 {
-    const patch_estimate estimate(costs, plan, classes.sizes(), with_edges);
+    const patch_estimate estimate(costs, plan.sizes(), classes.sizes(), with_edges);
     const templates& kept = recorder->templates();
     constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little
     const bool may_be_kept = not kept.empty() and classes.count() * least_per_class <= mesh.face_count();
@@ -280,7 +284,7 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 std::optional<patched_level<Point, Index>>
 make_patches(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes, const Scheme& scheme,
-             const patch_plan& plan, const patch_costs& costs, bool with_edges = false,
+             const patch_plan& plan, const strategy_costs& costs, bool with_edges = false,
              const patch_output_kind<scalar_of<Point>, Index, Scheme>& kind = {})
 {
     if (not plan.has_counts_of(mesh.topology(), scheme, mesh.generation()))
