@@ -5,6 +5,8 @@
 #include "whole_levels.hpp"
 
 #include <kith/neighbourhood/affine_columns.hpp>
+#include <kith/neighbourhood/descents.hpp>
+#include <kith/part/closure_of_faces.hpp>
 #include <kith/patch/patched_level.hpp>
 #include <kith/step/children.hpp>
 
@@ -13,6 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace kith {
@@ -32,6 +36,166 @@ std::optional<patch_plan> plan_for_tile(const basic_mesh<Point, Index>& mesh, co
     const auto& t = mesh.topology();
     return plan_patches({t.vertices, t.edges(), t.faces}, t.degree, scheme, levels, mesh.generation());
 }
+
+#ifdef KITH_HAS_LANES
+
+/// Makes the last level of the owned faces of a tile at its final places, if the vertices of faces descend from the
+/// faces' own elements. Then elements of the owned faces have numbers of their own, from which all others follow.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+class owned_in_patches {
+public:
+    /// Plans the steps from this tile and its scheme on, whose columns in the whole mesh are `there`.
+    owned_in_patches(const tile<Point, Index>& coarse, const Scheme& scheme, const patch_plan& plan,
+                     std::span<const column_bases> there)
+        : coarse_(coarse), scheme_(scheme), steps_(int(plan.bases.size())), there_(there)
+    {
+    }
+
+    /// Returns the last level; nothing where patches are no gain at these costs. Cost: that of the patches.
+    [[nodiscard]] std::optional<tile<Point, Index>> make(const face_classes<Index>& classes,
+                                                         const strategy_costs& costs,
+                                                         std::span<const unsigned char> is_patched) const
+    {
+        std::vector<Index> owned, rim;
+        for (std::size_t f = 0; f < is_patched.size(); ++f)
+            if (is_patched[f] != 0)
+                (coarse_.owns_face(f) ? owned : rim).push_back(Index(f));
+        const auto ours = patches_of(std::move(owned), classes, costs);
+        if (not ours)
+            return {};
+        tile<Point, Index> result;
+        storage<Point> points(ours->plan.last().vertices);
+        connectivity<Index> faces;
+        faces.allocate_faces(ours->plan.last().faces, int(degree), [](std::size_t) { return degree; });
+        faces.vertices = points.size();
+        ours->made.fill(coarse_.mesh,
+                        {.points = points.data(),
+                         .corner_vertex = faces.corner_vertex.data(),
+                         .coarse_numbers = &ours->closure.numbers});
+        if (not rim.empty())
+            take_points_of_rim(*ours, *patches_of(std::move(rim), classes, without_choice(costs)), points);
+        number_vertices(*ours, result);
+        number_faces(*ours, result);
+        result.mesh = basic_mesh<Point, Index>(std::move(points), std::move(faces), coarse_.mesh.generation() + steps_);
+        return result;
+    }
+
+private:
+    static constexpr std::size_t degree = numbering_of<Scheme, Index>::common_degree;
+
+    /// Some faces with their patches, which are numbered from the elements of these faces alone.
+    struct numbered_patches {
+        closure_of_faces<Index> closure;
+        patch_plan plan;
+        patched_level<Point, Index> made;
+    };
+
+    static strategy_costs without_choice(strategy_costs costs)
+    {
+        costs.to_be_cheaper = strategy_costs::without_choice().to_be_cheaper;
+        return costs;
+    }
+    [[nodiscard]] std::optional<numbered_patches> patches_of(std::vector<Index> faces, face_classes<Index> classes,
+                                                             const strategy_costs& costs) const
+    {
+        const auto& t = coarse_.mesh.topology();
+        const int generation = coarse_.mesh.generation();
+        std::vector<unsigned char> is_one(t.faces, 0);
+        for (const Index f : faces)
+            is_one[f] = 1;
+        classes.keep_marked(is_one);
+        closure_of_faces<Index> closure(t, std::move(faces), degree);
+        auto plan = plan_patches(closure.count(), int(degree), scheme_, steps_, generation);
+        if (not plan)
+            return {};
+        plan->begin_at(0, scheme_, generation);
+        auto made = patched_level<Point, Index>::make(
+            coarse_.mesh,
+            classes,
+            recorder_of<scalar_of<Point>, Index, Scheme>(scheme_, *plan, generation, {}),
+            *plan,
+            costs,
+            false);
+        if (not made)
+            return {};
+        return numbered_patches{std::move(closure), std::move(*plan), std::move(*made)};
+    }
+
+    /// Copies the points between owned faces and others that the patches of the others make.
+    void take_points_of_rim(const numbered_patches& ours, const numbered_patches& rim, storage<Point>& points) const
+    {
+        storage<Point> of_rim(rim.plan.last().vertices);
+        rim.made.fill(coarse_.mesh, {.points = of_rim.data(), .coarse_numbers = &rim.closure.numbers});
+        const auto& t = coarse_.mesh.topology();
+        const auto from = descents_of(tuple_kind::v, rim.plan.bases, degree),
+                   to = descents_of(tuple_kind::v, ours.plan.bases, degree);
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            if (to[i].from == tuple_kind::f)
+                continue;
+            const bool is_of_edges = to[i].from == tuple_kind::e;
+            const std::vector<Index>& elements = is_of_edges ? ours.closure.edges : ours.closure.vertices;
+            const storage<Index>& number = rim.closure.numbers.of(to[i].from);
+            for (std::size_t x = 0; x < elements.size(); ++x) {
+                const Index corner = is_of_edges ? t.halfedge_corner[2 * std::size_t(elements[x])]
+                                                 : t.vertex_corner[elements[x]];
+                if (not coarse_.owns_face(t.face_of(corner))) // whose patch has made them
+                    std::copy_n(of_rim.begin() + from[i].first + from[i].each * number[elements[x]],
+                                to[i].each,
+                                points.begin() + to[i].first + to[i].each * x);
+            }
+        }
+    }
+    /// Writes what the tile knows of the vertices. One between two tiles belongs to that of the element from which it
+    /// descends.
+    void number_vertices(const numbered_patches& ours, tile<Point, Index>& result) const
+    {
+        result.vertex_ids = storage<global_id>(ours.plan.last().vertices);
+        result.vertex_marks = storage<unsigned char>(ours.plan.last().vertices);
+        const auto here = descents_of(tuple_kind::v, ours.plan.bases, degree),
+                   there = descents_of(tuple_kind::v, there_, degree);
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            const auto kind = parent_kind(here[i].from);
+            const auto ids = ids_of(coarse_, kind);
+            const auto marks = marks_of(coarse_, kind);
+            const std::vector<Index>& elements = kind == element_kind::vertex ? ours.closure.vertices
+                                                 : kind == element_kind::edge ? ours.closure.edges
+                                                                              : ours.closure.faces;
+            std::size_t next = here[i].first;
+            for (const Index x : elements) {
+                const global_id first = there[i].first + there[i].each * ids[x];
+                for (std::size_t which = 0; which < here[i].each; ++which, ++next) {
+                    result.vertex_ids[next] = first + which;
+                    result.vertex_marks[next] = marks[x] & owned_mark;
+                }
+            }
+        }
+    }
+    void number_faces(const numbered_patches& ours, tile<Point, Index>& result) const
+    {
+        const std::size_t size = ours.plan.last().faces;
+        result.face_ids = storage<global_id>(size);
+        result.root_of = storage<Index>(size);
+        result.face_marks = storage<unsigned char>(size);
+        std::ranges::fill(result.face_marks, owned_mark);
+        result.roots = coarse_.roots;
+        std::size_t next = 0;
+        for (const descent& there : descents_of(tuple_kind::f, there_, degree))
+            for (const Index f : ours.closure.faces) {
+                const global_id first = there.first + there.each * coarse_.face_ids[f];
+                for (std::size_t which = 0; which < there.each; ++which, ++next) {
+                    result.face_ids[next] = first + which;
+                    result.root_of[next] = coarse_.root_of[f];
+                }
+            }
+    }
+
+    const tile<Point, Index>& coarse_;
+    const Scheme& scheme_;
+    int steps_;
+    std::span<const column_bases> there_;
+};
+
+#endif
 
 } // namespace detail
 
@@ -87,6 +251,12 @@ std::optional<tile<Point, Index>> last_in_patches([[maybe_unused]] const tile<Po
         detail::tile_of_patches<Point, Index> made(
             coarse, plan->bases, there, plan->last(), whole.counts(whole.levels()).vertices, degree);
         face_classes<Index> classes(t, plan->rings, state_marks<Index>(t, scheme));
+        const auto recorder = recorder_of<scalar_of<Point>, Index, Scheme>(scheme, *plan, generation, {});
+        if (numbers_are_affine<Scheme>(false) and recorder->children_of_faces(t, generation)) {
+            if (not plan->has_counts_of(t, scheme, generation))
+                return {};
+            return detail::owned_in_patches(coarse, scheme, *plan, there).make(classes, costs, made.is_patched());
+        }
         classes.keep_marked(made.is_patched());
         const auto patches = make_patches(coarse.mesh, classes, scheme, *plan, costs);
         if (not patches)
