@@ -187,8 +187,8 @@ patched_level<Point, Index>::make(const basic_mesh<Point, Index>& mesh, const fa
 {
     const patch_estimate estimate(costs, plan.sizes(), classes.sizes(), with_edges);
     const templates& kept = recorder->templates();
-    constexpr std::size_t least_per_class = 16; // so that asking for kept ones costs little
-    const bool may_be_kept = not kept.empty() and classes.count() * least_per_class <= mesh.face_count();
+    const bool may_be_kept = not kept.empty() and
+                             double(classes.count()) * costs.least_of_classes <= double(mesh.face_count());
     if (not may_be_kept and not estimate.is_gain_without_kept())
         return {};
     face_walk<Index> walk(mesh.topology(), plan.rings);

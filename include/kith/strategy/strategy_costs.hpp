@@ -28,6 +28,7 @@ struct strategy_costs {
     double of_face_in_template = 20; ///< the same for each face of its patch: small ones, with fewer, gain more of them
     double of_look = 3;              ///< of finding the class of a face, per ring
     double of_class_again = 0;       ///< of finding the template of a class where levels are made again
+    double least_of_classes = 16;    ///< kept templates are asked for where classes have as many faces on average
     double least_of_class = 1;       ///< filling fewer faces of a class takes as long as filling so many
     // Bounds.
     double most_of_looks = .4;    ///< classes are not looked for where that costs more of the whole
@@ -104,8 +105,12 @@ struct strategy_costs {
     {
         constexpr double times_as_long = 6;
         strategy_costs costs = if_again(tiles);
-        for (double* cost :
-             {&costs.in_patch, &costs.among_few, &costs.of_template, &costs.of_face_in_template, &costs.of_class_again})
+        for (double* cost : {&costs.in_patch,
+                             &costs.among_few,
+                             &costs.of_template,
+                             &costs.of_face_in_template,
+                             &costs.of_class_again,
+                             &costs.least_of_classes})
             *cost /= times_as_long;
         costs.in_patch *= 2;
         costs.least_of_class = 8; // as many as most processors have lanes for
