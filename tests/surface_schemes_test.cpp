@@ -6,10 +6,12 @@
 #include "error_text.hpp"
 #include "native_shape.hpp"
 
+#include <kith/closest_points.hpp>
 #include <kith/compiled_schemes.hpp>
 #include <kith/face_varying.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/limit/limit_surface.hpp>
+#include <kith/ray_hits.hpp>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -327,6 +330,54 @@ TEST(surface_schemes, have_values_at_corners)
     };
     test(tri_quad(native(shapes::shaken(shapes::torus(4, 5)))), kith::four_eight{});
     test(native(shapes::shaken(shapes::torus(6, 6))), kith::unified{});
+}
+
+/// No sample of the surface is nearer than the nearest point, and none lies before a hit.
+TEST(surface_schemes, are_searched)
+{
+    const auto test = [](const mesh3d& mesh, const auto& scheme) {
+        SCOPED_TRACE(std::string(kith::scheme_name<std::remove_cvref_t<decltype(scheme)>>()));
+        constexpr bool has_quads = kith::detail::has_quad_parameters<std::remove_cvref_t<decltype(scheme)>>;
+        constexpr int segments = 24;
+        std::vector<surface_place> places;
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            for (std::size_t k = 0; k < (mesh.face(f).size() == (has_quads ? 4 : 3) ? 1 : mesh.face(f).size()); ++k)
+                for (int i = 0; i <= segments; ++i)
+                    for (int j = 0; j <= (has_quads ? segments : segments - i); ++j)
+                        places.push_back({f, double(i) / segments, double(j) / segments, k});
+        const auto samples = kith::surface_locator(mesh, scheme).locate(places).evaluate(mesh.points()).points;
+        std::vector<point> queries;
+        std::vector<kith::surface_ray> rays;
+        const point outside{5, 3, 2};
+        for (std::size_t i = 0; i < samples.size(); i += samples.size() / 20) {
+            const auto& [x, y, z] = samples[i];
+            queries.push_back({x * 1.1 + .1, y * .7, z * 1.2 - .1});
+            rays.push_back({outside, {x - outside[0], y - outside[1], z - outside[2]}});
+        }
+        const auto found = kith::closest_points(mesh, scheme).of(queries);
+        for (std::size_t q = 0; q < queries.size(); ++q) {
+            double nearest = 100;
+            for (const point& sample : samples)
+                nearest = std::min(nearest, distance(sample, queries[q]));
+            EXPECT_LE(found[q].distance, nearest + 1e-12) << q;
+            EXPECT_GT(found[q].distance, nearest - .05) << q;
+            EXPECT_NEAR(found[q].distance, distance(found[q].point, queries[q]), 1e-15) << q;
+        }
+        const auto hits = kith::ray_hits(mesh, scheme).of(rays);
+        for (std::size_t q = 0; q < rays.size(); ++q) {
+            ASSERT_TRUE(hits[q].has_value()) << q;
+            EXPECT_LE(hits[q]->distance, 1 + 1e-12) << q;
+            point on_ray = outside;
+            for (std::size_t x = 0; x < 3; ++x)
+                on_ray[x] += hits[q]->distance * rays[q].direction[x];
+            EXPECT_LT(distance(on_ray, hits[q]->point), 1e-11) << q;
+        }
+    };
+    test(native(shapes::shaken(shapes::house())), kith::doo_sabin{});
+    test(native(shapes::shaken(shapes::house())), kith::mid_edge{});
+    test(tri_quad(native(shapes::shaken(shapes::cube()))), kith::four_eight{});
+    test(native(shapes::shaken(shapes::cube())), kith::unified{.degree = 5});
+    test(native(shapes::shaken(shapes::cube())), kith::nasri_hasbini{});
 }
 
 TEST(surface_schemes, refuse_what_is_not_found)

@@ -20,16 +20,13 @@ namespace kith::detail {
 template <>
 struct face_domain<decltype(bisection_split::columns())> : domain_of_triangles {
     static constexpr bool keeps_first_corners = true;
+    static constexpr bool has_polynomials_at_boundaries = false;
     static constexpr std::size_t fineness = 2;
     static constexpr int steps = 27;
     static constexpr int steps_at_once = 2;
     static constexpr int rings = 5; // of triangles, which have two rings of quads
 
-    template <class Scheme>
-    static std::size_t degree(const Scheme&)
-    {
-        return 6;
-    }
+    static constexpr std::size_t degree = 6; ///< of the splines that are looked for
     /// Returns the faces of two rings of quads.
     template <class Cutter, std::unsigned_integral Index>
     static std::vector<Index> faces_around(Cutter& cutter, const connectivity<Index>& mesh, Index face, int)

@@ -21,13 +21,10 @@ struct domain_of_dual_faces : domain_of_rings {
     static constexpr std::size_t sides = 4;
     static constexpr std::size_t fineness = 2;
     static constexpr bool takes_boundaries = false;
+    static constexpr bool has_polynomials_at_boundaries = false;
     static constexpr auto corners = domain_of_quads::corners;
 
-    template <class Scheme>
-    static std::size_t degree(const Scheme&)
-    {
-        return 2;
-    }
+    static constexpr std::size_t degree = 2; ///< of the splines that are looked for
     static bool has_vertices_at_corners(const domain_face&) { return false; }
     static std::size_t corner_at(std::size_t, const std::array<double, 2>&) { return sides; }
 
@@ -155,15 +152,17 @@ struct face_domain<decltype(unified{}.columns())> : domain_of_rings {
     static constexpr std::size_t fineness = 2;
     static constexpr int steps = 27;
     static constexpr bool takes_boundaries = true; // which closed meshes do not have
+    static constexpr bool has_polynomials_at_boundaries = true;
     static constexpr auto corners = domain_of_quads::corners;
 
-    /// Errors: mesh_error for degrees whose polynomials drown in rounding errors.
-    static std::size_t degree(const unified& scheme)
+    static constexpr std::size_t degree = 5; ///< polynomials of higher degrees drown in rounding errors
+
+    /// Errors: mesh_error for a higher degree.
+    static std::size_t degree_of(const unified& scheme)
     {
-        constexpr int most = 5;
-        if (scheme.degree > most)
+        if (scheme.degree > int(degree))
             throw mesh_error("unified: polynomials of degree " + std::to_string(scheme.degree) +
-                             " are not found between control points; take a degree up to " + std::to_string(most));
+                             " are not found between control points; take a degree up to " + std::to_string(degree));
         return std::size_t(scheme.degree);
     }
     static bool has_vertices_at_corners(const domain_face& face) { return not face.is_dual; }

@@ -77,6 +77,7 @@ template <std::size_t Sides>
 struct domain_at_vertices : domain_of_rings {
     static constexpr std::size_t sides = Sides;
     static constexpr bool takes_boundaries = true;
+    static constexpr bool has_polynomials_at_boundaries = true;
 
     static bool has_vertices_at_corners(const domain_face&) { return true; }
     static std::size_t cells(const domain_face& face) { return face.degree == sides ? 1 : face.degree; }
@@ -99,11 +100,7 @@ struct domain_of_quads : domain_at_vertices<4> {
     static constexpr bool is_tensor = true;
     static constexpr auto corners = corners_of_faces<4>;
 
-    template <class Scheme>
-    static std::size_t degree(const Scheme&)
-    {
-        return 3;
-    }
+    static constexpr std::size_t degree = 3; ///< of the splines that are looked for
     /// Turns the parameters of a quad a quarter: corner 1 becomes the origin.
     static void turn(face_parameters& at) { at.replace(at.t, 0, 1, 1 - at.s, -1, 0); }
 };
@@ -114,7 +111,7 @@ struct domain_of_quads : domain_at_vertices<4> {
 ///   cells(face)                               the number of cells of a domain_face
 ///   enter(face, corner, parameters)           the cell of a place; makes its parameters those in the cell
 ///   corner_at(cell, parameters)               the corner of the face at a corner of a cell; `sides` if there is none
-///   is_tensor, degree(scheme)                 of the splines that are looked for in cells
+///   is_tensor, degree                         of the splines that are looked for in cells
 ///   fineness                                  of a lattice of which all children have points
 ///   steps                                     after which a net is small
 ///   rings                                     around a face that its surface follows from; 0 for those of the scheme
@@ -126,7 +123,7 @@ struct domain_of_quads : domain_at_vertices<4> {
 ///   descend(face, cell, parameters)           the child_cell that a place lies in; makes its parameters those in it
 ///   cell_of_child(child, first, cell)         the number of that cell; `first` is the corner of vertex_of_child
 ///   keeps_first_corners                       the first corners of faces have a meaning
-///   has_vertices_at_corners(face), splits_in_four, takes_boundaries
+///   has_vertices_at_corners(face), splits_in_four, takes_boundaries, has_polynomials_at_boundaries
 template <class Columns>
 struct face_domain;
 
@@ -211,11 +208,7 @@ struct domain_of_triangles : domain_at_vertices<3> {
     static constexpr bool is_tensor = false;
     static constexpr auto corners = corners_of_faces<3>;
 
-    template <class Scheme>
-    static std::size_t degree(const Scheme&)
-    {
-        return 4;
-    }
+    static constexpr std::size_t degree = 4; ///< of the splines that are looked for
     /// Turns the parameters of a triangle: corner 1 becomes the origin.
     static void turn(face_parameters& at) { at.replace(at.t, 0, 1, std::max(1 - at.s - at.t, 0.), -1, -1); }
 };

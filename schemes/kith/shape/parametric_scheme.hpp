@@ -48,6 +48,16 @@ int rings_of_surface(const Scheme& scheme)
     return rings;
 }
 
+/// Returns the degree of the splines that are looked for. Errors: mesh_error where it is too high.
+template <class Scheme>
+std::size_t degree_of_polynomials([[maybe_unused]] const Scheme& scheme)
+{
+    if constexpr (requires { domain_of<Scheme>::degree_of(scheme); })
+        return domain_of<Scheme>::degree_of(scheme);
+    else
+        return domain_of<Scheme>::degree;
+}
+
 /// Returns true if the state of the scheme says of all levels to come what it says of this one.
 template <scheme Scheme>
 bool is_settled(const Scheme& scheme)

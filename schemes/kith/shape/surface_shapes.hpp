@@ -47,7 +47,7 @@ public:
     };
 
     explicit surface_shapes(const Scheme& scheme, const Rule& rule = Rule())
-        : rings_(rings_of_surface(scheme)), rule_(rule), polynomials_(domain::degree(scheme))
+        : rings_(rings_of_surface(scheme)), rule_(rule), polynomials_(degree_of_polynomials(scheme))
     {
     }
 
