@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace kith::detail {
@@ -33,9 +34,10 @@ inline bool lies_within(const cell_piece& piece, bool is_quad)
            (not is_quad or is_inside(add_multiple(at_s, 1, piece.along_t)));
 }
 
-/// Returns points in all triangles, or quads, of a lattice with so many segments on a side.
-inline std::vector<parameters> points_between(std::size_t segments, bool is_quad)
+/// Returns points in all pieces that a domain of this fineness cuts a square or a triangle into.
+inline std::vector<parameters> points_in_pieces(std::size_t fineness, bool is_quad)
 {
+    const std::size_t segments = is_quad ? fineness : 2 * fineness;
     const double n = double(segments);
     std::vector<parameters> result;
     for (std::size_t i = 0; i < segments; ++i)
@@ -47,13 +49,13 @@ inline std::vector<parameters> points_between(std::size_t segments, bool is_quad
     return result;
 }
 
-/// Returns the pieces that cut(face_parameters&) cuts a square or a triangle into. `cut` returns the child_cell of a
-/// place and makes its parameters those in it.
+/// Returns the pieces that cut(face_parameters&) cuts a square or a triangle into, which have these samples. `cut`
+/// returns the child_cell of a place and makes its parameters those in it.
 template <class Cut>
-std::vector<cell_piece> pieces_of(std::size_t fineness, bool is_quad, const Cut& cut)
+std::vector<cell_piece> pieces_of(std::span<const parameters> samples, const Cut& cut)
 {
     std::vector<cell_piece> result;
-    for (const parameters& sample : points_between(2 * fineness, is_quad)) {
+    for (const parameters& sample : samples) {
         face_parameters at{sample[0], sample[1]};
         const child_cell of = cut(at);
         if (std::ranges::any_of(result, [&](const cell_piece& known) {

@@ -140,8 +140,7 @@ private:
     {
         const std::size_t degree = around.in_domain.degree, parts = degree == domain::sides ? 1 : degree;
         for (std::size_t corner = 0; corner < parts; ++corner)
-            for (const cell_piece& piece :
-                 pieces_of(domain::fineness, domain::sides == 4, [&](face_parameters& at) -> child_cell {
+            for (const cell_piece& piece : pieces_of(samples_of_face_, [&](face_parameters& at) -> child_cell {
                      return {0, domain::enter(around.in_domain, corner, at)};
                  }))
                 cells_.push_back(make_cell(place{f, corner}.within(piece.origin, piece.along_s, piece.along_t),
@@ -172,9 +171,8 @@ private:
     {
         constexpr double rounding = 1e-12;
         cell_list result;
-        for (const cell_piece& piece : pieces_of(domain::fineness, domain::is_tensor, [&](face_parameters& at) {
-                 return descend(*parent.of, parent.number, at);
-             })) {
+        for (const cell_piece& piece :
+             pieces_of(samples_of_cell_, [&](face_parameters& at) { return descend(*parent.of, parent.number, at); })) {
             const auto& child = parent.of->children[piece.of.child];
             if (std::ranges::any_of(child.rows.weight, [](double weight) { return weight < -rounding; }))
                 refuse();
@@ -220,6 +218,8 @@ private:
     }
 
     surface_locator<Scheme, Index> surface_;
+    std::vector<parameters> samples_of_face_ = points_in_pieces(domain::fineness, domain::sides == 4),
+                            samples_of_cell_ = points_in_pieces(domain::fineness, domain::is_tensor);
     std::vector<vector> control_;
     std::vector<cell> cells_; // of the faces
     box_tree tree_;
