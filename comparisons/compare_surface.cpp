@@ -4,9 +4,12 @@
 #include "random_meshes.hpp"
 #include "random_runs.hpp"
 
+#include <kith/four_eight.hpp>
+#include <kith/hierarchy.hpp>
 #include <kith/limit/limit_surface.hpp>
 #include <kith/presets.hpp>
 #include <kith/step/submesh.hpp>
+#include <kith/unified.hpp>
 
 #include <algorithm>
 #include <array>
@@ -36,6 +39,8 @@ struct tally {
     of_kind regular, irregular, near_vertices;
     std::size_t deep_places = 0; // at vertices of level 12
     double deep = 0;
+    std::size_t own_places = 0; // of schemes that OpenSubdiv does not have, at vertices of their levels
+    double own = 0;
 };
 
 /// Returns true if a place is so near to a corner of its face that Bfr, after its last level, approximates there.
@@ -209,6 +214,80 @@ void compare_levels(const basic_mesh<>& mesh, const Scheme& scheme, random_numbe
     }
 }
 
+/// A face of a level as a part of a face of the control mesh.
+struct part_of_face {
+    std::size_t face, corner;
+    std::vector<parameters> corners;
+};
+
+/// Returns the parts of a face that a step makes, at its corners; of 4-8 at the ends of its first edge.
+template <class Scheme>
+std::vector<part_of_face> parts_of(const part_of_face& whole)
+{
+    const auto& [face, corner, c] = whole;
+    if constexpr (std::is_same_v<Scheme, kith::four_eight>) {
+        const parameters middle{(c[0][0] + c[1][0]) / 2, (c[0][1] + c[1][1]) / 2};
+        return {{face, corner, {c[2], c[0], middle}}, {face, corner, {c[1], c[2], middle}}};
+    } else {
+        std::vector<part_of_face> result;
+        for (std::size_t k = 0; k < c.size(); ++k)
+            result.push_back(c.size() == 4 ? part_of_face{face, corner, child_of(c, k)}
+                                           : part_of_face{face, k, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+        return result;
+    }
+}
+
+/// Compares all vertices of a level of the scheme's own with the surface.
+template <class Scheme>
+void compare_own_level(const basic_mesh<>& control, const Scheme& scheme, int level, tally& sum)
+{
+    std::vector<part_of_face> parts;
+    for (std::size_t f = 0; f < control.face_count(); ++f)
+        parts.push_back({f, 0, std::vector<parameters>(control.face(f).size())});
+    for (auto& [face, corner, corners] : parts)
+        if (corners.size() == 4)
+            corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        else if (corners.size() == 3)
+            corners = {{0, 0}, {1, 0}, {0, 1}};
+    for (int step = 0; step < level; ++step) {
+        std::vector<part_of_face> next;
+        for (const part_of_face& part : parts)
+            for (auto& child : parts_of<Scheme>(part))
+                next.push_back(std::move(child));
+        parts = std::move(next);
+    }
+    std::vector<kith::surface_place> places;
+    for (const auto& [face, corner, corners] : parts)
+        for (const auto& [u, v] : corners)
+            places.push_back({face, u, v, corner});
+    kith::hierarchy<basic_mesh<>, Scheme> levels(control, scheme);
+    levels.refine(level);
+    const auto limits = limit_surface_of(levels, level).positions;
+    const auto made = kith::surface_locator(control, scheme).locate(places).evaluate(control.points());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto& limit = limits[levels[level].topology().corner_vertex[i]];
+        double here = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            here = std::max(here, std::abs(made.points[i][axis] - limit[axis]));
+        ++sum.own_places;
+        sum.own = std::max(sum.own, here);
+        if (not(here <= 1e-11))
+            throw std::runtime_error(std::string(kith::scheme_name<Scheme>()) + ", face " +
+                                     std::to_string(places[i].face) + ": level " + std::to_string(level) +
+                                     " is off by " + std::to_string(here));
+    }
+}
+
+/// Compares schemes that OpenSubdiv does not have with their own levels.
+void compare_others(const shapes::shape& shape, tally& sum)
+{
+    const auto mesh = kith::make_mesh(shape.points, shape.faces);
+    compare_own_level(tri_quad(mesh), kith::four_eight{}, 4, sum);
+    if (mesh.topology().is_closed())
+        for (const int degree : {1, 3, 5})
+            compare_own_level(mesh, kith::unified{.degree = degree}, 2, sum);
+}
+
 /// On one mesh without creases and with some of each kind.
 template <class Scheme>
 void compare_options(const shapes::shape& shape, random_numbers& random, tally& sum)
@@ -236,6 +315,7 @@ int main(int count, char** words)
         runs->attempt_seeds([&](random_numbers& random) {
             compare_options<kith::catmull_clark>(random_polygons(random), random, sum);
             compare_options<kith::loop>(random_triangles(random), random, sum);
+            compare_others(random_polygons(random), sum);
         });
         const auto print = [](const char* where, const tally::of_kind& kind) {
             std::cout << kind.places << " places " << where << "; largest differences of points " << kind.largest[0]
@@ -246,6 +326,8 @@ int main(int count, char** words)
         std::cout << sum.turned << " of them where Bfr's second derivatives have the other sign\n";
         print("at vertices of these, where Bfr approximates", sum.near_vertices);
         std::cout << sum.deep_places << " vertices of level 12; largest difference of limits " << sum.deep << '\n';
+        std::cout << sum.own_places << " vertices of levels of 4-8 and unified; largest difference of limits "
+                  << sum.own << '\n';
         std::cout << opensubdiv_peer::version() << ", " << runs->count << " meshes for each scheme, "
                   << runs->different() << " different\n";
         runs->require_same();

@@ -170,9 +170,15 @@ TEST(closest_points, refuse_schemes_that_are_no_splines)
     EXPECT_EQ(
         error_text<kith::mesh_error>([&] { const kith::closest_points surface(quads, own_state::some_drawn(quads)); }),
         expected);
-    EXPECT_EQ(error_text<kith::mesh_error>([&] { const kith::closest_points surface(quads, kith::doo_sabin{}); }),
-              "doo-sabin does not split each face into four, as searches of its surface need; search a tessellation "
-              "instead");
+    const auto grid = native(shapes::grid(3, 3));
+    EXPECT_EQ(error_text<kith::mesh_error>([&] { const kith::closest_points surface(grid, kith::doo_sabin{}); }),
+              "face 0 touches the boundary, where doo-sabin has no polynomials; close the mesh or search a "
+              "tessellation");
+    const auto polygon = native(shapes::polygon(5));
+    EXPECT_EQ(error_text<kith::mesh_error>([&] {
+                  static_cast<void>(kith::closest_points(polygon, kith::nasri_hasbini{}).of(std::vector<point>(1)));
+              }),
+              "searches of nasri-hasbini take faces of 4 vertices only; search the surface of the next level");
 }
 
 TEST(closest_points, refuse_what_is_not_finite)

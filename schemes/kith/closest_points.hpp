@@ -33,7 +33,8 @@ struct closest_point {
 /// near, it is one of them.
 ///
 /// Takes points of three coordinates, and schemes that are splines among regular faces and have no negative weights:
-/// Catmull-Clark, Loop and the linear ones, with all creases. One thread at a time may use an object.
+/// Catmull-Clark, Loop and the linear ones, with all creases; Doo-Sabin, mid-edge, 4-8 and unified on closed meshes;
+/// Nasri-Hasbini on quads. One thread at a time may use an object.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class closest_points {
     using vector = std::array<double, 3>;

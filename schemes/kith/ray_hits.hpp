@@ -40,7 +40,8 @@ struct ray_hit {
 /// crosses the surface. Where a ray touches it only, hits and misses by less than that are not told apart.
 ///
 /// Takes points of three coordinates, and schemes that are splines among regular faces and have no negative weights:
-/// Catmull-Clark, Loop and the linear ones, with all creases. One thread at a time may use an object.
+/// Catmull-Clark, Loop and the linear ones, with all creases; Doo-Sabin, mid-edge, 4-8 and unified on closed meshes;
+/// Nasri-Hasbini on quads. One thread at a time may use an object.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class ray_hits {
 public:

@@ -40,7 +40,7 @@ class best_first {
     using vector = typename Cells::vector;
     using patch = typename Cells::patch;
     using cell = typename Cells::cell;
-    using place = cell_place<Cells::is_tensor>;
+    using place = typename Cells::place;
 
 public:
     explicit best_first(const Cells& all) : all_(&all) {}
@@ -107,7 +107,7 @@ private:
             return;
         if (c.of != nullptr)
             return push(bound, kind::net, &c, 0);
-        patches_.push_back({c.place, {}});
+        patches_.push_back({c.at, {}});
         std::ranges::copy(local_, patches_.back().points.points.begin());
         push(bound, kind::patch, nullptr, patches_.size() - 1);
     }
@@ -115,7 +115,7 @@ private:
     void search_node(const Query& query, const box_tree::node& node)
     {
         if (node.first == 0)
-            return add_cell(query, all_->of_face(node.item));
+            return add_cell(query, all_->root(node.item));
         add_node(query, node.first);
         add_node(query, node.second);
     }
@@ -132,7 +132,7 @@ private:
     {
         to_local(query, net);
         if (query.is_tiny(local_)) {
-            query.accept(local_, net.place.at({1. / 3, 1. / 3}));
+            query.accept(local_, net.at.at({1. / 3, 1. / 3}));
             return;
         }
         for (const cell& child : all_->children_of(net, made_))

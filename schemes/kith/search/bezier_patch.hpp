@@ -18,15 +18,15 @@ inline std::array<double, 3> vector_between(const std::array<double, 3>& from, c
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-/// A polynomial piece of a surface by its Bezier points, whose convex hull it lies in. It is bicubic over the unit
-/// square if it is a tensor product, or else quartic over the triangle (0, 0), (1, 0), (0, 1). Parameters are s and t.
-template <bool IsTensor>
+/// A polynomial piece of a surface by its Bezier points, whose convex hull it lies in. It has this degree in s and in t
+/// over the unit square if it is a tensor product, or else this total degree over the triangle (0, 0), (1, 0), (0, 1).
+template <bool IsTensor, std::size_t Degree>
 class bezier_patch {
 public:
     using vector = std::array<double, 3>;
     static constexpr bool is_tensor = IsTensor;
-    static constexpr std::size_t degree = IsTensor ? 3 : 4;
-    static constexpr std::size_t size = IsTensor ? 16 : 15;
+    static constexpr std::size_t degree = Degree;
+    static constexpr std::size_t size = IsTensor ? (degree + 1) * (degree + 1) : (degree + 1) * (degree + 2) / 2;
     static constexpr std::size_t sides = IsTensor ? 2 : 3; ///< along which a patch can be halved
 
     /// A point of the patch, and derivatives.
@@ -52,7 +52,7 @@ public:
     /// Returns the place of point (i, j) in the list.
     static constexpr std::size_t place(std::size_t i, std::size_t j)
     {
-        return IsTensor ? 4 * i + j : i * 5 - i * (i - 1) / 2 + j;
+        return IsTensor ? (degree + 1) * i + j : i * (2 * degree + 3 - i) / 2 + j;
     }
 
     /// Returns the point of the patch at s and t, each 0 or 1.
@@ -182,8 +182,8 @@ private:
         return k == 0 ? 1 : double(n) * falling(n - 1, k - 1);
     }
     static constexpr auto pascals_triangle = [] {
-        std::array<std::array<double, 5>, 5> result{};
-        for (std::size_t n = 0; n < 5; ++n)
+        std::array<std::array<double, degree + 1>, degree + 1> result{};
+        for (std::size_t n = 0; n <= degree; ++n)
             for (std::size_t k = 0; k <= n; ++k)
                 result[n][k] = k == 0 ? 1 : result[n - 1][k - 1] + result[n - 1][k];
         return result;

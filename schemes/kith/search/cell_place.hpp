@@ -42,8 +42,9 @@ parameters nearest_in_cell(const parameters& x)
 }
 
 /// The part of a face of a control mesh that a cell of its surface lies over: the image of the unit square, or of the
-/// triangle (0, 0), (1, 0), (0, 1), under an affine map. The numbers are exact down to the 50th halving.
-template <bool IsTensor>
+/// triangle (0, 0), (1, 0), (0, 1), under an affine map. The numbers are exact down to the 50th halving. Faces have so
+/// many sides; cells may be triangles in quads.
+template <bool IsTensor, std::size_t Sides>
 struct cell_place {
     std::size_t face = 0, corner = 0;
     parameters origin{0, 0}, along_s{1, 0}, along_t{0, 1};
@@ -53,7 +54,7 @@ struct cell_place {
     {
         const parameters uv = add_multiple(add_multiple(origin, x[0], along_s), x[1], along_t);
         const double u = std::clamp(uv[0], 0., 1.);
-        return {face, u, std::clamp(uv[1], 0., IsTensor ? 1 : 1 - u), corner};
+        return {face, u, std::clamp(uv[1], 0., Sides == 4 ? 1 : 1 - u), corner};
     }
     /// Returns the places of the halves of a Bezier patch.
     [[nodiscard]] std::array<cell_place, 2> halves(std::size_t side) const
@@ -69,29 +70,13 @@ struct cell_place {
                     with(add_multiple(origin, 1, half_t), add_multiple(along_s, taken, half_t), half_t)};
         return {with(origin, along_s, middle), with(origin, middle, along_t)};
     }
-    /// Returns the place of a child that a step makes, in the order of `surface_shapes`.
-    [[nodiscard]] cell_place child(std::size_t k, std::size_t children) const
+    /// Returns the place of a part of the cell, by its affine map into the cell.
+    [[nodiscard]] cell_place within(const parameters& o, const parameters& s, const parameters& t) const
     {
-        const parameters s = add_multiple({0, 0}, .5, along_s), t = add_multiple({0, 0}, .5, along_t), none{0, 0};
-        const parameters to_1 = add_multiple(origin, 2, s), to_2 = add_multiple(to_1, 2, t),
-                         to_3 = add_multiple(origin, 2, t);
-        const parameters s_back = add_multiple(none, -1, s), t_back = add_multiple(none, -1, t);
-        if constexpr (IsTensor) {
-            if (children != 4) { // sub-faces of a polygon
-                cell_place result = *this;
-                result.corner = k;
-                return result;
-            }
-            return k == 0   ? with(origin, s, t)
-                   : k == 1 ? with(to_1, t, s_back)
-                   : k == 2 ? with(to_2, s_back, t_back)
-                            : with(to_3, t_back, s);
-        } else {
-            return k == 0   ? with(origin, s, t)
-                   : k == 1 ? with(to_1, add_multiple(t, -1, s), s_back)
-                   : k == 2 ? with(to_3, t_back, add_multiple(s, -1, t))
-                            : with(add_multiple(origin, 1, t), add_multiple(s, -1, t), s);
-        }
+        const auto direction = [&](const parameters& x) {
+            return add_multiple(add_multiple({0, 0}, x[0], along_s), x[1], along_t);
+        };
+        return with(add_multiple(add_multiple(origin, o[0], along_s), o[1], along_t), direction(s), direction(t));
     }
 
 private:

@@ -61,7 +61,8 @@ public:
     {
         answer(dot(points[0], points[0]), place);
     }
-    [[nodiscard]] std::optional<double> solve(const Patch& patch, const cell_place<Patch::is_tensor>& place)
+    template <class Place>
+    [[nodiscard]] std::optional<double> solve(const Patch& patch, const Place& place)
     {
         constexpr parameters middle = middle_of_cell<Patch::is_tensor>;
         const values here = patch.at(middle[0], middle[1]);
@@ -133,7 +134,8 @@ private:
     }
 
     /// Finds the minimum of f in a patch, in which f is convex.
-    void minimise(const Patch& patch, const cell_place<Patch::is_tensor>& place, values here)
+    template <class Place>
+    void minimise(const Patch& patch, const Place& place, values here)
     {
         constexpr int most_steps = 60;
         constexpr double small_step = 1e-9; // after which the next one is below rounding

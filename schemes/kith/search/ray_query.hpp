@@ -81,7 +81,8 @@ public:
                                    [&](const vector& p) { return length_of(vector_between(points[0], p)) <= tiny_; });
     }
     void accept(std::span<const vector> points, const surface_place& place) { answer(points[0][2], place); }
-    [[nodiscard]] std::optional<double> solve(const Patch& patch, const cell_place<Patch::is_tensor>& place)
+    template <class Place>
+    [[nodiscard]] std::optional<double> solve(const Patch& patch, const Place& place)
     {
         constexpr parameters middle = middle_of_cell<Patch::is_tensor>;
         const values here = patch.at(middle[0], middle[1]);
@@ -141,7 +142,8 @@ private:
         return of_s + of_t <= 1. / 16;
     }
     /// Finds the place at which a patch that is nearly linear meets the ray.
-    void find_place(const Patch& patch, const cell_place<Patch::is_tensor>& place, values here)
+    template <class Place>
+    void find_place(const Patch& patch, const Place& place, values here)
     {
         constexpr int most_steps = 60;
         constexpr double small_step = 1e-9; // after which the next one is below rounding

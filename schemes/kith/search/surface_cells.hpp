@@ -3,7 +3,7 @@
 
 #include "bezier_patch.hpp"
 #include "box_tree.hpp"
-#include "cell_place.hpp"
+#include "cell_pieces.hpp"
 
 #include <kith/base/affine.hpp>
 #include <kith/base/error.hpp>
@@ -24,17 +24,18 @@
 
 namespace kith::detail {
 
-/// The limit surface of a mesh as cells whose points bound it: each cell lies in the convex hull of its points. Over a
-/// regular face these are the Bezier points of a polynomial. Elsewhere they are the control points around the face, and
-/// the cell has children, which a step of the scheme makes.
+/// The limit surface of a mesh as cells whose points bound it: each cell lies in the convex hull of its points. Among
+/// regular faces these are the Bezier points of a polynomial. Elsewhere they are the control points around the face,
+/// and the cell has children, which steps of the scheme make.
 template <parametric_scheme Scheme, std::unsigned_integral Index>
 class surface_cells {
     using shape = surface_shape<Index, Scheme, as_points>;
+    using domain = domain_of<Scheme>;
 
 public:
     using vector = std::array<double, 3>;
-    static constexpr bool is_tensor = has_quad_parameters<Scheme>;
-    using patch = bezier_patch<is_tensor>;
+    using patch = bezier_patch<domain::is_tensor, domain::degree>;
+    using place = cell_place<domain::is_tensor, domain::sides>;
 
     struct cell;
     using cell_list = std::vector<cell>;
@@ -63,9 +64,10 @@ public:
         std::atomic<const cell_list*> list_ = nullptr;
     };
     struct cell {
-        cell_place<is_tensor> place;
+        place at;
         shape* of;                    ///< nullptr for a polynomial
-        std::size_t depth;            ///< the number of steps
+        std::size_t number;           ///< among the cells of the shape
+        std::size_t depth;            ///< the number of descents
         std::vector<vector> points{}; ///< Bezier points of a polynomial, or control points
         std::unique_ptr<kept_children> children{};
     };
@@ -75,11 +77,7 @@ public:
     template <class Point>
     surface_cells(const basic_mesh<Point, Index>& mesh, const Scheme& scheme) : surface_(mesh, scheme)
     {
-        if constexpr (not domain_of<Scheme>::splits_in_four)
-            throw mesh_error(std::string(scheme_name<Scheme>()) +
-                             " does not split each face into four, as searches of its surface need; search a "
-                             "tessellation instead");
-        else if constexpr (not scheme_of_places<Scheme>)
+        if constexpr (not scheme_of_places<Scheme>)
             refuse();
         for (const Point& p : mesh.points()) {
             const auto& x = affine<Point>::load(p);
@@ -89,13 +87,18 @@ public:
         std::vector<std::size_t> inputs;
         std::vector<vector> net;
         for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            if constexpr (not domain::has_polynomials_at_boundaries)
+                if (touches_boundary(surface_.mesh_.topology(), f))
+                    throw mesh_error("face " + std::to_string(f) + " touches the boundary, where " +
+                                     std::string(scheme_name<Scheme>()) +
+                                     " has no polynomials; close the mesh or search a tessellation");
             const auto& around = surface_.neighbourhood_of(Index(f));
             inputs.clear();
             search.append_inputs(around, Index(f), inputs);
             net.clear();
             for (const std::size_t v : inputs)
                 net.push_back(control_[v]);
-            cells_.push_back(make_cell({f}, *around.around, 0, net));
+            add_roots(f, *around.around, net);
         }
         make_tree();
     }
@@ -114,9 +117,9 @@ public:
     /// Returns a bound of what rounding does to points of cells.
     [[nodiscard]] double rounding() const { return rounding_; }
 
-    /// Returns the tree of the boxes of faces, whose items are numbers of faces.
+    /// Returns the tree of the boxes of the cells of faces, whose items are their numbers.
     [[nodiscard]] const box_tree& tree() const { return tree_; }
-    [[nodiscard]] const cell& of_face(std::size_t face) const { return cells_[face]; }
+    [[nodiscard]] const cell& root(std::size_t number) const { return cells_[number]; }
     /// Returns the children of a cell that is no polynomial. Those that the cell does not keep are added to `made`.
     /// Errors: mesh_error where control points do not bound the surface. Cost: O(control points) for each child.
     [[nodiscard]] const cell_list& children_of(const cell& parent, std::deque<cell_list>& made) const
@@ -132,33 +135,56 @@ private:
         throw mesh_error("the control points of this scheme do not bound its surface, which is no spline among regular "
                          "faces or has negative weights; search a tessellation instead");
     }
-    [[nodiscard]] cell make_cell(const cell_place<is_tensor>& place, shape& of, std::size_t depth,
+    /// Adds the cells of a face.
+    void add_roots(std::size_t f, shape& around, std::span<const vector> net)
+    {
+        const std::size_t degree = around.in_domain.degree, parts = degree == domain::sides ? 1 : degree;
+        for (std::size_t corner = 0; corner < parts; ++corner)
+            for (const cell_piece& piece : pieces_of(samples_of_face_, [&](face_parameters& at) -> child_cell {
+                     return {0, domain::enter(around.in_domain, corner, at)};
+                 }))
+                cells_.push_back(make_cell(place{f, corner}.within(piece.origin, piece.along_s, piece.along_t),
+                                           around,
+                                           piece.of.cell,
+                                           0,
+                                           net));
+    }
+    [[nodiscard]] cell make_cell(const place& at, shape& of, std::size_t number, std::size_t depth,
                                  std::span<const vector> net) const
     {
         constexpr std::size_t most_kept = 3;
         surface_.shapes_->look(of);
         if (not of.leads_to_polynomials)
             refuse();
-        const bool is_face = of.polynomials.size() == 1; // and has no sub-faces
-        if (not is_face or not of.polynomials[0])
-            return {place,
+        const surface_polynomial* const polynomial = of.polynomials[number].get();
+        if (polynomial == nullptr)
+            return {at,
                     &of,
+                    number,
                     depth,
                     {net.begin(), net.end()},
                     depth < most_kept ? std::make_unique<kept_children>() : nullptr};
-        const auto bezier = patch(*of.polynomials[0], product(of.polynomials[0]->rows, net)).points;
-        return {place, nullptr, depth, {bezier.begin(), bezier.end()}};
+        const auto bezier = patch(*polynomial, product(polynomial->rows, net)).points;
+        return {at, nullptr, number, depth, {bezier.begin(), bezier.end()}};
     }
     [[nodiscard]] cell_list make_children(const cell& parent) const
     {
         constexpr double rounding = 1e-12;
-        const auto& children = parent.of->children;
         cell_list result;
-        for (std::size_t k = 0; k < children.size(); ++k) {
-            if (std::ranges::any_of(children[k].rows.weight, [](double weight) { return weight < -rounding; }))
+        for (const cell_piece& piece :
+             pieces_of(samples_of_cell_, [&](face_parameters& at) { return descend(*parent.of, parent.number, at); })) {
+            const auto& child = parent.of->children[piece.of.child];
+            if (std::ranges::any_of(child.rows.weight, [](double weight) { return weight < -rounding; }))
                 refuse();
-            const auto net = product(children[k].rows, parent.points);
-            result.push_back(make_cell(parent.place.child(k, children.size()), *children[k].of, parent.depth + 1, net));
+            if (not lies_within(piece, domain::is_tensor))
+                throw mesh_error("searches of " + std::string(scheme_name<Scheme>()) + " take faces of " +
+                                 std::to_string(domain::sides) +
+                                 " vertices only; search the surface of the next level");
+            result.push_back(make_cell(parent.at.within(piece.origin, piece.along_s, piece.along_t),
+                                       *child.of,
+                                       piece.of.cell,
+                                       parent.depth + 1,
+                                       product(child.rows, parent.points)));
         }
         return result;
     }
@@ -192,6 +218,8 @@ private:
     }
 
     surface_locator<Scheme, Index> surface_;
+    std::vector<parameters> samples_of_face_ = points_in_pieces(domain::fineness, domain::sides == 4),
+                            samples_of_cell_ = points_in_pieces(domain::fineness, domain::is_tensor);
     std::vector<vector> control_;
     std::vector<cell> cells_; // of the faces
     box_tree tree_;

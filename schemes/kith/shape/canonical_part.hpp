@@ -19,8 +19,8 @@
 namespace kith::detail {
 
 /// A part of a mesh around a face, with numbers that do not depend on those in the mesh. Faces have the order in which
-/// a walk from face 0 meets them, each from the corner at which the walk enters it. Vertices and edges have the order
-/// of their corners.
+/// a walk from face 0 meets them. Each begins at the corner at which the walk enters it, or keeps its first corner.
+/// Vertices and edges have the order of their corners.
 template <std::unsigned_integral Index, scheme Scheme>
 struct canonical_part {
     connectivity<Index> mesh;
@@ -30,14 +30,15 @@ struct canonical_part {
     Index face = 0;                 ///< around which the part lies
 };
 
-/// Makes the canonical numbers of a part.
+/// Makes the canonical numbers of a part. Faces may keep their first corners.
 template <std::unsigned_integral Index>
 class canonical_numbers {
     static constexpr Index none = connectivity<Index>::none;
 
 public:
-    canonical_numbers(const connectivity<Index>& part, Index face)
+    canonical_numbers(const connectivity<Index>& part, Index face, bool keeps_first_corners)
         : part_(part)
+        , keeps_first_corners_(keeps_first_corners)
         , vertex_(part.vertices, none)
         , edge_(part.edges(), none)
         , side_(part.edges())
@@ -111,8 +112,9 @@ private:
     }
     void enter(Index corner)
     {
-        face_[part_.face_of(corner)] = Index(entries_.size());
-        entries_.push_back(corner);
+        const Index face = part_.face_of(corner);
+        face_[face] = Index(entries_.size());
+        entries_.push_back(keeps_first_corners_ ? Index(part_.first_corner(face)) : corner);
     }
     /// Calls f for the corners of the f-th face, from its entry on.
     template <class F>
@@ -136,6 +138,7 @@ private:
     }
 
     const connectivity<Index>& part_;
+    bool keeps_first_corners_;
     std::vector<Index> vertex_, edge_, side_, face_; // the new numbers, and which side of an edge becomes side 0
     std::vector<Index> entries_;                     // of the faces in the order of the walk
     std::vector<Index> vertex_from_, edge_from_;
@@ -147,11 +150,12 @@ concept renumbered_state = placed_state<State> and requires(State& state, const 
     state.add_part(std::as_const(state), part);
 };
 
-/// Returns a part in canonical numbers. Parts keep their numbers if they have state that cannot be given others.
+/// Returns a part in canonical numbers. First corners of faces are kept where these have a meaning. Parts keep their
+/// numbers if they have state that cannot be given others.
 /// Cost: O(elements of the part).
 template <std::unsigned_integral Index, scheme Scheme>
 canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, int generation, const Scheme& scheme,
-                                             Index face)
+                                             Index face, bool keeps_first_corners)
 {
     const auto as_it_is = [&] {
         std::vector<Index> same(part.corners());
@@ -160,7 +164,7 @@ canonical_part<Index, Scheme> make_canonical(const connectivity<Index>& part, in
         return canonical_part<Index, Scheme>{part, scheme, std::move(same), {}, face};
     };
     if constexpr (scheme_of_places<Scheme>) {
-        const canonical_numbers<Index> numbers(part, face);
+        const canonical_numbers<Index> numbers(part, face, keeps_first_corners);
         bool can_be_renumbered = numbers.has_all();
         std::u32string key;
         if constexpr (requires { scheme.columns(generation); }) // of which there are two kinds

@@ -5,31 +5,33 @@
 
 #include <kith/split/dual_split.hpp>
 #include <kith/split/mid_edge_split.hpp>
+#include <kith/unified.hpp>
 
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <string>
 
 namespace kith::detail {
 
 /// Parameters of splits that make faces of vertices. The limits of vertices of the control mesh lie inside their faces:
 /// the corners of parameters are the centres of the faces that vertices become. All faces consist of sub-faces, also
 /// quads, whose own parameters are those of their four quarters. Faces at boundaries are not taken.
-struct domain_of_dual_faces {
+struct domain_of_dual_faces : domain_of_rings {
     static constexpr std::size_t sides = 4;
-    static constexpr std::size_t degree = 2;
     static constexpr std::size_t fineness = 2;
-    static constexpr bool splits_in_four = false;
-    static constexpr bool has_vertices_at_corners = false;
     static constexpr bool takes_boundaries = false;
+    static constexpr bool has_polynomials_at_boundaries = false;
     static constexpr auto corners = domain_of_quads::corners;
 
+    static constexpr std::size_t degree = 2; ///< of the splines that are looked for
+    static bool has_vertices_at_corners(const domain_face&) { return false; }
+    static std::size_t corner_at(std::size_t, const std::array<double, 2>&) { return sides; }
+
     /// Returns the sub-face that a place lies in, and makes its parameters those of the sub-face.
-    static std::size_t enter_sub_face(std::size_t face_degree, std::size_t corner, face_parameters& at)
+    static std::size_t enter_sub_face(const domain_face& face, std::size_t corner, face_parameters& at)
     {
-        return face_degree == sides
-                   ? face_domain<decltype(quad_split::columns())>::descend({sides, {}, false}, 0, at).child
-                   : corner;
+        return face.degree == sides ? face_domain<decltype(quad_split::columns())>::descend(face, 0, at).child : corner;
     }
 };
 
@@ -38,32 +40,32 @@ template <>
 struct face_domain<decltype(dual_split().columns())> : domain_of_dual_faces {
     static constexpr bool is_tensor = true;
     static constexpr int steps = 27;
-    static constexpr int rings = 0; // those of the scheme
 
-    static std::size_t cells(std::size_t face_degree) { return face_degree; }
-    static std::size_t enter(std::size_t face_degree, std::size_t corner, face_parameters& at)
+    static std::size_t cells(const domain_face& face) { return face.degree; }
+    static std::size_t enter(const domain_face& face, std::size_t corner, face_parameters& at)
     {
-        return enter_sub_face(face_degree, corner, at);
+        return enter_sub_face(face, corner, at);
     }
     static std::size_t children(const domain_face& face) { return 2 * face.degree + 1; }
     template <std::unsigned_integral Index, class Ids>
-    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
     {
-        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        const std::size_t first = mesh.first_corner(face.number), n = face.degree;
         return k < n       ? ids.faces.template id<tuple_kind::v>(mesh.corner_vertex[first + k])
                : k < 2 * n ? ids.faces.template id<tuple_kind::e>(mesh.corner_halfedge[first + k - n] / 2)
-                           : ids.faces.template id<tuple_kind::f>(face);
+                           : ids.faces.template id<tuple_kind::f>(face.number);
     }
     /// Returns the vertex of child k from which its sub-faces are counted: that of a corner.
     template <std::unsigned_integral Index, class Ids>
-    static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face,
+                                       std::size_t k)
     {
-        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        const std::size_t first = mesh.first_corner(face.number), n = face.degree;
         return ids.vertices.template id<tuple_kind::vf>(first + k % n);
     }
-    static std::size_t cell_of_child(std::size_t child_degree, std::size_t first, std::size_t cell)
+    static std::size_t cell_of_child(const domain_face& child, std::size_t first, std::size_t cell)
     {
-        return (first + cell) % child_degree;
+        return (first + cell) % child.degree;
     }
     static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
     {
@@ -95,10 +97,10 @@ struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
     static constexpr int steps = 54;
     static constexpr int rings = 2; // as many around a child follow from two around a face
 
-    static std::size_t cells(std::size_t face_degree) { return 2 * face_degree; }
-    static std::size_t enter(std::size_t face_degree, std::size_t corner, face_parameters& at)
+    static std::size_t cells(const domain_face& face) { return 2 * face.degree; }
+    static std::size_t enter(const domain_face& face, std::size_t corner, face_parameters& at)
     {
-        const std::size_t sub_face = enter_sub_face(face_degree, corner, at);
+        const std::size_t sub_face = enter_sub_face(face, corner, at);
         const double s = at.s, t = at.t;
         if (s >= t)
             at.replace(s - t, 1, -1, t, 0, 1);
@@ -108,22 +110,23 @@ struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
     }
     static std::size_t children(const domain_face& face) { return face.degree + 1; }
     template <std::unsigned_integral Index, class Ids>
-    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
     {
-        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        const std::size_t first = mesh.first_corner(face.number), n = face.degree;
         return k < n ? ids.faces.template id<tuple_kind::v>(mesh.corner_vertex[first + k])
-                     : ids.faces.template id<tuple_kind::f>(face);
+                     : ids.faces.template id<tuple_kind::f>(face.number);
     }
     /// Returns the vertex of child k from which its sub-faces are counted: that of an edge.
     template <std::unsigned_integral Index, class Ids>
-    static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face,
+                                       std::size_t k)
     {
-        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        const std::size_t first = mesh.first_corner(face.number), n = face.degree;
         return ids.vertices.template id<tuple_kind::e>(mesh.corner_halfedge[first + k % n] / 2);
     }
-    static std::size_t cell_of_child(std::size_t child_degree, std::size_t first, std::size_t cell)
+    static std::size_t cell_of_child(const domain_face& child, std::size_t first, std::size_t cell)
     {
-        return 2 * ((first + cell / 2) % child_degree) + cell % 2;
+        return 2 * ((first + cell / 2) % child.degree) + cell % 2;
     }
     static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
     {
@@ -136,6 +139,64 @@ struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
         }
         at.replace(2 * t, 0, 2, 1 - s - 2 * t, -1, -2);
         return {corner, is_first ? std::size_t(0) : std::size_t(3)};
+    }
+};
+
+/// Odd degrees have the quad split, even ones the dual split.
+template <>
+struct face_domain<decltype(unified{}.columns())> : domain_of_rings {
+    using primal = face_domain<decltype(quad_split::columns())>;
+    using dual = face_domain<decltype(dual_split().columns())>;
+    static constexpr std::size_t sides = 4;
+    static constexpr bool is_tensor = true;
+    static constexpr std::size_t fineness = 2;
+    static constexpr int steps = 27;
+    static constexpr bool takes_boundaries = true; // which closed meshes do not have
+    static constexpr bool has_polynomials_at_boundaries = true;
+    static constexpr auto corners = domain_of_quads::corners;
+
+    static constexpr std::size_t degree = 5; ///< polynomials of higher degrees drown in rounding errors
+
+    /// Errors: mesh_error for a higher degree.
+    static std::size_t degree_of(const unified& scheme)
+    {
+        if (scheme.degree > int(degree))
+            throw mesh_error("unified: polynomials of degree " + std::to_string(scheme.degree) +
+                             " are not found between control points; take a degree up to " + std::to_string(degree));
+        return std::size_t(scheme.degree);
+    }
+    static bool has_vertices_at_corners(const domain_face& face) { return not face.is_dual; }
+    static std::size_t corner_at(std::size_t cell, const std::array<double, 2>& at)
+    {
+        return primal::corner_at(cell, at);
+    }
+    static std::size_t cells(const domain_face& face) { return face.is_dual ? dual::cells(face) : primal::cells(face); }
+    static std::size_t enter(const domain_face& face, std::size_t corner, face_parameters& at)
+    {
+        return face.is_dual ? dual::enter(face, corner, at) : primal::enter(face, corner, at);
+    }
+    static std::size_t children(const domain_face& face)
+    {
+        return face.is_dual ? dual::children(face) : primal::children(face);
+    }
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
+    {
+        return face.is_dual ? dual::child(mesh, ids, face, k) : primal::child(mesh, ids, face, k);
+    }
+    template <std::unsigned_integral Index, class Ids>
+    static std::size_t vertex_of_child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face,
+                                       std::size_t k)
+    {
+        return face.is_dual ? dual::vertex_of_child(mesh, ids, face, k) : primal::vertex_of_child(mesh, ids, face, k);
+    }
+    static std::size_t cell_of_child(const domain_face& child, std::size_t first, std::size_t cell)
+    {
+        return child.is_dual ? dual::cell_of_child(child, first, cell) : primal::cell_of_child(child, first, cell);
+    }
+    static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
+    {
+        return face.is_dual ? dual::descend(face, cell, at) : primal::descend(face, cell, at);
     }
 };
 

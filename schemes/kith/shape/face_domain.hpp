@@ -15,7 +15,9 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace kith::detail {
 
@@ -26,48 +28,79 @@ struct child_cell {
 };
 /// The facts about a face by which a step cuts its parameters.
 struct domain_face {
+    std::size_t number; ///< of the face in its mesh
     std::size_t degree;
     std::array<bool, 3> is_wall{}; ///< the first three sides, if they lie at the boundary
     bool is_odd = false;           ///< the generation of the mesh
+    bool is_dual = false;          ///< a scheme of both kinds makes faces of vertices
 };
 
 /// Returns these facts about a face.
-template <std::unsigned_integral Index>
-domain_face look_at(const connectivity<Index>& mesh, int generation, std::size_t face)
+template <std::unsigned_integral Index, class Scheme>
+domain_face look_at(const connectivity<Index>& mesh, const Scheme& scheme, int generation, std::size_t face)
 {
     const std::size_t first = mesh.first_corner(face), degree = mesh.first_corner(face + 1) - first;
-    domain_face result{degree, {}, sqrt3_split::is_odd(generation)};
+    domain_face result{face, degree, {}, sqrt3_split::is_odd(generation)};
+    if constexpr (requires { scheme.is_primal(); })
+        result.is_dual = not scheme.is_primal();
     for (std::size_t k = 0; k < 3; ++k)
         result.is_wall[k] = mesh.across(Index(first + k)) == mesh.none;
     return result;
 }
 
-/// The common members of the domains of faces whose corners are vertices.
-template <std::size_t Sides>
-struct domain_at_vertices {
-    static constexpr std::size_t sides = Sides;
+/// The common members of the domains of most splits.
+struct domain_of_rings {
     static constexpr bool splits_in_four = false;
-    static constexpr bool has_vertices_at_corners = true;
-    static constexpr bool takes_boundaries = true;
+    static constexpr bool keeps_first_corners = false;
+    static constexpr int steps_at_once = 1;
     static constexpr int rings = 0; // those of the scheme
 
-    static std::size_t cells(std::size_t face_degree) { return face_degree == sides ? 1 : face_degree; }
-    static std::size_t enter(std::size_t, std::size_t corner, face_parameters&) { return corner; }
+    /// Returns the faces within so many rings of a face.
+    template <class Cutter, std::unsigned_integral Index>
+    static std::vector<Index> faces_around(Cutter& cutter, const connectivity<Index>&, Index face, int ring_count)
+    {
+        return cutter.faces_around(std::span<const Index>(&face, 1), ring_count);
+    }
+};
+
+/// The parameters of the corners of a face.
+template <std::size_t Sides>
+inline constexpr auto corners_of_faces = [] {
+    if constexpr (Sides == 4)
+        return std::array<std::array<double, 2>, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    else
+        return std::array<std::array<double, 2>, 3>{{{0, 0}, {1, 0}, {0, 1}}};
+}();
+
+/// The common members of the domains of faces whose corners are vertices.
+template <std::size_t Sides>
+struct domain_at_vertices : domain_of_rings {
+    static constexpr std::size_t sides = Sides;
+    static constexpr bool takes_boundaries = true;
+    static constexpr bool has_polynomials_at_boundaries = true;
+
+    static bool has_vertices_at_corners(const domain_face&) { return true; }
+    static std::size_t cells(const domain_face& face) { return face.degree == sides ? 1 : face.degree; }
+    static std::size_t enter(const domain_face&, std::size_t corner, face_parameters&) { return corner; }
+    static std::size_t corner_at(std::size_t, const std::array<double, 2>& at)
+    {
+        return std::size_t(std::ranges::find(corners_of_faces<Sides>, at) - corners_of_faces<Sides>.begin());
+    }
     /// Children begin where their sub-faces are counted from.
     template <class... Parts>
     static std::size_t vertex_of_child(const Parts&...)
     {
         return std::size_t(-1);
     }
-    static std::size_t cell_of_child(std::size_t, std::size_t, std::size_t cell) { return cell; }
+    static std::size_t cell_of_child(const domain_face&, std::size_t, std::size_t cell) { return cell; }
 };
 
 /// Parameters of quads under splits that leave them quads. All other polygons consist of sub-faces.
 struct domain_of_quads : domain_at_vertices<4> {
     static constexpr bool is_tensor = true;
-    static constexpr std::size_t degree = 3; ///< of the splines that are looked for
-    static constexpr std::array<std::array<double, 2>, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    static constexpr auto corners = corners_of_faces<4>;
 
+    static constexpr std::size_t degree = 3; ///< of the splines that are looked for
     /// Turns the parameters of a quad a quarter: corner 1 becomes the origin.
     static void turn(face_parameters& at) { at.replace(at.t, 0, 1, 1 - at.s, -1, 0); }
 };
@@ -75,18 +108,22 @@ struct domain_of_quads : domain_at_vertices<4> {
 /// Cuts the parameters of faces as a split does. A specialization has
 ///
 ///   sides, corners                            of a face with parameters of its own
-///   cells(degree)                             the number of cells of a face
-///   enter(degree, corner, parameters)         the cell of a place; makes its parameters those in the cell
+///   cells(face)                               the number of cells of a domain_face
+///   enter(face, corner, parameters)           the cell of a place; makes its parameters those in the cell
+///   corner_at(cell, parameters)               the corner of the face at a corner of a cell; `sides` if there is none
 ///   is_tensor, degree                         of the splines that are looked for in cells
 ///   fineness                                  of a lattice of which all children have points
 ///   steps                                     after which a net is small
 ///   rings                                     around a face that its surface follows from; 0 for those of the scheme
-///   children(face)                            the number of children of a domain_face
-///   child(mesh, ids, f, k)                    the number of child k of face f
-///   vertex_of_child(mesh, ids, f, k)          its vertex from which cells are counted; -1 for its first corner
+///   faces_around(cutter, mesh, f, rings)      the faces within these rings
+///   steps_at_once                             from a face to its children
+///   children(face)                            the number of children after one step
+///   child(mesh, ids, face, k)                 the number of child k after one step
+///   vertex_of_child(mesh, ids, face, k)       its vertex from which cells are counted; -1 for its first corner
 ///   descend(face, cell, parameters)           the child_cell that a place lies in; makes its parameters those in it
-///   cell_of_child(degree, first, cell)        the number of that cell; `first` is the corner of vertex_of_child
-///   splits_in_four, has_vertices_at_corners, takes_boundaries
+///   cell_of_child(child, first, cell)         the number of that cell; `first` is the corner of vertex_of_child
+///   keeps_first_corners                       the first corners of faces have a meaning
+///   has_vertices_at_corners(face), splits_in_four, takes_boundaries, has_polynomials_at_boundaries
 template <class Columns>
 struct face_domain;
 
@@ -98,9 +135,9 @@ struct face_domain<decltype(quad_split::columns())> : domain_of_quads {
 
     static std::size_t children(const domain_face& face) { return face.degree; }
     template <std::unsigned_integral Index, class Ids>
-    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
     {
-        return ids.faces.template id<tuple_kind::vf>(mesh.first_corner(face) + k);
+        return ids.faces.template id<tuple_kind::vf>(mesh.first_corner(face.number) + k);
     }
     static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
     {
@@ -127,12 +164,12 @@ struct face_domain<decltype(ternary_split::columns())> : domain_of_quads {
     static std::size_t children(const domain_face& face) { return 2 * face.degree + 1; }
     /// Children are those at corners, those at sides, and the one in the middle.
     template <std::unsigned_integral Index, class Ids>
-    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
     {
-        const std::size_t first = mesh.first_corner(face), n = mesh.first_corner(face + 1) - first;
+        const std::size_t first = mesh.first_corner(face.number), n = face.degree;
         return k < n       ? ids.faces.template id<tuple_kind::vf>(first + k)
                : k < 2 * n ? ids.faces.template id<tuple_kind::ef>(first + k - n)
-                           : ids.faces.template id<tuple_kind::f>(face);
+                           : ids.faces.template id<tuple_kind::f>(face.number);
     }
     static child_cell descend(const domain_face& face, std::size_t cell, face_parameters& at)
     {
@@ -169,9 +206,9 @@ struct face_domain<decltype(ternary_split::columns())> : domain_of_quads {
 /// Parameters of triangles.
 struct domain_of_triangles : domain_at_vertices<3> {
     static constexpr bool is_tensor = false;
-    static constexpr std::size_t degree = 4;
-    static constexpr std::array<std::array<double, 2>, 3> corners{{{0, 0}, {1, 0}, {0, 1}}};
+    static constexpr auto corners = corners_of_faces<3>;
 
+    static constexpr std::size_t degree = 4; ///< of the splines that are looked for
     /// Turns the parameters of a triangle: corner 1 becomes the origin.
     static void turn(face_parameters& at) { at.replace(at.t, 0, 1, std::max(1 - at.s - at.t, 0.), -1, -1); }
 };
@@ -185,10 +222,10 @@ struct face_domain<decltype(triangle_split::columns())> : domain_of_triangles {
     static std::size_t children(const domain_face&) { return 4; }
     /// Children are those at corners, and the one in the middle.
     template <std::unsigned_integral Index, class Ids>
-    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
+    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, const domain_face& face, std::size_t k)
     {
-        return k < 3 ? ids.faces.template id<tuple_kind::vf>(mesh.first_corner(face) + k)
-                     : ids.faces.template id<tuple_kind::f>(face);
+        return k < 3 ? ids.faces.template id<tuple_kind::vf>(mesh.first_corner(face.number) + k)
+                     : ids.faces.template id<tuple_kind::f>(face.number);
     }
     static child_cell descend(const domain_face&, std::size_t, face_parameters& at)
     {
@@ -201,68 +238,6 @@ struct face_domain<decltype(triangle_split::columns())> : domain_of_triangles {
         default: at.replace(1 - 2 * t, 0, -2, std::max(1 - 2 * r, 0.), 2, 2); break; // in the middle
         }
         return {child, 0};
-    }
-};
-
-/// Each side of a triangle and the one across make two triangles, each with half of the side. Where boundaries are cut
-/// in three, a triangle at the boundary has a child of its own in the middle.
-template <>
-struct face_domain<decltype(sqrt3_split::columns(0))> : domain_of_triangles {
-    static constexpr std::size_t fineness = 6;
-    static constexpr int steps = 34;
-
-    /// Children are those at the sides, then those across the sides.
-    static std::size_t children(const domain_face&) { return 6; }
-    template <std::unsigned_integral Index, class Ids>
-    static std::size_t child(const connectivity<Index>& mesh, const Ids& ids, std::size_t face, std::size_t k)
-    {
-        const Index corner = Index(mesh.first_corner(face) + k % 3);
-        const Index across = k < 3 ? corner : mesh.across(corner);
-        return ids.faces.template id<tuple_kind::ef>(across == mesh.none ? corner : across);
-    }
-    static child_cell descend(const domain_face& face, std::size_t, face_parameters& at)
-    {
-        const std::size_t wall = std::size_t(std::ranges::find(face.is_wall, true) - face.is_wall.begin());
-        if (face.is_odd and wall < 3)
-            return descend_in_cut(wall, at);
-        std::size_t side = 0;
-        while (not(at.t <= at.s and at.t <= 1 - at.s - at.t) and side < 2) {
-            turn(at);
-            ++side;
-        }
-        const double s = at.s, t = at.t;
-        if (face.is_wall[side]) {
-            at.replace(s - t, 1, -1, 3 * t, 0, 3);
-            return {side, 0};
-        }
-        return beside(side, 1 - s - 2 * t >= s - t, at, s - t, 1, -1, 1 - s - 2 * t, -1, -2);
-    }
-
-private:
-    /// Descends near a side into the triangle of its first or of its last vertex. The weights of these vertices are
-    /// linear functions of s and t; the centre of the face has the rest.
-    static child_cell beside(std::size_t side, bool is_near_first, face_parameters& at, double last, double last_by_s,
-                             double last_by_t, double first, double first_by_s, double first_by_t)
-    {
-        if (is_near_first) { // of the vertex, the centre across and the centre
-            at.replace(last, last_by_s, last_by_t, 1 - first, -first_by_s, -first_by_t);
-            return {side, 0};
-        }
-        at.replace(1 - last, -last_by_s, -last_by_t, first, first_by_s, first_by_t);
-        return {3 + side, 0};
-    }
-    /// Descends in a triangle with points at the thirds of one side, which take the place of the centre.
-    static child_cell descend_in_cut(std::size_t wall, face_parameters& at)
-    {
-        for (std::size_t side = 0; side < wall; ++side)
-            turn(at);
-        const double s = at.s, t = at.t, r = std::max(1 - s - t, 0.);
-        if (2 * s < r)
-            return beside((wall + 2) % 3, t >= r - 2 * s, at, 1 - 3 * s - t, -3, -1, t, 0, 1);
-        if (2 * r < s)
-            return beside((wall + 1) % 3, s - 2 * r >= t, at, t, 0, 1, 3 * s + 2 * t - 2, 3, 2);
-        at.replace(3 * s + t - 1, 3, 1, t, 0, 1);
-        return {wall, 0};
     }
 };
 

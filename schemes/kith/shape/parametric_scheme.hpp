@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "bisection_domain.hpp"
 #include "dual_domains.hpp"
 #include "face_domain.hpp"
+#include "sqrt3_domain.hpp"
 
 #include <kith/crease/creases.hpp>
+#include <kith/limit/limit.hpp>
+#include <kith/limit/limit_rings.hpp>
 #include <kith/neighbourhood/placed_state.hpp>
 #include <kith/step/scheme.hpp>
 
@@ -25,23 +29,33 @@ concept has_quad_parameters = domain_of<Scheme>::sides == 4;
 
 } // namespace detail
 
-/// A scheme whose limit surface has parameters: kith knows how its split cuts those of a face.
+/// A scheme whose limit surface has parameters: kith knows how its split cuts those of a face, and how far its masks
+/// reach.
 template <class Scheme>
-concept parametric_scheme = reaching_scheme<Scheme> and not needs_closed<Scheme> and
-                            requires { detail::domain_of<Scheme>::sides; };
+concept parametric_scheme = searchable_scheme<Scheme> and requires { detail::domain_of<Scheme>::sides; };
 
 namespace detail {
 
 /// Returns the rings around a face that its limit surface follows from: a step makes as many of as many.
-template <reaching_scheme Scheme>
+template <searchable_scheme Scheme>
 int rings_of_surface(const Scheme& scheme)
 {
     if (domain_of<Scheme>::rings > 0)
         return domain_of<Scheme>::rings;
     int rings = 1;
-    while (reach_of(scheme, rings) > rings)
+    while (limit_rules<Scheme>::reach(scheme, rings) > rings)
         ++rings;
     return rings;
+}
+
+/// Returns the degree of the splines that are looked for. Errors: mesh_error where it is too high.
+template <class Scheme>
+std::size_t degree_of_polynomials([[maybe_unused]] const Scheme& scheme)
+{
+    if constexpr (requires { domain_of<Scheme>::degree_of(scheme); })
+        return domain_of<Scheme>::degree_of(scheme);
+    else
+        return domain_of<Scheme>::degree;
 }
 
 /// Returns true if the state of the scheme says of all levels to come what it says of this one.

@@ -27,6 +27,14 @@ class shape_polynomials {
     using sample = shape_sample<Shape>;
 
 public:
+    /// Looks for polynomials up to a degree.
+    explicit shape_polynomials(std::size_t most_degree)
+        : degree_(most_degree)
+        , lattice_(most_degree, domain::is_tensor)
+        , points_(lattice_points(domain::fineness * most_degree, domain::is_tensor))
+    {
+    }
+
     /// Decides shapes that lead to one another. All others that they lead to are decided.
     /// Cost: for each shape that of some hundred products of matrices and rows.
     void decide(std::span<Shape* const> shapes) const
@@ -79,7 +87,7 @@ private:
         const std::size_t degree = lattice_.degree_through(values);
         const polynomial_lattice smaller(degree, domain::is_tensor);
         here.polynomials[cell] = std::make_unique<const surface_polynomial>(
-            degree == domain::degree ? lattice_.through(values) : smaller.through(points_on(here, cell, smaller)));
+            degree == degree_ ? lattice_.through(values) : smaller.through(points_on(here, cell, smaller)));
     }
     static std::vector<control_row> points_on(Shape& here, std::size_t cell, const polynomial_lattice& lattice)
     {
@@ -105,6 +113,16 @@ private:
                                                 at.of->polynomials[at.cell]->at(at.s, at.t));
     }
 
+    /// Returns true if the children at a corner of the face have polynomials.
+    static bool has_polynomial_at(Shape& here, std::size_t corner)
+    {
+        bool result = true;
+        for (std::size_t cell = 0; cell < here.polynomials.size(); ++cell)
+            for (const auto& at : domain::corners)
+                if (domain::corner_at(cell, at) == corner)
+                    result = result and sample(here, cell, at[0], at[1]).polynomial_of_child() != nullptr;
+        return result;
+    }
     /// Finds the limits where steps end: at the corners that have no polynomial, and everywhere after many steps.
     static void find_ends(Shape& here)
     {
@@ -115,13 +133,14 @@ private:
         for (const auto& [s, t] : lattice_points(1, domain::is_tensor)) {
             const auto k = std::size_t(std::ranges::find(domain::corners, std::array{s, t}) - domain::corners.begin());
             corners.push_back(corner_row(here, std::min(k, here.in_domain.degree - 1)));
-            if constexpr (Shape::has_points and domain::has_vertices_at_corners) // of the masks of limits
-                if (here.in_domain.degree == domain::sides and is_settled(here.scheme))
+            if constexpr (Shape::has_points) // of the masks of limits
+                if (here.in_domain.degree == domain::sides and domain::has_vertices_at_corners(here.in_domain) and
+                    is_settled(here.scheme))
                     if (auto limit = limit_at_vertex(here.mesh, here.scheme, here.mesh.face(here.face)[k])) {
                         corners.back() = limit->at(0, 0);
                         // The child at a regular corner is a polynomial, which has derivatives.
                         const bool is_needed = here.leads_to_polynomials or not here.has_key;
-                        if (is_needed and sample(here, 0, s, t).polynomial_of_child() == nullptr) {
+                        if (is_needed and not has_polynomial_at(here, k)) {
                             here.at_corners[k] = std::move(limit);
                             here.has_corner_limits = true;
                         }
@@ -132,8 +151,9 @@ private:
         here.at_end = std::make_unique<const surface_polynomial>(std::move(made));
     }
 
-    polynomial_lattice lattice_{domain::degree, domain::is_tensor};
-    std::vector<std::array<double, 2>> points_ = lattice_points(domain::fineness * domain::degree, domain::is_tensor);
+    std::size_t degree_;
+    polynomial_lattice lattice_;
+    std::vector<std::array<double, 2>> points_; // by which cells are checked
 };
 
 } // namespace kith::detail

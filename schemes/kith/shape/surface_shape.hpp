@@ -38,6 +38,9 @@ struct values_at_corners<Index, as_points> {};
 template <std::unsigned_integral Index, parametric_scheme Scheme, class Rule>
 struct surface_shape {
     static constexpr bool has_points = std::same_as<Rule, as_points>;
+    using index_type = Index;
+    using scheme_type = Scheme;
+    using rule_type = Rule;
     using domain = domain_of<Scheme>;
     using mesh_type = basic_mesh<std::conditional_t<has_points, stencil_row, double>, Index>;
     using corner_values = values_at_corners<Index, Rule>;
@@ -55,8 +58,8 @@ struct surface_shape {
         , scheme(std::move(s))
         , face(f)
         , has_key(has_own_key)
-        , in_domain(look_at(mesh.topology(), mesh.generation(), f))
-        , polynomials(domain::cells(in_domain.degree))
+        , in_domain(look_at(mesh.topology(), scheme, mesh.generation(), f))
+        , polynomials(domain::cells(in_domain))
         , at_corners(in_domain.degree)
     {
     }
@@ -86,7 +89,7 @@ child_cell descend(const Shape& shape, std::size_t cell, face_parameters& at)
     using domain = typename Shape::domain;
     child_cell next = domain::descend(shape.in_domain, cell, at);
     const auto& child = shape.children[next.child];
-    next.cell = domain::cell_of_child(child.of->in_domain.degree, child.first, next.cell);
+    next.cell = domain::cell_of_child(child.of->in_domain, child.first, next.cell);
     return next;
 }
 

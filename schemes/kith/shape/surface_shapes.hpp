@@ -2,10 +2,10 @@
 #pragma once
 
 #include "canonical_part.hpp"
+#include "refined_part.hpp"
 #include "shape_polynomials.hpp"
 
 #include <kith/mask/stencil.hpp>
-#include <kith/step/step.hpp>
 #include <kith/step/submesh.hpp>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ public:
     };
 
     explicit surface_shapes(const Scheme& scheme, const Rule& rule = Rule())
-        : rings_(rings_of_surface(scheme)), rule_(rule)
+        : rings_(rings_of_surface(scheme)), rule_(rule), polynomials_(degree_of_polynomials(scheme))
     {
     }
 
@@ -81,7 +81,7 @@ public:
     template <class Descend>
     const surface_polynomial* find(shape& root, std::size_t corner, face_parameters& at, const Descend& descend)
     {
-        std::size_t cell = domain::enter(root.in_domain.degree, corner, at);
+        std::size_t cell = domain::enter(root.in_domain, corner, at);
         shape* here = &root;
         int steps_without = 0; // with no polynomial to come
         for (int depth = 0;; ++depth) {
@@ -89,7 +89,7 @@ public:
             if (here->polynomials[cell])
                 return here->polynomials[cell].get();
             if (here->has_corner_limits)
-                if (const auto* limit = limit_at_corner(*here, at)) {
+                if (const auto* limit = limit_at_corner(*here, cell, at)) {
                     at = {0, 0};
                     return limit;
                 }
@@ -108,15 +108,15 @@ private:
     using mesh_type = typename shape::mesh_type;
 
     /// Returns the limit at a corner of the face, if a place is there and has one.
-    static const surface_polynomial* limit_at_corner(const shape& here, const face_parameters& at)
+    static const surface_polynomial* limit_at_corner(const shape& here, std::size_t cell, const face_parameters& at)
     {
-        const auto corner = std::ranges::find(domain::corners, std::array{at.s, at.t});
-        return corner == domain::corners.end() ? nullptr
-                                               : here.at_corners[std::size_t(corner - domain::corners.begin())].get();
+        const std::size_t corner = domain::corner_at(cell, {at.s, at.t});
+        return corner == domain::sides ? nullptr : here.at_corners[corner].get();
     }
     std::pair<shape*, std::vector<Index>> add_part(const part& around)
     {
-        auto canonical = make_canonical(around.mesh, around.generation, around.scheme, around.face);
+        auto canonical = make_canonical(
+            around.mesh, around.generation, around.scheme, around.face, domain::keeps_first_corners);
         std::vector<Index> input_from;
         auto values = number_inputs(around, canonical, input_from);
         const auto add = [&] {
@@ -205,68 +205,49 @@ private:
         open_.erase(first, open_.end());
     }
 
-    /// Makes the children of a shape: the parts around the faces that a step makes of its face.
+    /// Makes the children of a shape: the parts around the faces that steps make of its face.
     void split(shape& here)
     {
         if (not here.children.empty())
             return;
-        numbering_of<Scheme, Index> ids;
-        const auto fine = refine_mesh<connect::everything>(here.mesh, here.scheme, ids);
-        const level_of<mesh_type> coarse(here.mesh);
-        [[maybe_unused]] const auto fine_values = values_after(
-            here,
-            made_step<Scheme, level_of<mesh_type>, decltype(ids), mesh_type>{
-                here.scheme, coarse, here.mesh.generation(), ids, fine});
-        Scheme scheme = here.scheme;
-        advance(scheme, coarse, here.mesh.generation(), ids, fine);
-        submesh_cutter<typename mesh_type::point_type, Index> cutter(fine);
+        auto fine = refined_part<shape>::of(here);
+        for (int step = 0; step < domain::steps_at_once; ++step)
+            fine = fine.refined(rule_);
+        submesh_cutter<typename mesh_type::point_type, Index> cutter(fine.mesh);
         std::vector<typename shape::child> children;
-        for (std::size_t k = 0; k < domain::children(here.in_domain); ++k) {
-            const std::array<Index, 1> seed{Index(domain::child(here.mesh.topology(), ids, here.face, k))};
-            const auto cut = cutter.cut(cutter.faces_around(seed, rings_));
-            Scheme of_part = scheme;
-            take_part(of_part, scheme, cut.numbers());
-            const auto place = std::ranges::lower_bound(cut.face_from, seed[0]) - cut.face_from.begin();
-            part around{cut.mesh.topology(), fine.generation(), of_part, Index(place)};
-            const auto corners = corners_of(fine.topology(), around.mesh, std::span<const Index>(cut.face_from));
-            if constexpr (not shape::has_points) {
-                const auto& [fine_rows, fine_marks] = fine_values;
-                around.first_alike = first_alike(
-                    around.mesh, [&](Index a, Index b) { return fine_rows[corners[a]] == fine_rows[corners[b]]; });
-                around.marks = storage<typename Rule::mark_type>(fine_marks.empty() ? 0 : corners.size());
-                for (std::size_t c = 0; c < around.marks.size(); ++c)
-                    around.marks[c] = fine_marks[corners[c]];
-            }
-            const auto [child, input_from] = add_part(around);
-            std::vector<stencil_row> rows;
-            for (const Index corner : input_from)
-                if constexpr (shape::has_points)
-                    rows.push_back(fine.point(fine.topology().corner_vertex[corners[corner]]));
-                else
-                    rows.push_back(fine_values.first[corners[corner]]);
-            const auto face = fine.face(seed[0]);
-            const std::size_t vertex = domain::vertex_of_child(here.mesh.topology(), ids, here.face, k);
-            const auto first = std::size_t(std::ranges::find(face, vertex) - face.begin()) % face.size();
-            children.push_back({child, make_matrix(rows, here.inputs), first});
-        }
+        for (std::size_t k = 0; k < fine.faces.size(); ++k)
+            children.push_back(make_child(here, fine, cutter, k));
         here.children = std::move(children);
     }
-    /// Returns rows and marks of the corners after a step.
-    template <class Step>
-    auto values_after(const shape& here, const Step& step) const
+    /// Makes child k of a shape.
+    template <class Cutter>
+    typename shape::child make_child(const shape& parent, const refined_part<shape>& fine, Cutter& cutter,
+                                     std::size_t k)
     {
-        if constexpr (shape::has_points) {
-            return 0;
-        } else {
-            const auto units = unit_rows(here.inputs);
-            storage<stencil_row> rows(here.values.inputs.size());
-            for (std::size_t c = 0; c < rows.size(); ++c)
-                rows[c] = units[here.values.inputs[c]];
-            return rule_.template after<stencil_row>(
-                std::span<const stencil_row>(rows.data(), rows.size()),
-                std::span<const typename Rule::mark_type>(here.values.marks.data(), here.values.marks.size()),
-                step);
+        const Index f = fine.faces[k];
+        const auto cut = cutter.cut(domain::faces_around(cutter, fine.mesh.topology(), f, rings_));
+        Scheme of_part = fine.scheme;
+        take_part(of_part, fine.scheme, cut.numbers());
+        const auto place = std::ranges::lower_bound(cut.face_from, f) - cut.face_from.begin();
+        part around{cut.mesh.topology(), fine.mesh.generation(), of_part, Index(place)};
+        const auto corners = corners_of(fine.mesh.topology(), around.mesh, std::span<const Index>(cut.face_from));
+        if constexpr (not shape::has_points) {
+            around.first_alike = first_alike(
+                around.mesh, [&](Index a, Index b) { return fine.rows[corners[a]] == fine.rows[corners[b]]; });
+            around.marks = storage<typename Rule::mark_type>(fine.marks.empty() ? 0 : corners.size());
+            for (std::size_t c = 0; c < around.marks.size(); ++c)
+                around.marks[c] = fine.marks[corners[c]];
         }
+        const auto [child, input_from] = add_part(around);
+        std::vector<stencil_row> rows;
+        for (const Index corner : input_from)
+            if constexpr (shape::has_points)
+                rows.push_back(fine.mesh.point(fine.mesh.topology().corner_vertex[corners[corner]]));
+            else
+                rows.push_back(fine.rows[corners[corner]]);
+        const auto face = fine.mesh.face(f);
+        const auto first = std::size_t(std::ranges::find(face, fine.first[k]) - face.begin()) % face.size();
+        return {child, make_matrix(rows, parent.inputs), first};
     }
 
     int rings_;

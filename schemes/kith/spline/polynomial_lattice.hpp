@@ -67,10 +67,11 @@ private:
     }
     /// Removes rounding errors from the coefficients of splines, which are fractions: if all weights are multiples of
     /// the same fraction but for rounding, they become such multiples.
-    static void round_to_fractions(std::vector<control_row>& coefficients)
+    void round_to_fractions(std::vector<control_row>& coefficients) const
     {
-        constexpr double denominator = 64 * 720, rounding = 1e-11;
-        const auto rounded = [](double weight) { return std::round(weight * denominator) / denominator; };
+        constexpr double denominator = 3686400;                     // 2^14 3^2 5^2
+        const double rounding = basis_.size() <= 16 ? 1e-11 : 1e-9; // larger sums have larger errors
+        const auto rounded = [=](double weight) { return std::round(weight * denominator) / denominator; };
         for (const control_row& row : coefficients)
             for (const double weight : row)
                 if (std::abs(weight - rounded(weight)) > rounding)

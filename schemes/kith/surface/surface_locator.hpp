@@ -43,10 +43,10 @@ class surface_cells;
 /// and the tangent plane come from the limit masks. There du and dv are two tangents, counter-clockwise; their lengths
 /// have no meaning, for the derivatives by u and v are zero or infinite, and second derivatives are no numbers.
 ///
-/// Takes Catmull-Clark, Loop, Nasri-Hasbini and the linear schemes, with all creases, and a user's own of such a
-/// split; Doo-Sabin and mid-edge in faces that do not touch a boundary. Of a scheme that is no spline among regular
-/// faces (Butterfly, Kobbelt, sqrt3) places come from many steps; first derivatives have about seven digits, and second
-/// ones are no numbers.
+/// Takes all schemes of the library, with all creases, and a user's own of such a split. Faces of Doo-Sabin and
+/// mid-edge must not touch a boundary; the degree of unified is at most 5. Of a scheme that is no spline among regular
+/// faces (Butterfly, Kobbelt, both sqrt3) places come from many steps; first derivatives have about seven digits, and
+/// second ones are no numbers. On boundaries of 4-8 no derivatives are numbers.
 /// One thread at a time may use a locator. The mesh need not outlive it.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class surface_locator {
@@ -129,8 +129,7 @@ private:
     };
     [[nodiscard]] face_part part_around(Index face)
     {
-        const std::array<Index, 1> seed{face};
-        auto cut = cutter_.cut(cutter_.faces_around(seed, rings_));
+        auto cut = cutter_.cut(detail::domain_of<Scheme>::faces_around(cutter_, mesh_.topology(), face, rings_));
         const auto place = std::ranges::lower_bound(cut.face_from, face) - cut.face_from.begin();
         Scheme scheme = scheme_;
         detail::take_part(scheme, scheme_, cut.numbers());
