@@ -187,7 +187,7 @@ struct limit_rules<unified> : limit_defaults {
     }
     static constexpr bool are_alike_where_regular = true;
     static constexpr int rings(const unified& s) { return s.degree / 2 + 1; }
-    /// Of the averaging steps each two take a refined ring; two refined rings lie in one of faces that share a vertex.
+    /// Two averaging steps take a refined ring. Two refined rings lie in one ring of faces that share a vertex.
     static constexpr int reach(const unified& s, int rings) { return (rings + s.degree / 2 + 1) / 2; }
     static constexpr int tangent_steps = 0; ///< irregular ones stay so
 };
