@@ -3,7 +3,7 @@
 #include "bfr_tessellation.hpp"
 #include "exit_code.hpp"
 #include "far_peer.hpp"
-#include "random_meshes.hpp"
+#include "random_place.hpp"
 #include "search_times.hpp"
 #include "timing.hpp"
 
@@ -66,16 +66,8 @@ std::vector<kith::surface_place> random_places(const basic_mesh<>& mesh, std::si
 {
     random_numbers random(1);
     std::vector<kith::surface_place> result;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t face = random.below(mesh.face_count()), degree = mesh.face(face).size();
-        double u = (random.coordinate() + 1) / 2, v = (random.coordinate() + 1) / 2;
-        if (not kith::detail::has_quad_parameters<Scheme> and u + v > 1) {
-            u = 1 - u;
-            v = 1 - v;
-        }
-        result.push_back(
-            {face, u, v, kith::detail::has_quad_parameters<Scheme> and degree != 4 ? random.below(degree) : 0});
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        result.push_back(random_place<Scheme>(mesh, random.below(mesh.face_count()), random));
     return result;
 }
 
