@@ -6,6 +6,7 @@
 #include <kith/mask/stencil.hpp>
 #include <kith/spline/surface_polynomial.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -79,11 +80,12 @@ struct placed_pieces {
         for (const end_of_face& end : more.faces)
             faces.push_back({end.nets + nets_before, end.pieces + pieces_before, end.places});
     }
-    /// Groups faces that follow each other, as many as have coefficients that fit in a cache, and sorts the places of
-    /// each group by their numbers, for values that are written in order take less time. Cost: O(places).
-    void make_groups()
+    /// Groups faces that follow each other, as many as have coefficients that fit in a cache and as leave some groups for
+    /// each of so many threads. Sorts the places of each group by their numbers, for values that are written in order
+    /// take less time. Cost: O(places).
+    void make_groups(std::size_t threads)
     {
-        constexpr std::size_t most_pieces = 1024;
+        const std::size_t most_pieces = std::clamp<std::size_t>(pieces.size() / (4 * threads), 64, 1024);
         std::vector<std::uint32_t> group_of(places.size());
         std::vector<std::size_t> next; // of the positions of each group
         std::size_t first_piece = 0;   // of the group

@@ -278,7 +278,7 @@ located_places surface_locator<Scheme, Index>::locate_with(const std::shared_ptr
     });
     for (detail::placed_pieces& part : parts)
         result.append(std::move(part));
-    result.make_groups();
+    result.make_groups(is_parallel ? detail::most_threads() : 1);
     return located_places(std::move(result));
 }
 
