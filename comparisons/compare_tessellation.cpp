@@ -2,6 +2,7 @@
 #include "compare_files.hpp"
 #include "random_place.hpp"
 
+#include <kith/limit/unit_normal.hpp>
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/presets.hpp>
 #include <kith/surface.hpp>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -54,7 +54,15 @@ double distance(const point& p, const std::array<point, 3>& triangle)
         {square_to_segment(ap, ab), square_to_segment(ap, ac), square_to_segment(difference(p, b), difference(c, b))}));
 }
 
-/// Returns the largest distance of the surface, at random places in each face, to the triangles of the face.
+/// Returns the distance of a point to the plane of a triangle, or to the triangle if that has no plane.
+double distance_to_plane(const point& p, const std::array<point, 3>& triangle)
+{
+    const auto normal = kith::unit_normal(difference(triangle[1], triangle[0]), difference(triangle[2], triangle[0]));
+    return normal ? std::abs(product(difference(p, triangle[0]), *normal)) : distance(p, triangle);
+}
+
+/// Returns the largest distance of the surface, at random places in each face, to the plane of the nearest triangle of
+/// the face.
 template <class Scheme>
 double largest_distance(const kith::basic_mesh<>& control, const Scheme& scheme, const kith::tessellation<point>& made)
 {
@@ -73,10 +81,10 @@ double largest_distance(const kith::basic_mesh<>& control, const Scheme& scheme,
     const auto points = kith::surface_locator(control, scheme).locate(places).evaluate(control.points()).points;
     double largest = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const auto& triangle : triangles[places[i].face])
-            least = std::min(least, distance(points[i], triangle));
-        largest = std::max(largest, least);
+        const auto& of_face = triangles[places[i].face];
+        const auto nearest = std::ranges::min_element(
+            of_face, {}, [&](const auto& triangle) { return distance(points[i], triangle); });
+        largest = std::max(largest, distance_to_plane(points[i], *nearest));
     }
     return largest;
 }
