@@ -89,8 +89,8 @@ double largest_distance(const kith::basic_mesh<>& control, const Scheme& scheme,
     return largest;
 }
 
-/// Tessellates by a chord error, and looks at what was made. kith measures in the middles of triangles and edges; between
-/// them the surface may be a little further away.
+/// Tessellates by a chord error, and looks at what was made. kith measures in the middles of triangles and edges;
+/// between them the surface may be a little further away.
 template <class Scheme>
 void compare(const control_mesh& control, const std::string& name, const Scheme& scheme, verdicts& verdicts)
 {

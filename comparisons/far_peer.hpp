@@ -23,7 +23,8 @@ namespace kith::comparison {
 /// patches, as is its own choice.
 class far_peer {
 public:
-    /// Refines a mesh adaptively, up to this level at irregular vertices and creases. The mesh must outlive this object.
+    /// Refines a mesh adaptively, up to this level at irregular vertices and creases. The mesh must outlive this
+    /// object.
     far_peer(const opensubdiv_peer::mesh& mesh, std::span<const std::array<double, 3>> control, int level)
         : mesh_(*mesh), faces_(*mesh)
     {

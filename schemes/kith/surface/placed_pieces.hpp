@@ -80,9 +80,9 @@ struct placed_pieces {
         for (const end_of_face& end : more.faces)
             faces.push_back({end.nets + nets_before, end.pieces + pieces_before, end.places});
     }
-    /// Groups faces that follow each other, as many as have coefficients that fit in a cache and as leave some groups for
-    /// each of so many threads. Sorts the places of each group by their numbers, for values that are written in order
-    /// take less time. Cost: O(places).
+    /// Groups faces that follow each other, as many as have coefficients that fit in a cache and as leave some groups
+    /// for each of so many threads. Sorts the places of each group by their numbers, for values that are written in
+    /// order take less time. Cost: O(places).
     void make_groups(std::size_t threads)
     {
         const std::size_t most_pieces = std::clamp<std::size_t>(pieces.size() / (4 * threads), 64, 1024);
