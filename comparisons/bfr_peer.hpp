@@ -61,27 +61,19 @@ public:
         parameterization.ConvertNormalizedSubFaceToCoord(int(place.corner), here.data(), result.data());
         return result;
     }
-    void evaluate_point(std::size_t face, const std::array<double, 2>& at, std::array<double, 3>& to) const
+    /// Evaluates the point and, if there are 3 or 6 outputs, its first or first and second derivatives.
+    template <std::size_t Outputs>
+    void evaluate(std::size_t face, const std::array<double, 2>& at,
+                  std::array<std::array<double, 3>, Outputs>& to) const
     {
-        surfaces_[face].Evaluate(at.data(), points_[face].data(), 3, to.data());
-    }
-    /// Evaluates point and first derivatives.
-    void evaluate_first(std::size_t face, const std::array<double, 2>& at, values& to) const
-    {
-        surfaces_[face].Evaluate(at.data(), points_[face].data(), 3, to[0].data(), to[1].data(), to[2].data());
-    }
-    /// Evaluates point and all derivatives.
-    void evaluate(std::size_t face, const std::array<double, 2>& at, values& to) const
-    {
-        surfaces_[face].Evaluate(at.data(),
-                                 points_[face].data(),
-                                 3,
-                                 to[0].data(),
-                                 to[1].data(),
-                                 to[2].data(),
-                                 to[3].data(),
-                                 to[4].data(),
-                                 to[5].data());
+        const double* const points = points_[face].data();
+        const auto evaluate_into = [&](auto... k) { surfaces_[face].Evaluate(at.data(), points, 3, to[k].data()...); };
+        if constexpr (Outputs == 1)
+            evaluate_into(0U);
+        else if constexpr (Outputs == 3)
+            evaluate_into(0U, 1U, 2U);
+        else
+            evaluate_into(0U, 1U, 2U, 3U, 4U, 5U);
     }
 
 private:

@@ -70,14 +70,18 @@ void verdicts::compare(const control_mesh& control, std::string_view scheme, con
             return different(control.name, scheme, way + ": " + describe(expected, soup, difference, diagonal));
         worst = std::max(worst, difference.largest_distance / diagonal);
     }
+    same(control.name, scheme, counts(expected), worst);
+}
+
+void verdicts::same(std::string_view mesh, std::string_view scheme, std::string_view what, double distance)
+{
     auto& sum = by_scheme_[std::string(scheme)];
     ++sum.same;
-    if (worst >= sum.worst) {
-        sum.worst = worst;
-        sum.worst_mesh = control.name;
+    if (distance >= sum.worst) {
+        sum.worst = distance;
+        sum.worst_mesh = mesh;
     }
-    line(control.name, scheme) << "same, " << counts(expected) << ", distance " << std::setprecision(2) << worst
-                               << std::endl;
+    line(mesh, scheme) << "same, " << what << ", distance " << std::setprecision(2) << distance << std::endl;
 }
 
 void verdicts::different(std::string_view mesh, std::string_view scheme, std::string_view what)

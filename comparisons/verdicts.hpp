@@ -42,6 +42,8 @@ public:
     /// Coordinates may differ by `tolerance` times the diagonal of the control mesh.
     void compare(const control_mesh& control, std::string_view scheme, const io::polygon_soup& expected,
                  const std::vector<result>& found, double tolerance = rounding);
+    /// `distance` is in diagonals of the control mesh.
+    void same(std::string_view mesh, std::string_view scheme, std::string_view what, double distance);
     void different(std::string_view mesh, std::string_view scheme, std::string_view what);
 
     /// Prints the sums. True when nothing differs.

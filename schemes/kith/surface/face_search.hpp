@@ -33,18 +33,18 @@ class face_search {
 public:
     face_search(const connectivity<Index>& mesh, Shapes& all) : shapes_(&all), finder_(mesh) {}
 
-    /// Locates places of one face, those with these numbers. Writes them to `found`, piece by piece, and appends nets
-    /// and pieces to `result`. `begin` is the number of places before those of the face.
+    /// Locates places of one face, those with these numbers. Writes them to `found`, and appends nets and pieces to
+    /// `result`. `end` is the number of places up to the last one of the face.
     void locate(const neighbourhood& here, Index face, std::span<const surface_place> places,
-                std::span<const std::size_t> numbers, std::span<placed_parameters> found, std::size_t begin,
+                std::span<const std::size_t> numbers, std::span<placed_parameters> found, std::size_t end,
                 placed_pieces& result)
     {
         nets_.assign(1, {here.around, {}});
         result.nets.push_back({nullptr, result.inputs.size(), here.around->inputs});
         append_inputs(here, face, result.inputs);
-        found_.clear();
-        for (const std::size_t number : numbers) {
-            const surface_place& place = places[number];
+        const auto first_piece = std::ptrdiff_t(result.pieces.size());
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const surface_place& place = places[numbers[i]];
             face_parameters at{place.u, place.v};
             std::size_t net = 0;
             const auto descend = [&](std::size_t child) {
@@ -60,20 +60,13 @@ public:
                 net = nets_[net].children[child];
             };
             const auto* polynomial = shapes_->find(*here.around, place.corner, at, descend);
-            const auto piece = std::ranges::find_if(
-                found_, [&](const found_piece& p) { return p.polynomial == polynomial and p.net == net; });
-            if (piece != found_.end())
-                piece->places.push_back({at, number});
-            else
-                found_.push_back({polynomial, net, {{at, number}}});
+            const surface_piece piece{polynomial, net, at.s_u, at.s_v, at.t_u, at.t_v};
+            const auto known = std::find(result.pieces.begin() + first_piece, result.pieces.end(), piece);
+            found[i] = {at.s, at.t, std::size_t(known - result.pieces.begin() - first_piece), numbers[i]};
+            if (known == result.pieces.end())
+                result.pieces.push_back(piece);
         }
-        for (const found_piece& piece : found_) {
-            std::ranges::copy(piece.places, found.begin());
-            found = found.subspan(piece.places.size());
-            begin += piece.places.size();
-            result.pieces.push_back({piece.polynomial, piece.net, begin});
-        }
-        result.faces.push_back({result.nets.size(), result.pieces.size()});
+        result.faces.push_back({result.nets.size(), result.pieces.size(), end});
     }
     /// Appends the inputs around a face.
     void append_inputs(const neighbourhood& here, Index face, std::vector<std::size_t>& inputs)
@@ -95,16 +88,10 @@ private:
         shape* of;
         std::vector<std::size_t> children; // their nets, or 0
     };
-    struct found_piece {
-        const surface_polynomial* polynomial;
-        std::size_t net;
-        std::vector<placed_parameters> places;
-    };
 
     Shapes* shapes_;
     element_finder<Index, 1> finder_;
     std::vector<found_net> nets_; // in the face at work
-    std::vector<found_piece> found_;
 };
 
 } // namespace kith::detail

@@ -68,12 +68,16 @@ public:
                 *values = storage<T>(size());
         const bool is_parallel = std::is_trivially_copyable_v<T> and detail::is_worth_threads(size());
         detail::for_parts(
-            all_.faces.size(),
+            all_.groups.size(),
             is_parallel,
             [&](std::size_t begin, std::size_t end) {
-                face_memory<typename detail::fast_affine<T>::sum> memory;
-                for (std::size_t face = begin; face < end; ++face)
-                    evaluate_face(face, control, wanted, memory, result);
+                group_memory<typename detail::fast_affine<T>::sum> memory;
+                for (std::size_t group = begin; group < end; ++group)
+                    switch (wanted) {
+                    case derivatives::none: evaluate_group<1>(group, control, memory, result); break;
+                    case derivatives::first: evaluate_group<3>(group, control, memory, result); break;
+                    case derivatives::second: evaluate_group<6>(group, control, memory, result); break;
+                    }
             },
             2);
         return result;
@@ -89,23 +93,23 @@ public:
     /// Errors: mesh_error where a derivative is asked for that is not known. Cost: O(entries log of them).
     [[nodiscard]] surface_values<stencil_row> weights(derivatives wanted = derivatives::none) const
     {
-        std::size_t first = 0;
-        for (const auto& piece : all_.pieces) {
-            if (piece.polynomial->derivatives < int(wanted))
-                throw mesh_error("place " + std::to_string(all_.places[first].number) +
-                                 " is an irregular vertex, at which such derivatives have no finite value; ask for "
-                                 "fewer derivatives or move the place");
-            first = piece.end_places;
-        }
+        for (std::size_t group = 0; group < all_.groups.size(); ++group)
+            for (const auto& place : places_of(group))
+                if (pieces_of(group)[place.piece].polynomial->derivatives < int(wanted))
+                    throw mesh_error("place " + std::to_string(place.number) +
+                                     " is an irregular vertex, at which such derivatives have no finite value; ask for "
+                                     "fewer derivatives or move the place");
         return evaluate(unit_rows(all_.values), wanted);
     }
 
 private:
-    /// The memory of a thread while it evaluates faces.
+    /// The memory of a thread while it evaluates groups of faces.
     template <class Sum>
-    struct face_memory {
-        std::vector<Sum> points, coefficients;
-        std::vector<std::size_t> first_point; ///< of each net
+    struct group_memory {
+        std::vector<Sum> points;                    ///< of the face at work
+        std::vector<std::size_t> first_point;       ///< of each of its nets
+        std::vector<Sum> coefficients;              ///< of all pieces of the group
+        std::vector<std::size_t> first_coefficient; ///< of each piece
     };
 
     /// Returns weight * x.
@@ -115,14 +119,45 @@ private:
         detail::fast_affine<T>::scale(x, static_cast<typename detail::fast_affine<T>::scalar>(weight));
         return x;
     }
-    /// Evaluates the places of one face.
-    template <class T, class Sum>
-    void evaluate_face(std::size_t face, std::span<const T> control, derivatives wanted, face_memory<Sum>& memory,
-                       surface_values<T>& result) const
+    /// Returns the end of all that belongs to the faces before one, or before a group.
+    [[nodiscard]] detail::end_of_face begin_of_face(std::size_t face) const
     {
-        const detail::end_of_face begin = face == 0 ? detail::end_of_face{0, 0} : all_.faces[face - 1];
-        const detail::end_of_face end = all_.faces[face];
-        auto& [points, coefficients, first_point] = memory;
+        return face == 0 ? detail::end_of_face{0, 0, 0} : all_.faces[face - 1];
+    }
+    [[nodiscard]] detail::end_of_group begin_of_group(std::size_t group) const
+    {
+        return group == 0 ? detail::end_of_group{0, 0} : all_.groups[group - 1];
+    }
+    [[nodiscard]] std::span<const detail::placed_parameters> places_of(std::size_t group) const
+    {
+        const std::size_t first = begin_of_group(group).places;
+        return std::span(all_.places).subspan(first, all_.groups[group].places - first);
+    }
+    [[nodiscard]] std::span<const detail::surface_piece> pieces_of(std::size_t group) const
+    {
+        const std::size_t first = begin_of_face(begin_of_group(group).faces).pieces;
+        return std::span(all_.pieces).subspan(first, all_.faces[all_.groups[group].faces - 1].pieces - first);
+    }
+
+    /// Evaluates the places of a group: the coefficients of its faces first, so that values are written in their order.
+    template <std::size_t Outputs, class T, class Sum>
+    void evaluate_group(std::size_t group, std::span<const T> control, group_memory<Sum>& memory,
+                        surface_values<T>& result) const
+    {
+        memory.coefficients.clear();
+        memory.first_coefficient.clear();
+        for (std::size_t face = begin_of_group(group).faces; face < all_.groups[group].faces; ++face)
+            add_coefficients(face, control, memory);
+        const auto pieces = pieces_of(group);
+        for (const auto& place : places_of(group))
+            store<T, Outputs>(
+                pieces[place.piece], memory.coefficients.data() + memory.first_coefficient[place.piece], place, result);
+    }
+    template <class T, class Sum>
+    void add_coefficients(std::size_t face, std::span<const T> control, group_memory<Sum>& memory) const
+    {
+        const detail::end_of_face begin = begin_of_face(face), end = all_.faces[face];
+        auto& [points, first_point, coefficients, first_coefficient] = memory;
         points.clear();
         first_point.clear();
         for (std::size_t n = begin.nets; n < end.nets; ++n) {
@@ -137,17 +172,10 @@ private:
         }
         for (std::size_t p = begin.pieces; p < end.pieces; ++p) {
             const detail::surface_piece& piece = all_.pieces[p];
-            const std::size_t first_place = p == 0 ? 0 : all_.pieces[p - 1].end_places;
             const auto of_net = std::span<const Sum>(points).subspan(first_point[piece.net]);
-            coefficients.clear();
+            first_coefficient.push_back(coefficients.size());
             for (std::size_t term = 0; term < piece.polynomial->terms(); ++term)
                 coefficients.push_back(row_of<T>(piece.polynomial->rows, term, of_net));
-            for (const auto& place : std::span(all_.places).subspan(first_place, piece.end_places - first_place))
-                switch (wanted) {
-                case derivatives::none: store<T, 1>(*piece.polynomial, coefficients, place, result); break;
-                case derivatives::first: store<T, 3>(*piece.polynomial, coefficients, place, result); break;
-                case derivatives::second: store<T, 6>(*piece.polynomial, coefficients, place, result); break;
-                }
         }
     }
     template <class T, class Sum>
@@ -161,11 +189,11 @@ private:
     }
     /// Writes the value at a place and, if there are 3 or 6 outputs, its first or first and second derivatives.
     template <class T, std::size_t Outputs, class Sum>
-    static void store(const detail::surface_polynomial& polynomial, const std::vector<Sum>& coefficients,
-                      const detail::placed_parameters& here, surface_values<T>& result)
+    static void store(const detail::surface_piece& at, const Sum* coefficients, const detail::placed_parameters& here,
+                      surface_values<T>& result)
     {
-        const auto& at = here.at;
-        const auto made = sums<T, Outputs>(polynomial, coefficients, at.s, at.t);
+        const detail::surface_polynomial& polynomial = *at.polynomial;
+        const auto made = sums<T, Outputs>(polynomial, coefficients, here.s, here.t);
         const auto write = [&](storage<T>& to, const Sum& x, int needed) {
             constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
             to[here.number] = detail::fast_affine<T>::store(polynomial.derivatives < needed ? scaled<T>(x, no_number)
@@ -195,8 +223,8 @@ private:
     }
     /// A value with its derivatives, as many as there are outputs: value, s, t, ss, st, tt.
     template <class T, std::size_t Outputs, class Sum>
-    static std::array<Sum, Outputs> sums(const detail::surface_polynomial& polynomial,
-                                         const std::vector<Sum>& coefficients, double s, double t)
+    static std::array<Sum, Outputs> sums(const detail::surface_polynomial& polynomial, const Sum* coefficients,
+                                         double s, double t)
     {
         const auto x = static_cast<typename detail::fast_affine<T>::scalar>(s);
         std::array<Sum, Outputs> result = row_at<T, Outputs>(polynomial, coefficients, polynomial.degree, t);
@@ -219,11 +247,11 @@ private:
     }
     /// Returns the coefficient of s^i, a polynomial in t, with its derivatives by t; all others are zero.
     template <class T, std::size_t Outputs, class Sum>
-    static std::array<Sum, Outputs> row_at(const detail::surface_polynomial& polynomial,
-                                           const std::vector<Sum>& coefficients, std::size_t i, double t)
+    static std::array<Sum, Outputs> row_at(const detail::surface_polynomial& polynomial, const Sum* coefficients,
+                                           std::size_t i, double t)
     {
         const auto y = static_cast<typename detail::fast_affine<T>::scalar>(t);
-        const Sum* const row = coefficients.data() + polynomial.begin_of_row(i);
+        const Sum* const row = coefficients + polynomial.begin_of_row(i);
         std::size_t j = polynomial.row_size(i) - 1;
         std::array<Sum, Outputs> result;
         if constexpr (Outputs > 1)

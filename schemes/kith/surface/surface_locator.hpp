@@ -270,13 +270,14 @@ located_places surface_locator<Scheme, Index>::locate_with(const std::shared_ptr
                               places,
                               std::span(by_face.numbers).subspan(first, size),
                               std::span(result.places).subspan(first, size),
-                              first,
+                              first + size,
                               parts[begin / faces_of_part]);
             }
         });
     });
     for (detail::placed_pieces& part : parts)
         result.append(std::move(part));
+    result.make_groups(is_parallel ? detail::most_threads() : 1);
     return located_places(std::move(result));
 }
 

@@ -56,8 +56,7 @@ public:
         constexpr int most_rounds = 12;
         for (int round = 0;; ++round) {
             build();
-            const bool is_measured = std::isfinite(options_.chord_error) or std::isfinite(options_.longest_edge);
-            if (not split_repeated_edges() and not(is_measured and raise_rates()))
+            if (not split_repeated_edges() and not(is_measured() and raise_rates()))
                 break;
             if (round == most_rounds)
                 throw mesh_error("tessellate: " + std::to_string(most_rounds) +
@@ -67,11 +66,16 @@ public:
     }
 
 private:
+    [[nodiscard]] bool is_measured() const
+    {
+        return std::isfinite(options_.chord_error) or std::isfinite(options_.longest_edge);
+    }
     /// Makes vertices and triangles by the rates.
     void build()
     {
         places_.clear();
         triangles_.clear();
+        parameters_.clear();
         face_of_.clear();
         std::vector<std::size_t> corner(faces_.corners(), 0);
         const auto add = [&](const surface_place& place) {
@@ -122,7 +126,11 @@ private:
         const face_triangles made(sides, rates_.of_faces[f].u, rates_.of_faces[f].v, [&](double u, double v) {
             return add(place_in(face, u, v));
         });
-        triangles_.insert(triangles_.end(), made.triangles().begin(), made.triangles().end());
+        for (const auto& [a, b, c] : made.triangles()) {
+            triangles_.push_back({std::uint32_t(a.number), std::uint32_t(b.number), std::uint32_t(c.number)});
+            if (is_measured())
+                parameters_.push_back({{{a.u, a.v}, {b.u, b.v}, {c.u, c.v}}});
+        }
         face_of_.resize(triangles_.size(), f);
     }
 
@@ -136,7 +144,7 @@ private:
         std::vector<edge> edges;
         for (std::size_t t = 0; t < triangles_.size(); ++t)
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto [a, b] = std::minmax(triangles_[t][k].number, triangles_[t][(k + 1) % 3].number);
+                const auto [a, b] = std::minmax(triangles_[t][k], triangles_[t][(k + 1) % 3]);
                 if (b < corners_)
                     edges.push_back({{a, b}, face_of_[t]});
             }
@@ -198,14 +206,14 @@ private:
             for (const auto& w : weights) {
                 double u = 0, v = 0;
                 for (std::size_t k = 0; k < 3; ++k) {
-                    u += w[k] * triangles_[t][k].u;
-                    v += w[k] * triangles_[t][k].v;
+                    u += w[k] * parameters_[t][k][0];
+                    v += w[k] * parameters_[t][k][1];
                 }
                 places.push_back(place_in(faces_.faces()[face_of_[t]], u, v));
             }
         const auto on_surface = points_at(surface_, std::span<const Point>(control_.points()), places);
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
-            const auto corner = [&](std::size_t k) -> const Point& { return vertices[triangles_[t][k].number]; };
+            const auto corner = [&](std::size_t k) -> const Point& { return vertices[triangles_[t][k]]; };
             const auto normal = unit_normal(difference(corner(1), corner(0)), difference(corner(2), corner(0)));
             for (std::size_t i = 0; i < weights.size(); ++i) {
                 const normal_vector from_corner = difference(on_surface[weights.size() * t + i], corner(0));
@@ -236,12 +244,7 @@ private:
         tessellation<Point> result;
         result.at = surface_.locate(places_);
         const auto values = result.at.evaluate(std::span<const Point>(control_.points()), derivatives::first);
-        std::vector<std::array<std::uint32_t, 3>> faces;
-        for (const auto& triangle : triangles_)
-            faces.push_back({std::uint32_t(triangle[0].number),
-                             std::uint32_t(triangle[1].number),
-                             std::uint32_t(triangle[2].number)});
-        result.mesh = make_mesh(std::vector<Point>(values.points.begin(), values.points.end()), faces);
+        result.mesh = make_mesh(std::vector<Point>(values.points.begin(), values.points.end()), triangles_);
         result.normals = normals_of(values);
         std::vector<unsigned char> has_none(places_.size(), 0);
         for (std::size_t v = 0; v < has_none.size(); ++v)
@@ -267,8 +270,9 @@ private:
     tessellation_rates rates_;
     std::size_t corners_ = 0;           // the first vertices are corners
     std::vector<surface_place> places_; // of the vertices
-    std::vector<std::array<face_vertex, 3>> triangles_;
-    std::vector<std::size_t> face_of_; // of each triangle
+    std::vector<std::array<std::uint32_t, 3>> triangles_;
+    std::vector<std::array<std::array<double, 2>, 3>> parameters_; // u and v of their corners, if they are measured
+    std::vector<std::size_t> face_of_;                             // of each triangle
 };
 
 } // namespace detail
