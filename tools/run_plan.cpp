@@ -205,7 +205,7 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
         .mesh = mesh_kind_from(*values), .limit = limit, .holes = has_holes, .attributes = count_of(input.attributes)};
     planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels)), {}};
     if (tells_why and planned.problem.empty()) {
-        refine_request request{.scheme = scheme, .levels = levels, .limit = limit};
+        const refine_request request{.scheme = scheme, .levels = levels, .memory = {}, .limit = limit};
         job.why = explain(input.attributes.empty() ? strategy_of_native(control, request)
                                                    : strategy{.reason = strategy_reason::values});
     }

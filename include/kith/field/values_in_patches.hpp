@@ -46,13 +46,13 @@ concept linear_corner_rule = requires(const Rule& rule) {
 template <class Field, class Scheme, class Index>
 inline constexpr bool is_inherited_in_patches = false;
 template <field_on Where, class T, class Rule, class Scheme, class Index>
-    requires faces_descend_from_faces<Scheme, Index>
+    requires faces_descend_from_faces<Scheme, Index> and patchable_scheme<Scheme, double, Index>
 inline constexpr bool is_inherited_in_patches<field<Where, T, Rule>, Scheme, Index> =
     (Where == field_on::corners and (std::same_as<Rule, along_sides> or linear_corner_rule<Rule>)) or
     (Where == field_on::edges and std::same_as<Rule, along_edges<>>) or
     (Where == field_on::vertices and std::same_as<Rule, from_vertex<>>);
 template <class T, class Born, class Scheme, class Index>
-    requires faces_descend_from_faces<Scheme, Index>
+    requires faces_descend_from_faces<Scheme, Index> and patchable_scheme<Scheme, double, Index>
 inline constexpr bool
     is_inherited_in_patches<field<field_on::faces, T, from_parent<std::identity, Born>>, Scheme, Index> = true;
 

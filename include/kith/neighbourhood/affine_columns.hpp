@@ -100,7 +100,7 @@ template <class List>
 struct affine_columns;
 template <template <class...> class List, class... C>
 struct affine_columns<List<C...>> {
-    static constexpr bool affine(bool closed) { return (is_affine<C>(closed) and ...); }
+    static constexpr bool affine([[maybe_unused]] bool closed) { return (is_affine<C>(closed) and ...); }
     template <bool HasValence>
     static constexpr bool corners = (has_affine_corners<C, HasValence> and ...);
     static constexpr bool by_valence = ((C::kind == tuple_kind::v and fixed_degree_of<decltype(C::degree)> == 0) or

@@ -131,7 +131,7 @@ std::optional<face_children> children_of_face(const connectivity<Index>& level, 
                                               const connectivity<Index>& fine, const Ids& ids)
 {
     const detail::tuples_around_face<Index> here(level, face);
-    face_children result{level.first_corner(face + 1) - level.first_corner(face), {}, {}};
+    face_children result{std::size_t(level.first_corner(face + 1) - level.first_corner(face)), {}, {}};
     for (std::size_t f = 0; f < fine.faces; ++f) {
         const auto [kind, tuple] = ids.faces.origin(f);
         const std::size_t from = parent_by(kind, tuple, [&](std::size_t c) { return level.face_of(Index(c)); });
