@@ -48,7 +48,8 @@ refined_mesh refine_native(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_cgal(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request);
 
-/// Returns how refine_native makes the last level, and why. Errors: those of strategy_of.
+/// Returns how refine_native makes the last level, and why. Values at corners may need single steps all the same.
+/// Errors: those of strategy_of.
 strategy strategy_of_native(const basic_mesh<>& control, const refine_request& request);
 
 } // namespace kith::tool

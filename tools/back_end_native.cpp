@@ -38,8 +38,6 @@ strategy strategy_of_native(const basic_mesh<>& control, const refine_request& r
 {
     if (request.limit or keeps_tags(request)) // then all levels are made
         return {.reason = strategy_reason::all_levels};
-    if (not request.attributes.empty())
-        return {.reason = strategy_reason::values};
     return std::visit(
         [&](const auto& scheme) { return strategy_of(control, scheme, request.levels, {connect::faces}); },
         request.scheme);

@@ -206,8 +206,7 @@ int run_plan(const verb& verb, const std::vector<std::string>& arguments)
     planned_job job{planned.levels, job_bytes(planned.levels, kind, is_reordered(scheme, control, levels)), {}};
     if (tells_why and planned.problem.empty()) {
         const refine_request request{.scheme = scheme, .levels = levels, .memory = {}, .limit = limit};
-        job.why = explain(input.attributes.empty() ? strategy_of_native(control, request)
-                                                   : strategy{.reason = strategy_reason::values});
+        job.why = explain(strategy_of_native(control, request));
     }
     if (values->count("json") != 0)
         print_json(job);
