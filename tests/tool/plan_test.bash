@@ -23,11 +23,12 @@ run plan tetra.off -s loop -n 2 --json
 exits 0
 prints '^\{"levels":\[\{"vertices":4,"edges":6,"faces":4,"bytes":[0-9]+\},\{"vertices":10,"edges":24,"faces":16,'
 prints '"bytes_at_once":[0-9]+,"bytes_of_all_levels":[0-9]+\}$'
+check "two levels and the control mesh" test "$(grep -o '"vertices"' "$results/out" | wc -l)" -eq 3
 
 # The way, and why.
 run plan cube.off -s catmull-clark -n 3 --why
 exits 0
-prints '^level by level: 384 faces are fewer than 50000, where templates begin to pay$'
+prints '^level by level: 384 faces are fewer than 12500, where templates begin to pay$'
 run plan cube.off -s catmull-clark -n 9 --why --json
 prints '"why":"in patches from level 6 on: [0-9]+ classes of faces, [0-9]+ with templates"\}$'
 run plan cube.off -s catmull-clark -n 9 --why --limit
@@ -45,7 +46,6 @@ done
 run refine cube.off -s catmull-clark -n 3 -o none.ply --way sideways
 exits 2
 says "'sideways' is not one of levels, order, patches"
-check "two levels and the control mesh" test "$(grep -o '"vertices"' "$results/out" | wc -l)" -eq 3
 run plan quad.off -s doo-sabin -n 1
 prints '^ +1 +4 +4 +1 '
 run plan cube.off -s sqrt3 -n 1
@@ -203,7 +203,7 @@ if test -x /usr/bin/time; then
     peak cube.off -s catmull-clark -n 1 -o out.vtu --tiles 2
     base_of_tiles=$peak
     run refine cube.off -s catmull-clark -n 5 -o control.ply --binary
-    planned "$base" cube.off -s linear -n 9 -- cube.off -s linear -n 9 -o out.ply --binary
+    planned "$base" cube.off -s linear -n 9 -- cube.off -s linear -n 9 -o out.ply --binary --way levels
     # Where the last steps are made in patches, the level before the last is not there: less of the plan is used.
     run plan cube.off -s catmull-clark -n 9
     need=$(sed -n 's/^refining.* needs \([0-9]*\) bytes at once.*/\1/p' "$results/out")
