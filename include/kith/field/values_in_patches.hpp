@@ -208,7 +208,7 @@ private:
     private:
         const T* corners_ = nullptr;
     };
-    /// The same of values that are linear inside the face.
+    /// The values at these corners if they are linear inside the face.
     template <class T>
     class linear_corners {
         using masks = detail::linear_masks_of<T, std::remove_cvref_t<decltype(numbering_of<Scheme, Index>().vertices)>>;

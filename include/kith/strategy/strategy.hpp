@@ -33,7 +33,7 @@ enum class strategy_reason : unsigned char {
     many_classes     ///< too few faces share a template
 };
 
-/// How a refinement makes its levels, and why: what `strategy_of` returns.
+/// The way in which a refinement makes its levels, and the reason: what `strategy_of` returns.
 struct strategy {
     refinement_way way = refinement_way::by_levels;
     strategy_reason reason = strategy_reason::no_patches;
