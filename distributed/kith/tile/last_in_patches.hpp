@@ -75,7 +75,8 @@ public:
         if (not rim.empty())
             take_points_of_rim(*ours, *patches_of(std::move(rim), classes, without_choice(costs)), points);
         number_vertices(*ours, result);
-        number_faces(*ours, result);
+        number_owned_faces<Point, Index>(
+            coarse_, ours->closure.faces, descents_of(tuple_kind::f, there_, degree), result);
         result.mesh = basic_mesh<Point, Index>(std::move(points), std::move(faces), coarse_.mesh.generation() + steps_);
         return result;
     }
@@ -169,24 +170,6 @@ private:
                 }
             }
         }
-    }
-    void number_faces(const numbered_patches& ours, tile<Point, Index>& result) const
-    {
-        const std::size_t size = ours.plan.last().faces;
-        result.face_ids = storage<global_id>(size);
-        result.root_of = storage<Index>(size);
-        result.face_marks = storage<unsigned char>(size);
-        std::ranges::fill(result.face_marks, owned_mark);
-        result.roots = coarse_.roots;
-        std::size_t next = 0;
-        for (const descent& there : descents_of(tuple_kind::f, there_, degree))
-            for (const Index f : ours.closure.faces) {
-                const global_id first = there.first + there.each * coarse_.face_ids[f];
-                for (std::size_t which = 0; which < there.each; ++which, ++next) {
-                    result.face_ids[next] = first + which;
-                    result.root_of[next] = coarse_.root_of[f];
-                }
-            }
     }
 
     const tile<Point, Index>& coarse_;

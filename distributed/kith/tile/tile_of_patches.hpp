@@ -19,6 +19,32 @@
 
 namespace kith::detail {
 
+/// Writes what a tile knows of the faces that descend from its owned ones in an earlier level, in their order. `there`
+/// are the descents of faces in the whole mesh.
+template <class Point, std::unsigned_integral Index>
+void number_owned_faces(const tile<Point, Index>& coarse, std::span<const Index> owned, std::span<const descent> there,
+                        tile<Point, Index>& result)
+{
+    std::size_t each = 0;
+    for (const descent& way : there)
+        each += way.each;
+    const std::size_t size = each * owned.size();
+    result.face_ids = storage<global_id>(size);
+    result.root_of = storage<Index>(size);
+    result.face_marks = storage<unsigned char>(size);
+    std::ranges::fill(result.face_marks, owned_mark);
+    result.roots = coarse.roots;
+    std::size_t next = 0;
+    for (const descent& way : there)
+        for (const Index f : owned) {
+            const global_id first = way.first + way.each * coarse.face_ids[f];
+            for (std::size_t which = 0; which < way.each; ++which, ++next) {
+                result.face_ids[next] = first + which;
+                result.root_of[next] = coarse.root_of[f];
+            }
+        }
+}
+
 #ifdef KITH_HAS_LANES
 
 /// Makes the last level of a tile from what patches have made of it and of its rim. Its elements are known by their
@@ -70,7 +96,7 @@ public:
         tile<Point, Index> result;
         const auto marks = marks_of_vertices();
         number_vertices(marks, result);
-        number_faces(result);
+        number_owned_faces<Point, Index>(coarse_, owned_, faces_there_, result);
         auto faces = taken_faces(result.face_ids.size());
         faces.vertices = result.vertex_ids.size();
         corner_vertex_ = {}; // before there are points twice
@@ -151,28 +177,6 @@ private:
                 }
             }
         }
-    }
-    /// Writes what the tile knows of its owned faces.
-    void number_faces(tile<Point, Index>& result) const
-    {
-        std::size_t each = 0;
-        for (const descent& way : faces_)
-            each += way.each;
-        const std::size_t size = each * owned_.size();
-        result.face_ids = storage<global_id>(size);
-        result.root_of = storage<Index>(size);
-        result.face_marks = storage<unsigned char>(size);
-        std::ranges::fill(result.face_marks, owned_mark);
-        result.roots = coarse_.roots;
-        std::size_t next = 0;
-        for (const descent& there : faces_there_)
-            for (const Index f : owned_) {
-                const global_id first = there.first + there.each * coarse_.face_ids[f];
-                for (std::size_t which = 0; which < there.each; ++which, ++next) {
-                    result.face_ids[next] = first + which;
-                    result.root_of[next] = coarse_.root_of[f];
-                }
-            }
     }
     [[nodiscard]] storage<Point> taken_points(const storage<unsigned char>& marks, std::size_t size)
     {
