@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surface_mesh and classes derived from it with values of many types, refined in place.
 #include "failing_allocations.hpp"
+#include "forced_way.hpp"
 #include "property_names.hpp"
 #include "shapes.hpp"
 
@@ -10,16 +11,20 @@
 
 #include <kith/cgal_subdivision.hpp>
 #include <kith/hierarchy.hpp>
+#include <kith/refine_with_fields.hpp>
 #include <kith/split/quad_split.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -435,9 +440,8 @@ TEST(cgal_in_place, hands_on_state_that_counts_levels_made_at_once)
     EXPECT_EQ(scheme.levels.count, 5);
 }
 
-TEST(cgal_in_place, makes_several_levels_at_once_with_the_bits_of_one_after_the_other)
+void expect_bits_of_single_steps(unsigned levels)
 {
-    constexpr unsigned levels = 5; // enough for patches
     base mesh = torus_with_values(), expected = mesh;
     kith::cgal::subdivision(mesh, kith::catmull_clark(), kith::cgal::parameters::number_of_iterations(levels));
     for (unsigned i = 0; i < levels; ++i)
@@ -467,6 +471,43 @@ TEST(cgal_in_place, makes_several_levels_at_once_with_the_bits_of_one_after_the_
     expect_same(halfedge(), 0, "h:side", mesh.halfedges());
     expect_same(edge(), 0, "e:kind", mesh.edges());
     expect_same(vertex(), 0, "v:name", mesh.vertices());
+}
+
+TEST(cgal_in_place, makes_several_levels_at_once_with_the_bits_of_one_after_the_other)
+{
+    expect_bits_of_single_steps(5); // enough for patches
+    for (const kith::refinement_way way : all_ways) {
+        SCOPED_TRACE(int(way));
+        const forced_way_here forced(way);
+        expect_bits_of_single_steps(2);
+    }
+}
+
+TEST(cgal_in_place, fields_go_along_by_each_way)
+{
+    const base mesh = torus_with_values();
+    const auto refined = [&] {
+        auto weights = kith::on_vertices(std::vector<double>(mesh.number_of_vertices(), 1), kith::by_mask{});
+        auto labels = kith::on_faces(std::vector<int>(mesh.number_of_faces()));
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            labels[i] = int(i);
+        weights[3] = 7;
+        auto fine = kith::refine_with_fields(mesh, kith::catmull_clark(), 2, std::tie(weights, labels));
+        return std::tuple(std::move(fine), std::move(weights), std::move(labels));
+    };
+    const auto [expected, expected_weights, expected_labels] = [&] {
+        const forced_way_here forced(kith::refinement_way::by_levels);
+        return refined();
+    }();
+    const forced_way_here forced(kith::refinement_way::in_patches);
+    const auto [fine, weights, labels] = refined();
+    ASSERT_EQ(fine.number_of_vertices(), expected.number_of_vertices());
+    for (const vertex v : fine.vertices())
+        ASSERT_EQ(fine.point(v), expected.point(v)) << v;
+    for (const face f : fine.faces())
+        ASSERT_EQ(fine.target(fine.halfedge(f)), expected.target(expected.halfedge(f))) << f;
+    EXPECT_TRUE(std::ranges::equal(weights.values(), expected_weights.values()));
+    EXPECT_TRUE(std::ranges::equal(labels.values(), expected_labels.values()));
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "error_text.hpp"
 #include "native_shape.hpp"
 #include "patch_templates.hpp"
+#include "refined_by_levels.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
 #include "under_sanitizers.hpp"
@@ -33,23 +34,16 @@ using kith::infinitely_sharp;
 template <class Scheme>
 using patches_of = kith::patch_refinement<std::array<double, 3>, std::uint32_t, Scheme>;
 
-/// Level by level, as `refine` does it without patches.
-template <class Scheme>
-mesh3d level_by_level(const mesh3d& mesh, const Scheme& scheme, int levels, connect last)
-{
-    return kith::detail::refine_levels(mesh, scheme, levels, last);
-}
-
 template <class Scheme>
 void expect_same_bits(const mesh3d& mesh, const Scheme& scheme, int levels, const std::string& what)
 {
     SCOPED_TRACE(what);
     const patches_of<Scheme> patches(mesh, scheme, levels, connect::everything, all_templates);
     ASSERT_TRUE(patches.is_worth_looking());
-    const auto expected = level_by_level(mesh, scheme, levels, connect::everything);
+    const auto expected = refined_by_levels(mesh, scheme, levels, connect::everything);
     EXPECT_TRUE(same_bits(made_by_patches(mesh, scheme, levels, connect::everything, all_templates), expected));
     EXPECT_TRUE(same_bits(made_by_patches(mesh, scheme, levels, connect::faces, all_templates),
-                          level_by_level(mesh, scheme, levels, connect::faces)));
+                          refined_by_levels(mesh, scheme, levels, connect::faces)));
     EXPECT_TRUE(same_bits(written_by_patches(mesh, scheme, levels, all_templates), expected));
 }
 
@@ -109,19 +103,19 @@ TEST(creased_patches, hand_back_the_level_that_they_have_looked_at_where_they_ar
     scheme.sharpness = sharpened(mesh, 7, 2.5, crease_method::uniform);
     auto never = all_templates;
     never.to_be_cheaper = -1;
-    const auto patches = [&](connect last) { return patches_of<kith::catmull_clark>(mesh, scheme, 4, last, never); };
-    ASSERT_TRUE(patches(connect::faces).is_worth_looking());
-    auto coarse = mesh;
+    ASSERT_TRUE(patches_of<kith::catmull_clark>(mesh, scheme, 4, connect::faces, never).is_worth_looking());
     auto of_level = scheme;
-    EXPECT_FALSE(patches(connect::faces).refine(coarse, of_level));
-    EXPECT_EQ(coarse.generation(), 1);
-    EXPECT_TRUE(same_bits(level_by_level(coarse, of_level, 3, connect::everything),
-                          level_by_level(mesh, scheme, 4, connect::everything)));
-    coarse = mesh;
+    kith::native_last_level<std::array<double, 3>, std::uint32_t> made(connect::faces);
+    kith::refinement_run run(mesh, of_level, 4, never);
+    EXPECT_FALSE(run.make_in_patches(made));
+    EXPECT_EQ(run.mesh().generation(), 1);
+    EXPECT_TRUE(same_bits(refined_by_levels(run.mesh(), of_level, 3), refined_by_levels(mesh, scheme, 4)));
     of_level = scheme;
     written_level<std::array<double, 3>, std::uint32_t> written;
-    EXPECT_FALSE(patches(connect::everything).refine_into(written, coarse, of_level));
-    EXPECT_EQ(coarse.generation(), 1);
+    kith::written_last_level<std::array<double, 3>, std::uint32_t> last(written);
+    kith::refinement_run run_of_writer(mesh, of_level, 4, never);
+    EXPECT_FALSE(run_of_writer.make_in_patches(last));
+    EXPECT_EQ(run_of_writer.mesh().generation(), 1);
 }
 
 TEST(creased_patches, makes_them_on_any_number_of_threads)
@@ -130,7 +124,7 @@ TEST(creased_patches, makes_them_on_any_number_of_threads)
     kith::catmull_clark scheme;
     scheme.sharpness = sharpened(mesh, 7, 2.5, crease_method::uniform);
     for (const connect last : {connect::faces, connect::everything}) {
-        const auto expected = level_by_level(mesh, scheme, 4, last);
+        const auto expected = refined_by_levels(mesh, scheme, 4, last);
         for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 4, 7}) {
             const thread_count count(threads);
             EXPECT_TRUE(same_bits(made_by_patches(mesh, scheme, 4, last, some_templates), expected)) << threads;
@@ -147,7 +141,7 @@ TEST(creased_patches, are_what_refine_makes_of_a_mesh_with_few_creases)
     ASSERT_TRUE(patches_of<kith::catmull_clark>(mesh, scheme, 6, connect::faces).is_worth_looking());
     for (const connect last :
          under_sanitizers ? std::vector{connect::everything} : std::vector{connect::faces, connect::everything})
-        EXPECT_TRUE(same_bits(refine(mesh, scheme, 6, {.last_level = last}), level_by_level(mesh, scheme, 6, last)));
+        EXPECT_TRUE(same_bits(refine(mesh, scheme, 6, {.last_level = last}), refined_by_levels(mesh, scheme, 6, last)));
 }
 
 TEST(creased_patches, refuses_creases_of_another_mesh)
@@ -272,7 +266,7 @@ TEST(creased_patches, leaves_out_a_state_that_does_not_say_where_it_is)
     expect_same_bits(mesh, scheme, 3, "empty");
     scheme.state.of_faces.set(7, .5);
     EXPECT_FALSE(patches_of<pulled<pulls>>(mesh, scheme, 6, connect::faces, all_templates).is_worth_looking());
-    EXPECT_TRUE(same_bits(refine(mesh, scheme, 5), level_by_level(mesh, scheme, 5, connect::everything)));
+    EXPECT_TRUE(same_bits(refine(mesh, scheme, 5), refined_by_levels(mesh, scheme, 5, connect::everything)));
 }
 
 TEST(creased_patches, shares_templates_with_the_scheme_without_creases)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/engine/refine_in_patches.hpp>
+#include <kith/engine/refinement_run.hpp>
 
 #include "thread_count.hpp"
 #include "written_level.hpp"
@@ -28,9 +28,9 @@ template <class Point, class Index, class Scheme>
 kith::basic_mesh<Point, Index> made_by_patches(kith::basic_mesh<Point, Index> mesh, Scheme scheme, int levels,
                                                kith::connect last, const kith::strategy_costs& costs)
 {
-    auto made = kith::patch_refinement<Point, Index, Scheme>(mesh, scheme, levels, last, costs).refine(mesh, scheme);
-    EXPECT_TRUE(made);
-    return made ? std::move(*made) : std::move(mesh);
+    kith::native_last_level<Point, Index> made(last);
+    EXPECT_TRUE(kith::refinement_run(std::move(mesh), scheme, levels, costs).make_in_patches(made));
+    return made.take();
 }
 /// The same written into a mesh of another library.
 template <class Point, class Index, class Scheme>
@@ -39,7 +39,7 @@ kith::basic_mesh<Point, Index> written_by_patches(kith::basic_mesh<Point, Index>
 {
     const thread_count one(1);
     written_level<Point, Index> written;
-    kith::patch_refinement<Point, Index, Scheme> patches(mesh, scheme, levels, kith::connect::everything, costs);
-    EXPECT_TRUE(patches.refine_into(written, mesh, scheme));
+    kith::written_last_level<Point, Index> last(written);
+    EXPECT_TRUE(kith::refinement_run(std::move(mesh), scheme, levels, costs).make_in_patches(last));
     return written.take();
 }

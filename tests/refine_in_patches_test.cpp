@@ -9,6 +9,7 @@
 
 #include "every_scheme.hpp"
 #include "patch_templates.hpp"
+#include "refined_by_levels.hpp"
 #include "same_mesh.hpp"
 #include "shuffled.hpp"
 #include "thread_count.hpp"
@@ -31,17 +32,6 @@ namespace {
 
 using kith::connect;
 
-template <class Point, class Index, class Scheme>
-kith::basic_mesh<Point, Index> level_by_level(kith::basic_mesh<Point, Index> mesh, const Scheme& scheme, int levels,
-                                              connect last_level)
-{
-    kith::numbering_of<Scheme, Index> ids;
-    for (int level = 1; level < levels; ++level)
-        mesh = kith::refine_mesh<connect::everything>(mesh, scheme, ids);
-    return last_level == connect::faces ? kith::refine_mesh<connect::faces>(mesh, scheme, ids)
-                                        : kith::refine_mesh<connect::everything>(mesh, scheme, ids);
-}
-
 constexpr kith::strategy_costs no_templates = with_cost_of_template(std::numeric_limits<double>::infinity());
 
 template <class Scheme>
@@ -63,8 +53,8 @@ bool compare(const kith::basic_mesh<Point, Index>& mesh, const Scheme& scheme, i
         if (not patches.is_worth_looking())
             continue;
         if (not faces) {
-            faces = level_by_level(mesh, scheme, levels, connect::faces);
-            everything = level_by_level(mesh, scheme, levels, connect::everything);
+            faces = refined_by_levels(mesh, scheme, levels, connect::faces);
+            everything = refined_by_levels(mesh, scheme, levels, connect::everything);
         }
         EXPECT_TRUE(same_level(made_by_patches(mesh, scheme, levels, connect::faces, costs), *faces)) << levels;
         EXPECT_TRUE(same_level(made_by_patches(mesh, scheme, levels, connect::everything, costs), *everything))
@@ -124,8 +114,7 @@ void expect_hierarchy_in_patches(const mesh3d& control, const Scheme& scheme, in
     kith::hierarchy surface(control, scheme);
     surface.refine(levels);
     for (int level = 1; level <= levels; ++level)
-        EXPECT_TRUE(
-            same_level(surface[level], kith::detail::refine_levels(control, scheme, level, connect::everything)))
+        EXPECT_TRUE(same_level(surface[level], refined_by_levels(control, scheme, level, connect::everything)))
             << level;
     using handles = kith::mesh_traits<mesh3d>;
     kith::hierarchy last_step(surface[levels - 1], surface.scheme(levels - 1));
@@ -141,7 +130,7 @@ void expect_hierarchy_in_patches(const mesh3d& control, const Scheme& scheme, in
     auto before = surface[levels - 1];
     EXPECT_EQ(before.point(100)[1], moved[100][1]);
     EXPECT_TRUE(same_level(surface[levels],
-                           level_by_level(std::move(before), surface.scheme(levels - 1), 1, connect::everything)))
+                           refined_by_levels(std::move(before), surface.scheme(levels - 1), 1, connect::everything)))
         << "what was moved counts, not the level from which patches begin";
 }
 
@@ -167,7 +156,7 @@ kith::basic_mesh<Point, Index> filled_by_lanes(kith::basic_mesh<Point, Index> me
     const int last_generation = mesh.generation() + levels;
     const auto plan = kith::plan_patches(
         kith::count(mesh.topology()), mesh.topology().degree, scheme, levels, mesh.generation());
-    mesh = kith::detail::refine_on(std::move(mesh), scheme, plan->begin);
+    make_levels(mesh, scheme, plan->begin);
     const kith::face_classes<Index> classes(
         mesh.topology(), plan->rings, kith::state_marks<Index>(mesh.topology(), scheme));
     const auto made = kith::make_patches(mesh, classes, scheme, *plan, all_templates, true);
@@ -191,7 +180,7 @@ kith::basic_mesh<Point, Index> filled_by_lanes(kith::basic_mesh<Point, Index> me
 TEST(refine_in_patches, makes_the_same_bits_with_registers_of_any_width)
 {
     const auto compare_widths = [](const auto& mesh, const auto& scheme, int levels) {
-        const auto expected = level_by_level(mesh, scheme, levels, connect::everything);
+        const auto expected = refined_by_levels(mesh, scheme, levels, connect::everything);
         for (const std::size_t bytes : {16, 32, 64})
             if (bytes <= kith::lane_bytes()) {
                 EXPECT_TRUE(same_level(filled_by_lanes(mesh, scheme, levels, bytes), expected)) << bytes << " bytes";
@@ -224,10 +213,10 @@ TEST(refine_in_patches, makes_the_same_bits_of_a_scattered_mesh_in_the_order_of_
         kith::patch_refinement<std::array<double, 3>, std::uint32_t, scheme_type> patches(
             mesh, scheme, levels, connect::everything, costs);
         ASSERT_TRUE(patches.is_worth_looking());
-        const auto everything = level_by_level(mesh, scheme, levels, connect::everything);
+        const auto everything = refined_by_levels(mesh, scheme, levels, connect::everything);
         EXPECT_TRUE(same_level(made_by_patches(mesh, scheme, levels, connect::everything, costs), everything));
         EXPECT_TRUE(same_level(made_by_patches(mesh, scheme, levels, connect::faces, costs),
-                               level_by_level(mesh, scheme, levels, connect::faces)));
+                               refined_by_levels(mesh, scheme, levels, connect::faces)));
         EXPECT_TRUE(same_level(written_by_patches(mesh, scheme, levels, costs), everything));
     };
     constexpr double from_control_mesh = 1, later = 0; // are the faces of the control mesh taken for alike?
@@ -251,12 +240,11 @@ TEST(refine_in_patches, leaves_a_scattered_mesh_as_it_is_where_patches_are_no_ga
     costs.in_patch = 1;
     costs.to_be_cheaper = 0;
     const auto mesh = scattered_triangles();
-    auto level = mesh;
     kith::loop scheme;
-    kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::loop> patches(
-        mesh, scheme, 2, connect::faces, costs);
-    EXPECT_FALSE(patches.refine(level, scheme));
-    EXPECT_TRUE(same_level(level, mesh));
+    kith::refinement_run run(mesh, scheme, 2, costs);
+    kith::native_last_level<std::array<double, 3>, std::uint32_t> last(connect::faces);
+    EXPECT_FALSE(run.make_in_patches(last));
+    EXPECT_TRUE(same_level(run.mesh(), mesh));
 }
 
 TEST(refine_in_patches, leaves_small_patches_of_a_scattered_mesh_to_the_order_of_its_surface)
@@ -270,7 +258,8 @@ TEST(refine_in_patches, leaves_small_patches_of_a_scattered_mesh_to_the_order_of
         kith::patch_refinement<std::array<double, 3>, std::uint32_t, decltype(scheme)> patches(
             mesh, scheme, levels, last, costs);
         EXPECT_TRUE(patches.is_worth_looking()) << levels;
-        return patches.refine(mesh, scheme).has_value();
+        kith::no_last_level none(last);
+        return kith::refinement_run(mesh, scheme, levels, costs).make_in_patches(none).has_value();
     };
     // Of sizes that no other test refines: what has been looked at in vain is not looked at again.
     const auto scattered = native(shapes::shuffled(shapes::triangulated(shapes::torus(62, 66)), 3));
@@ -470,7 +459,7 @@ TEST(refine_in_patches, needs_the_rings_that_4_8_says_of_several_steps)
         for (int levels = 3; levels <= (under_sanitizers ? 4 : 7); ++levels) {
             EXPECT_TRUE(compare(mesh, kith::four_eight{}, levels)) << seed;
             wrong += not same_level(made_by_patches(mesh, nearsighted(), levels, connect::everything, all_templates),
-                                    level_by_level(mesh, kith::four_eight(), levels, connect::everything));
+                                    refined_by_levels(mesh, kith::four_eight(), levels, connect::everything));
         }
     }
     EXPECT_GT(wrong, 0);
@@ -546,9 +535,9 @@ TEST(refine_in_patches, takes_the_marks_of_any_level)
     kith::patch_refinement<std::array<double, 3>, std::uint32_t, kith::four_eight> patches(
         other, kith::four_eight{}, 4, connect::everything, all_templates);
     ASSERT_TRUE(patches.is_worth_looking());
-    auto coarse = other;
     kith::four_eight of_level;
-    EXPECT_FALSE(patches.refine(coarse, of_level));
+    kith::no_last_level none(connect::everything);
+    EXPECT_FALSE(kith::refinement_run(other, of_level, 4, all_templates).make_in_patches(none));
 }
 
 TEST(refine_in_patches, knows_where_the_corners_of_faces_of_any_degree_begin)
@@ -624,7 +613,7 @@ TEST(refine_in_patches, makes_templates_for_levels_that_are_made_again_and_again
         const auto kept = kith::kept_templates<double, std::uint32_t>::of(
             scheme, plan->begin, plan->rings, plan->bases.size());
         const auto faces = std::size_t(plan->last().faces);
-        const auto given = level_by_level(mesh, scheme, levels, connect::everything);
+        const auto given = refined_by_levels(mesh, scheme, levels, connect::everything);
         EXPECT_TRUE(same_bits(refine(mesh, scheme, levels), given));
         EXPECT_TRUE(kept.empty()); // made once they cost more than they save
         EXPECT_EQ(kept.demand(faces, connect::everything).made, faces);
@@ -682,7 +671,7 @@ TEST(refine_in_patches, is_what_refine_does_with_a_large_level_on_any_number_of_
                      .is_worth_looking()));
     for (const connect last :
          under_sanitizers ? std::vector{connect::everything} : std::vector{connect::faces, connect::everything}) {
-        const auto given = level_by_level(torus, kith::catmull_clark{}, 6, last);
+        const auto given = refined_by_levels(torus, kith::catmull_clark{}, 6, last);
         for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 4, 7}) {
             const thread_count count(threads);
             EXPECT_TRUE(same_bits(refine(torus, kith::catmull_clark{}, 6, {.last_level = last}), given)) << threads;

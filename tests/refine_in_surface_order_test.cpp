@@ -4,6 +4,8 @@
 #include <kith/refine.hpp>
 
 #include "every_scheme.hpp"
+#include "forced_way.hpp"
+#include "refined_by_levels.hpp"
 #include "same_mesh.hpp"
 #include "thread_count.hpp"
 #include "under_sanitizers.hpp"
@@ -22,20 +24,6 @@ using kith::connect;
 
 template <class Scheme>
 constexpr bool is_orderable = kith::orderable_scheme<Scheme, std::uint32_t>;
-
-/// Level by level in the given order.
-template <class Scheme>
-mesh3d refined_as_given(mesh3d mesh, Scheme scheme, int levels, connect last_level = connect::faces)
-{
-    kith::numbering_of<Scheme, std::uint32_t> ids;
-    for (int level = 1; level < levels; ++level) {
-        auto fine = kith::refine_mesh<connect::everything>(mesh, scheme, ids);
-        advance(scheme, kith::level_of<mesh3d>(mesh), mesh.generation(), ids, fine);
-        mesh = std::move(fine);
-    }
-    return last_level == connect::faces ? kith::refine_mesh<connect::faces>(mesh, scheme, ids)
-                                        : kith::refine_mesh<connect::everything>(mesh, scheme, ids);
-}
 
 /// Large enough to be scattered.
 mesh3d scattered_torus()
@@ -56,11 +44,15 @@ TEST(refine_in_surface_order, makes_the_same_bits)
             const bool closed = count(mesh.topology()).boundary_edges == 0;
             if (not kith::detail::is_free_of_order<scheme_type>(closed))
                 return;
+            const forced_way_here forced(kith::refinement_way::in_surface_order);
             for (const int levels : {2, 3})
-                for (const connect last : {connect::faces, connect::everything})
-                    EXPECT_TRUE(same_bits(refine_in_surface_order(mesh, scheme, levels, last),
-                                          refined_as_given(mesh, scheme, levels, last)))
+                for (const connect last : {connect::faces, connect::everything}) {
+                    EXPECT_EQ(strategy_of(mesh, scheme, levels, {.last_level = last}).way,
+                              kith::refinement_way::in_surface_order);
+                    EXPECT_TRUE(same_bits(refine(mesh, scheme, levels, {.last_level = last}),
+                                          refined_by_levels(mesh, scheme, levels, last)))
                         << levels;
+                }
             ++compared;
         }
     });
@@ -71,7 +63,7 @@ TEST(refine_in_surface_order, is_what_refine_does_with_a_scattered_mesh)
 {
     const auto expect_same = [](const mesh3d& mesh, const auto& scheme, int levels = 3, connect last = connect::faces) {
         ASSERT_TRUE(is_worth_ordering(mesh, scheme, levels, last));
-        const auto given = refined_as_given(mesh, scheme, levels, last);
+        const auto given = refined_by_levels(mesh, scheme, levels, last);
         for (const int threads : under_sanitizers ? std::vector{3} : std::vector{1, 2, 3, 7}) {
             const thread_count count(threads);
             EXPECT_TRUE(same_bits(refine(mesh, scheme, levels, {.last_level = last}), given)) << threads;
@@ -108,8 +100,8 @@ TEST(refine_in_surface_order, is_left_out_where_it_would_be_wrong_or_of_no_use)
     kith::loop creased;
     creased.sharpness.sharpen_edge(0, 2.);
     EXPECT_FALSE(gains_by_order(torus.topology(), creased, 2));
-    EXPECT_TRUE(
-        same_bits(refine(torus, creased, 2, {.last_level = connect::faces}), refined_as_given(torus, creased, 2)));
+    EXPECT_TRUE(same_bits(refine(torus, creased, 2, {.last_level = connect::faces}),
+                          refined_by_levels(torus, creased, 2, connect::faces)));
     // Faces of several degrees; columns that pick marked edges.
     static_assert(not is_orderable<kith::doo_sabin> and not is_orderable<kith::four_eight>);
 }
@@ -119,7 +111,7 @@ TEST(refine_in_surface_order, is_left_out_where_memory_is_short)
     const auto mesh = scattered_torus();
     const auto levels = plan(count(mesh.topology()), kith::loop{}, 3);
     const std::uint64_t least = peak_bytes(levels, false, true);
-    const auto given = refined_as_given(mesh, kith::loop{}, 3);
+    const auto given = refined_by_levels(mesh, kith::loop{}, 3, connect::faces);
     for (const std::uint64_t limit : {least, 2 * least})
         EXPECT_TRUE(same_bits(refine(mesh, kith::loop{}, 3, {connect::faces, limit}), given));
 }

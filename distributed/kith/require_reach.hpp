@@ -48,7 +48,9 @@ void require_reach(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, i
     partition parts{std::vector<std::uint32_t>(mesh.face_count()), mesh.face_count()};
     std::iota(parts.part_of.begin(), parts.part_of.end(), 0U);
     for (int level = 1; level <= levels; ++level) {
-        const auto whole = detail::refine_levels(mesh, scheme, level, connect::everything);
+        auto whole = mesh;
+        Scheme of_level = scheme;
+        make_levels(whole, of_level, level);
         for (int rings = 0; rings <= 2; ++rings) {
             tiled_refinement tiles(mesh, scheme, level, parts, rings);
             for (std::size_t face = 0; face < tiles.tiles(); ++face)

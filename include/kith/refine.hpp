@@ -3,8 +3,7 @@
 
 #include "plan.hpp"
 
-#include <kith/engine/refine_in_patches.hpp>
-#include <kith/engine/refine_in_surface_order.hpp>
+#include <kith/engine/refinement_run.hpp>
 #include <kith/level/named_level.hpp>
 #include <kith/level/validate.hpp>
 #include <kith/mesh/make_mesh.hpp>
@@ -83,11 +82,18 @@ std::uint64_t require_room(const counts& control, const Scheme& scheme, int leve
     }
 }
 
-/// The bytes that the numbers of another order take in the last step.
-template <std::unsigned_integral Index, countable_scheme Scheme>
-std::uint64_t bytes_of_numbers(const counts& control, const Scheme& scheme, int levels, int generation)
+/// Returns the bytes that the numbers of another order take in the last step.
+template <class Point, std::unsigned_integral Index, countable_scheme Scheme>
+std::uint64_t bytes_of_numbers(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels)
 {
-    const counts coarse = plan(control, scheme, levels - 1, generation, sizeof(double), sizeof(Index)).back().counts;
+    const counts coarse = plan(count(control.topology()),
+                               scheme,
+                               levels - 1,
+                               control.generation(),
+                               sizeof(double),
+                               sizeof(Index))
+                              .back()
+                              .counts;
     return (coarse.vertices + coarse.edges + coarse.faces) * sizeof(Index);
 }
 
@@ -120,48 +126,14 @@ auto with_numbers_of(const M& mesh, const Scheme& scheme, int generation, const 
     }
 }
 
-/// Refines with all connectivity but that of the last level, which has what is asked for.
-template <scheme Scheme, class Point, std::unsigned_integral Index>
-basic_mesh<Point, Index> refine_levels(basic_mesh<Point, Index> control, Scheme scheme, int levels, connect last_level)
-{
-    if (levels == 0)
-        return control;
-    const auto coarse = refine_on(std::move(control), scheme, levels - 1);
-    numbering_of<Scheme, Index> ids;
-    return last_level == connect::faces ? refine_mesh<connect::faces>(coarse, scheme, ids)
-                                        : refine_mesh<connect::everything>(coarse, scheme, ids);
-}
-
-/// The same of a control mesh that may have any faces, with the last level written into a mesh of another library.
+/// Refines a control mesh that may have any faces, with the last level written into a mesh of another library.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index> control, Scheme scheme, int levels,
                         const refine_options& options)
 {
     require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
-    if (levels == 0)
-        return write_level(fine, control);
-    const int last_generation = control.generation() + levels;
-#ifdef KITH_HAS_LANES
-    if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (patch_refinement<Point, Index, Scheme>(control, scheme, levels, connect::everything)
-                .refine_into(fine, control, scheme))
-            return;
-#endif
-    const auto coarse = refine_on(std::move(control), scheme, last_generation - control.generation() - 1);
-    numbering_of<Scheme, Index> ids;
-    refine_mesh_into(fine, coarse, scheme, ids);
-}
-
-/// Returns whether the last steps are made in patches, and why.
-template <class Point, std::unsigned_integral Index, scheme Scheme>
-strategy strategy_in_patches([[maybe_unused]] basic_mesh<Point, Index> control, [[maybe_unused]] Scheme scheme,
-                             [[maybe_unused]] int levels, [[maybe_unused]] connect last_level)
-{
-#ifdef KITH_HAS_LANES
-    if constexpr (patchable_scheme<Scheme, Point, Index>)
-        return patch_refinement<Point, Index, Scheme>(control, scheme, levels, last_level).decide(control, scheme);
-#endif
-    return {};
+    written_last_level last(fine);
+    refinement_run(std::move(control), scheme, levels).make(last);
 }
 
 /// A copy whose edges are known; a copy made with face-vertex lists only gets them by matching.
@@ -192,27 +164,15 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
     validate(mesh).require_ok();
     auto coarse = detail::with_edges(mesh);
     const std::uint64_t bytes_left = detail::require_refinable(coarse, scheme, levels, options);
-    if (levels == 0)
-        return coarse;
     bool is_ordering_worth_it = false;
     if constexpr (orderable_scheme<Scheme, Index>)
-        is_ordering_worth_it = is_worth_ordering(coarse, scheme, levels, options.last_level);
+        is_ordering_worth_it = is_worth_ordering(coarse, scheme, levels, options.last_level) and
+                               detail::bytes_of_numbers(coarse, scheme, levels) <= bytes_left;
     Scheme of_level = scheme;
-#ifdef KITH_HAS_LANES
-    if constexpr (patchable_scheme<Scheme, Point, Index>)
-        if (auto fine = patch_refinement<Point, Index, Scheme>(coarse, scheme, levels, options.last_level)
-                            .refine(coarse, of_level))
-            return std::move(*fine);
-#endif
-    const int levels_left = mesh.generation() + levels - coarse.generation();
-    if constexpr (orderable_scheme<Scheme, Index>)
-        if (is_ordering_worth_it and levels_left > 1 and
-            detail::bytes_of_numbers<Index>(count(coarse.topology()), of_level, levels_left, coarse.generation()) <=
-                bytes_left)
-            return refine_in_surface_order(std::move(coarse), std::move(of_level), levels_left, options.last_level);
-    return detail::refine_levels(std::move(coarse), std::move(of_level), levels_left, options.last_level);
+    native_last_level<Point, Index> last(options.last_level);
+    refinement_run(std::move(coarse), of_level, levels).make(last, is_ordering_worth_it);
+    return last.take();
 }
-
 template <refinable_mesh M, scheme Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
@@ -224,7 +184,11 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
             });
         } else {
             detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
-            return build_like(mesh, detail::refine_levels(std::move(control), scheme, levels, connect::everything));
+            Scheme of_level = scheme;
+            native_last_level<typename decltype(control)::point_type, typename decltype(control)::index_type> last(
+                connect::everything);
+            refinement_run(std::move(control), of_level, levels).make(last);
+            return build_like(mesh, last.take());
         }
     });
 }
@@ -242,7 +206,11 @@ strategy strategy_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
     bool is_ordering_worth_it = false;
     if constexpr (orderable_scheme<Scheme, Index>)
         is_ordering_worth_it = is_worth_ordering(control, scheme, levels, options.last_level);
-    strategy how = detail::strategy_in_patches(std::move(control), scheme, levels, options.last_level);
+    Scheme of_level = scheme;
+    no_last_level none(options.last_level);
+    refinement_run run(std::move(control), of_level, levels);
+    run.make_in_patches(none);
+    strategy how = run.so_far();
     if (how.way == refinement_way::by_levels and is_ordering_worth_it) {
         how.way = refinement_way::in_surface_order;
         how.is_ordered = true;
@@ -254,7 +222,11 @@ strategy strategy_of(const M& mesh, const Scheme& scheme, int levels, const refi
 {
     auto control = lift_valid(mesh);
     detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
-    return detail::strategy_in_patches(std::move(control), scheme, levels, connect::everything);
+    Scheme of_level = scheme;
+    no_last_level none(connect::everything);
+    refinement_run run(std::move(control), of_level, levels);
+    run.make_in_patches(none);
+    return run.so_far();
 }
 
 /// Refines a list of points and a list of faces, such as vectors of std::array<double, 3> and std::array<int, 4>, and

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/engine/refine_in_patches.hpp>
+#include <kith/engine/refinement_run.hpp>
 #include <kith/field/values_in_patches.hpp>
 #include <kith/four_eight.hpp>
 #include <kith/level/lift.hpp>
-#include <kith/neighbourhood/coming_scheme.hpp>
 #include <kith/plan.hpp>
 #include <kith/refine.hpp>
 #include <kith/step/level_state.hpp>
@@ -42,30 +41,88 @@ bool keeps_vertices(const Ids& ids, std::size_t vertices)
         return false;
 }
 
-/// One step, with what goes along: `carried`, such as carried_values, and the scheme, which becomes that of the next
-/// level. Where points stay, old vertices do not move, as if each had been reset after the step. change(numbering,
-/// points) is called with the new points before they are used.
+/// What goes along with a refinement in place: values, such as carried_values, and whether the first vertices are those
+/// of the control mesh. Where points stay, old vertices do not move, as if each had been reset after each step.
+template <scheme Scheme, class Carried, class AfterStep>
+class carried_in_place {
+public:
+    static constexpr bool needs_scheme = true;
+
+    /// after_step(numbering, points) is called with the new points of a step before they are used. If it returns false,
+    /// the refinement stops.
+    carried_in_place(Carried& values, bool& keeps_vertices, bool points_stay, const AfterStep& after_step)
+        : values_(values), keeps_vertices_(keeps_vertices), points_stay_(points_stay), after_step_(after_step)
+    {
+    }
+
+    template <finished_step Step, mesh Fine>
+    bool advance(const Step& step, Fine& fine)
+    {
+        const std::size_t old = step.coarse.vertex_count();
+        const bool keeps = in_place::keeps_vertices(step.ids.vertices, old);
+        if (points_stay_ and keeps)
+            for (const auto v : step.coarse.vertices())
+                fine.points()[v.index()] = v.point();
+        const bool goes_on = after_step_(step.ids, fine.points());
+        values_.advance(step, points_stay_ and keeps);
+        keeps_vertices_ = keeps_vertices_ and keeps;
+        return goes_on;
+    }
+
+#ifdef KITH_HAS_LANES
+    [[nodiscard]] bool may_go_in_patches() const
+    {
+        return not points_stay_ and values_.template may_go_in_patches<Scheme>();
+    }
+    template <class Mesh>
+    bool enter_patches(const Mesh& level, const Scheme& scheme, const patch_plan& plan, connect last_level)
+    {
+        in_patches_.emplace(level.topology(), level.generation(), scheme, plan, last_level);
+        plan_ = &plan;
+        return values_.can_go(*in_patches_);
+    }
+    bool leave_patches()
+    {
+        values_.go(*in_patches_);
+        keeps_vertices_ = keeps_vertices_ and std::ranges::all_of(plan_->bases, [](const column_bases& step) {
+                              return step.count(tuple_kind::v, tuple_kind::v) != 0 and
+                                     step.base(tuple_kind::v, tuple_kind::v) == 0;
+                          });
+        return true;
+    }
+#else
+    [[nodiscard]] static constexpr bool may_go_in_patches() { return false; }
+    static constexpr bool leave_patches() { return true; }
+#endif
+
+private:
+    Carried& values_;
+    bool& keeps_vertices_;
+    bool points_stay_;
+    const AfterStep& after_step_;
+#ifdef KITH_HAS_LANES
+    std::optional<fields_in_patches<std::uint32_t, Scheme>> in_patches_;
+    const patch_plan* plan_ = nullptr;
+#endif
+};
+
+/// Makes one step, and the scheme and the values those of the next level. change(numbering, points) is called with the
+/// new points before they are used.
 template <class Point, scheme Scheme, class Carried, class Change>
-void step(refined<Point>& surface, Scheme& scheme, Carried& carried, bool points_stay, const Change& change)
+void step(refined<Point>& surface, Scheme& scheme, Carried& values, bool points_stay, const Change& change)
 {
-    numbering_of<Scheme, std::uint32_t> ids;
-    auto fine = refine_mesh<connect::everything>(surface.mesh, scheme, ids);
-    const level_of<native_mesh<Point>> coarse(surface.mesh);
-    const bool keeps = keeps_vertices(ids.vertices, surface.mesh.vertex_count());
-    if (points_stay and keeps)
-        for (std::size_t v = 0; v < surface.mesh.vertex_count(); ++v)
-            fine.points()[v] = surface.mesh.point(v);
-    change(ids, fine.points());
-    const made_step<Scheme, level_of<native_mesh<Point>>, numbering_of<Scheme, std::uint32_t>, native_mesh<Point>> made{
-        scheme, coarse, surface.mesh.generation(), ids, fine};
-    carried.advance(made, points_stay and keeps);
-    advance(scheme, coarse, surface.mesh.generation(), ids, fine);
-    surface = {std::move(fine), surface.keeps_vertices and keeps};
+    const auto after_step = [&](const auto& ids, const auto& points) {
+        change(ids, points);
+        return true;
+    };
+    carried_in_place<Scheme, Carried, decltype(after_step)> carried(
+        values, surface.keeps_vertices, points_stay, after_step);
+    make_next_level<connect::everything>(surface.mesh, scheme, carried);
 }
 template <class Point, scheme Scheme, class Carried>
-void step(refined<Point>& surface, Scheme& scheme, Carried& carried, bool points_stay)
+void step(refined<Point>& surface, Scheme& scheme, Carried& values, bool points_stay)
 {
-    step(surface, scheme, carried, points_stay, [](const auto&, const auto&) {});
+    step(surface, scheme, values, points_stay, [](const auto&, const auto&) {});
 }
 
 /// What a scheme needs before its first step: 4-8 a tri-quad mesh, which it makes of any mesh as `tri_quad` does.
@@ -105,68 +162,26 @@ void require_faces(const M& mesh, const native_mesh<Point>& control, const Schem
         });
 }
 
-#ifdef KITH_HAS_LANES
-
-/// Makes the last steps of a surface at once, in the patches of its control mesh, and scheme and values those of the
-/// last level. Returns nothing if that is no gain, or if state says something of elements; then all is as before.
-/// Preconditions: patches.is_worth_looking(), and the level is patches.begin().
-template <class Point, scheme Scheme, class Carried>
-std::optional<refined<Point>> last_in_patches(const refined<Point>& surface, Scheme& scheme, Carried& carried,
-                                              patch_refinement<Point, std::uint32_t, Scheme>& patches)
-{
-    const auto& topology = surface.mesh.topology();
-    if (not scheme_of_places<Scheme> or not state_marks<std::uint32_t>(topology, scheme).empty())
-        return {};
-    const fields_in_patches in_patches(
-        topology, surface.mesh.generation(), scheme, patches.plan(), connect::everything);
-    if (not carried.can_go(in_patches))
-        return {};
-    auto fine = patches.refine_from(surface.mesh, scheme);
-    if (not fine)
-        return {};
-    carried.go(in_patches);
-    for (int generation = surface.mesh.generation(); generation < fine->generation(); ++generation)
-        kith::detail::advance_without_elements<native_mesh<Point>>(scheme, generation);
-    const bool keeps = std::ranges::all_of(patches.plan().bases, [](const column_bases& step) {
-        return step.count(tuple_kind::v, tuple_kind::v) != 0 and step.base(tuple_kind::v, tuple_kind::v) == 0;
-    });
-    return refined<Point>{std::move(*fine), surface.keeps_vertices and keeps};
-}
-
-#endif
-
 /// Refines, and makes scheme and values those of the last level. After each level that is made go_on(share of the work)
 /// may say no; then nothing is returned. Where it is a gain the last levels are made at once. Errors: as `refine`.
 template <class Point, scheme Scheme, class Carried>
-std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme, int levels, Carried& carried,
+std::optional<refined<Point>> refine(native_mesh<Point> control, Scheme& scheme, int levels, Carried& values,
                                      bool points_stay, const std::function<bool(double)>& go_on)
 {
     refined<Point> surface{std::move(control), true};
-    prepare(surface, scheme, carried);
+    prepare(surface, scheme, values);
     detail::require_refinable(surface.mesh, scheme, levels, {});
     const auto done = shares_of_work(count(surface.mesh.topology()), scheme, levels, surface.mesh.generation());
     int level = 0;
-    const auto go_to = [&](int last) {
-        bool goes_on = true;
-        while (goes_on and level < last) {
-            step(surface, scheme, carried, points_stay);
-            goes_on = go_on(done[std::size_t(++level)]);
-        }
-        return goes_on;
-    };
-#ifdef KITH_HAS_LANES
-    if constexpr (patchable_scheme<Scheme, Point, std::uint32_t>)
-        if (not points_stay and carried.template may_go_in_patches<Scheme>()) {
-            patch_refinement<Point, std::uint32_t, Scheme> patches(surface.mesh, scheme, levels, connect::everything);
-            if (patches.is_worth_looking()) {
-                if (not go_to(patches.begin()))
-                    return std::nullopt;
-                if (auto last = last_in_patches(surface, scheme, carried, patches))
-                    return go_on(done.back()) ? std::move(last) : std::nullopt;
-            }
-        }
-#endif
-    return go_to(levels) ? std::optional(std::move(surface)) : std::nullopt;
+    const auto after_step = [&](const auto&, const auto&) { return go_on(done[std::size_t(++level)]); };
+    using carried_type = carried_in_place<Scheme, Carried, decltype(after_step)>;
+    carried_type carried(values, surface.keeps_vertices, points_stay, after_step);
+    native_last_level<Point, std::uint32_t> last(connect::everything);
+    refinement_run<Point, std::uint32_t, Scheme, carried_type> run(std::move(surface.mesh), scheme, levels, carried);
+    if (not run.make(last) or (level < levels and not go_on(done.back())))
+        return std::nullopt;
+    surface.mesh = last.take();
+    return surface;
 }
 
 } // namespace kith::in_place

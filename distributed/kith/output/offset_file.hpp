@@ -238,6 +238,15 @@ public:
         std::memcpy(bytes_.data() + size_, data, size);
         size_ += size;
     }
+    /// Returns where so many bytes for this place are to be stored, before the next call. Precondition: size <= 4096.
+    char* room(std::uint64_t offset, std::size_t size)
+    {
+        if (offset != start_ + size_ or size_ + size > largest) {
+            flush();
+            start_ = offset;
+        }
+        return bytes_.data() + std::exchange(size_, size_ + size);
+    }
     void flush()
     {
         if (size_ != 0)

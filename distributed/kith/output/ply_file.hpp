@@ -175,14 +175,22 @@ private:
                   std::span<const value_bytes> values) const
     {
         joined_writes points(file);
-        for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
-            if (part.owns_vertex(v)) {
-                const std::uint64_t at = head_.size() + bytes_of_vertex_ * part.vertex_ids[v];
-                points.put(at, part.mesh.point(v));
-                if (with_normals_)
-                    points.put(at + 24, part.normals[v]);
+        const bool has_points_alone = bytes_of_vertex_ == 24;
+        for (std::size_t v = 0, run = 1; v < part.mesh.vertex_count(); v += run) {
+            run = 1;
+            if (not part.owns_vertex(v))
+                continue;
+            const std::uint64_t first = part.vertex_ids[v], at = head_.size() + bytes_of_vertex_ * first;
+            if (has_points_alone)
+                while (v + run < part.mesh.vertex_count() and part.owns_vertex(v + run) and
+                       part.vertex_ids[v + run] == first + run)
+                    ++run;
+            points.put(at, part.mesh.points().data() + v, 24 * run);
+            if (with_normals_)
+                points.put(at + 24, part.normals[v]);
+            if (not has_points_alone)
                 put_values(points, at, field_on::vertices, v, values);
-            }
+        }
         points.flush();
         joined_writes faces(file);
         std::size_t corner = 0;
@@ -192,10 +200,7 @@ private:
                 require_room(part, f);
                 std::uint64_t at = face_at(part.face_ids[f], part.corner_id(f, 0));
                 at = put_count(faces, at, corners_of_face_, face.size());
-                for (const auto v : face) {
-                    faces.put(at, std::int32_t(part.vertex_ids[v]));
-                    at += 4;
-                }
+                at = put_numbers(faces, at, part, face);
                 if (corners_)
                     at = put_corners(faces, at, part, f, corner, values[*corners_]);
                 if (with_corner_normals_) {
@@ -215,6 +220,22 @@ private:
         static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
         out.put(at, &entries, type.bytes);
         return at + type.bytes;
+    }
+    /// Writes the numbers of vertices in the whole mesh and returns the place behind them.
+    static std::uint64_t put_numbers(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,
+                                     std::span<const std::uint32_t> vertices)
+    {
+        constexpr std::size_t at_once = 1024;
+        for (std::size_t first = 0; first < vertices.size(); first += at_once) {
+            const auto some = vertices.subspan(first, std::min(at_once, vertices.size() - first));
+            char* to = out.room(at + 4 * first, 4 * some.size());
+            for (const std::uint32_t v : some) {
+                const auto number = std::int32_t(part.vertex_ids[v]);
+                std::memcpy(to, &number, 4);
+                to += 4;
+            }
+        }
+        return at + 4 * vertices.size();
     }
     /// Writes the values at the corners of a face and returns the place behind them.
     std::uint64_t put_corners(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,

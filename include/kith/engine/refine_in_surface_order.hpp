@@ -5,7 +5,6 @@
 #include <kith/step/step.hpp>
 
 #include <concepts>
-#include <cstdint>
 #include <utility>
 
 namespace kith {
@@ -37,22 +36,15 @@ void refine_ordered(ordered_mesh<Point, Index>& mesh, Scheme& scheme, int steps)
     }
 }
 
-/// Returns what `refine` makes of a mesh, to the bit, by way of the mesh in the order of its surface.
-/// Preconditions: can_be_ordered; the mesh has its edges.
-/// Cost: that of the levels, and for each element of the last but one its number.
-template <class Point, std::unsigned_integral Index, scheme Scheme>
+/// Makes the last level of a refinement by one step from a mesh in another order, as if it had the given one.
+/// Precondition: can_be_ordered.
+template <class Point, std::unsigned_integral Index, scheme Scheme, class LastLevel>
     requires orderable_scheme<Scheme, Index>
-basic_mesh<Point, Index> refine_in_surface_order(basic_mesh<Point, Index> control, Scheme scheme, int levels,
-                                                 connect last_level)
+void step_to_last(const ordered_mesh<Point, Index>& mesh, const Scheme& scheme, LastLevel& last)
 {
-    auto ordered = in_surface_order(std::exchange(control, {}));
-    refine_ordered(ordered, scheme, levels - 1);
     constexpr int degree = int(numbering_of<Scheme, Index>::common_degree);
-    const level_elements<numbered_level<Point, Index, degree>> coarse(ordered.mesh, ordered.numbers);
-    numbering_of<Scheme, Index> ids;
-    const int generation = ordered.mesh.generation();
-    return last_level == connect::faces ? refine_level<connect::faces>(coarse, scheme, generation, ids)
-                                        : refine_level<connect::everything>(coarse, scheme, generation, ids);
+    const level_elements<numbered_level<Point, Index, degree>> coarse(mesh.mesh, mesh.numbers);
+    last.step(coarse, mesh.mesh.generation(), scheme);
 }
 
 } // namespace kith

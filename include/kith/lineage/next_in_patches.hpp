@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/engine/last_level.hpp>
 #include <kith/engine/refine_in_patches.hpp>
 #include <kith/field/values_in_patches.hpp>
 #include <kith/level/lift.hpp>
@@ -32,13 +33,14 @@ std::optional<Mesh> next_in_patches([[maybe_unused]] const Store& levels, [[mayb
                 return {};
         if (not begin.here)
             return {};
-        auto fine = patches.refine_from(begin.here->mesh, begin.scheme);
-        if (fine)
-            ids = with_native_level<Scheme>(coarse.here->mesh, [&](const auto& elements) {
-                return numbering_of<Scheme, typename Mesh::index_type>(
-                    elements, columns_of(coarse.scheme, coarse.here->mesh.generation()));
-            });
-        return fine;
+        native_last_level<typename Mesh::point_type, typename Mesh::index_type> last(connect::everything);
+        if (not patches.refine_from(begin.here->mesh, begin.scheme, last))
+            return {};
+        ids = with_native_level<Scheme>(coarse.here->mesh, [&](const auto& elements) {
+            return numbering_of<Scheme, typename Mesh::index_type>(
+                elements, columns_of(coarse.scheme, coarse.here->mesh.generation()));
+        });
+        return last.take();
     }
 #endif
     return {};
@@ -72,8 +74,9 @@ Field carry_in_patches([[maybe_unused]] const Store& levels, int from, int to, F
                 const auto& level = native(from);
                 const basic_mesh<value, index> points(
                     storage<value>(values.values()), connectivity<index>(level.topology()), level.generation());
-                if (auto last = patches.values_from(points, levels.at(from).scheme))
-                    return Field(std::move(*last), values.rule());
+                last_values<value> last;
+                if (patches.refine_from(points, levels.at(from).scheme, last))
+                    return Field(last.take(), values.rule());
             }
         } else {
             const auto plan = plan_patches(count(control.topology()),

@@ -182,21 +182,41 @@ M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const 
     }
 }
 
-namespace detail {
+/// What goes along with a refinement where nothing does. `advance` makes what goes along that of the next level, whose
+/// points it may change, and returns false if the refinement is to stop.
+struct nothing_carried {
+    template <finished_step Step, mesh Fine>
+    bool advance(const Step&, Fine&) const
+    {
+        return true;
+    }
+};
 
-/// Refines with all connectivity and makes the scheme that of the last level.
-template <scheme Scheme, class Point, std::unsigned_integral Index>
-basic_mesh<Point, Index> refine_on(basic_mesh<Point, Index> mesh, Scheme& scheme, int levels)
+/// Makes a native mesh its next level, and the scheme and what goes along those of that level. Returns what `carried`
+/// says: false stops the refinement. Precondition: the mesh has its edges. Errors: as `refine_mesh`.
+template <connect Connect, scheme Scheme, class Point, std::unsigned_integral Index, class Carried>
+bool make_next_level(basic_mesh<Point, Index>& mesh, Scheme& scheme, Carried& carried)
 {
     numbering_of<Scheme, Index> ids;
-    for (int level = 1; level <= levels; ++level) {
-        auto fine = refine_mesh<connect::everything>(mesh, scheme, ids);
-        advance(scheme, level_of<basic_mesh<Point, Index>>(mesh), mesh.generation(), ids, fine);
-        mesh = std::move(fine);
-    }
-    return mesh;
+    auto fine = refine_mesh<Connect>(mesh, scheme, ids);
+    const level_of<basic_mesh<Point, Index>> coarse(mesh);
+    const int generation = mesh.generation();
+    const made_step<Scheme, level_of<basic_mesh<Point, Index>>, numbering_of<Scheme, Index>, basic_mesh<Point, Index>>
+        made{scheme, coarse, generation, ids, fine};
+    const bool goes_on = carried.advance(made, fine);
+    advance(scheme, coarse, generation, ids, fine);
+    mesh = std::move(fine);
+    return goes_on;
 }
 
-} // namespace detail
+/// Makes so many steps with all connectivity. Returns false if `carried` stops them.
+template <scheme Scheme, class Point, std::unsigned_integral Index, class Carried = const nothing_carried>
+bool make_levels(basic_mesh<Point, Index>& mesh, Scheme& scheme, int steps, Carried& carried = {})
+{
+    for (; steps > 0; --steps)
+        if (not make_next_level<connect::everything>(mesh, scheme, carried))
+            return false;
+    return true;
+}
 
 } // namespace kith

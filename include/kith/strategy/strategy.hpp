@@ -45,7 +45,7 @@ struct strategy {
     std::size_t templates = 0; ///< of these classes
 };
 
-/// Returns a strategy in a sentence for a reader, such as "in patches from level 3 on: 12 classes of faces, all with
+/// Returns a strategy in a sentence for a reader, such as "in patches from level 3 on: 12 classes of faces, 12 with
 /// templates".
 std::string explain(const strategy& how);
 
@@ -53,13 +53,14 @@ std::string explain(const strategy& how);
 KITH_IN_LIBRARY std::string explain(const strategy& how)
 {
     const auto number = [](double n) { return std::to_string(std::uint64_t(n)); };
+    const std::string classes = std::to_string(how.classes) + (how.classes == 1 ? " class" : " classes") + " of faces";
     const auto because = [&]() -> std::string {
         switch (how.reason) {
         case strategy_reason::forced: return "as asked for";
         case strategy_reason::gain:
-            return how.way == refinement_way::in_patches ? std::to_string(how.classes) + " classes of faces, " +
-                                                               std::to_string(how.templates) + " with templates"
-                                                         : "the faces of the control mesh lie in no order";
+            return how.way == refinement_way::in_patches
+                       ? classes + ", " + std::to_string(how.templates) + " with templates"
+                       : "the faces of the control mesh lie in no order";
         case strategy_reason::no_patches: return "the scheme, its points or the mesh have no patches";
         case strategy_reason::few_faces:
             return number(how.faces) + " faces are fewer than " + number(how.needed) + ", where templates begin to pay";
@@ -72,8 +73,7 @@ KITH_IN_LIBRARY std::string explain(const strategy& how)
                    " faces gain nothing there";
         case strategy_reason::all_levels: return "the levels between are wanted, too";
         case strategy_reason::state: return "the state of the scheme says which elements are made";
-        case strategy_reason::many_classes:
-            return std::to_string(how.classes) + " classes of faces are too many for templates to pay";
+        case strategy_reason::many_classes: return classes + " are too many for templates to pay";
         }
         return {};
     };
