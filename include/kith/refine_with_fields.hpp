@@ -69,7 +69,8 @@ void require_fields(const Level& level, const Fields& fields)
     std::apply([&](const auto&... each) { (each.require_one_each(level), ...); }, fields);
 }
 
-/// Refines a native mesh that the scheme takes, and makes fields those of the last level, and the scheme if it is needed.
+/// Refines a native mesh that the scheme takes. Fields become those of the last level, and so does the scheme if it is
+/// needed.
 template <bool NeedsScheme, class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with_fields_along(basic_mesh<Point, Index> control, Scheme& scheme, Fields& fields,
                                                   int levels, connect last_level)
@@ -82,7 +83,7 @@ basic_mesh<Point, Index> refine_with_fields_along(basic_mesh<Point, Index> contr
     return last.take();
 }
 
-/// `refine` that makes fields those of the last level, and the scheme if it is needed.
+/// Refines as `refine` does. Fields become those of the last level, and so does the scheme if it is needed.
 template <bool NeedsScheme, class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Scheme& scheme, Fields& fields, int levels,
                                      const refine_options& options)

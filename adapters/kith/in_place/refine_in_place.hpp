@@ -41,8 +41,8 @@ bool keeps_vertices(const Ids& ids, std::size_t vertices)
         return false;
 }
 
-/// What goes along with a refinement in place: values, such as carried_values, and whether the first vertices are those
-/// of the control mesh. Where points stay, old vertices do not move, as if each had been reset after each step.
+/// Values that go along with a refinement in place, such as carried_values, and whether the first vertices are those of
+/// the control mesh. Where points stay, old vertices do not move, as if each had been reset after each step.
 template <scheme Scheme, class Carried, class AfterStep>
 class carried_in_place {
 public:

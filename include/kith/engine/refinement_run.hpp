@@ -16,7 +16,7 @@
 
 namespace kith {
 
-/// What goes along with a refinement, such as fields. The class has, beside `advance` (see nothing_carried),
+/// Values that go along with a refinement, such as fields. Their class has, beside `advance` (see nothing_carried),
 ///
 ///   static constexpr bool needs_scheme   whether the scheme must become that of the last level
 ///   bool may_go_in_patches() const       whether it may go through several steps at once

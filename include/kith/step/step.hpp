@@ -182,7 +182,7 @@ M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const 
     }
 }
 
-/// What goes along with a refinement where nothing does. `advance` makes what goes along that of the next level, whose
+/// Stands for nothing that goes along with a refinement. `advance` makes what goes along that of the next level, whose
 /// points it may change, and returns false if the refinement is to stop.
 struct nothing_carried {
     template <finished_step Step, mesh Fine>
