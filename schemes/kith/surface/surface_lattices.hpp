@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "face_lattice.hpp"
+#include "surface_locator.hpp"
+
+#include <kith/base/error.hpp>
+#include <kith/base/for_parts.hpp>
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace kith::detail {
+
+/// Evaluates places at the same parameters in many faces of a limit surface: what they share is made once for the faces
+/// that look alike. Uses a locator, which must outlive this object.
+template <parametric_scheme Scheme, std::unsigned_integral Index>
+class surface_lattices {
+public:
+    /// A face, or a sub-face of a polygon, and the number of a list of parameters.
+    struct request {
+        std::size_t face, corner, list;
+    };
+
+    explicit surface_lattices(surface_locator<Scheme, Index>& surface) : surface_(&surface) {}
+
+    /// Calls body(r, lattice) for each request, on threads, in no order: the face_lattice has the parameters
+    /// parameters_of(list) and the control points around the face. `places` is about the number of places.
+    /// Errors: mesh_error for faces that the scheme has no parameters for.
+    template <std::size_t Outputs, affine_value T, class ParametersOf, class Body>
+    void for_each(std::span<const request> requests, std::span<const T> control, std::size_t places,
+                  const ParametersOf& parameters_of, const Body& body)
+    {
+        const std::vector<key> order = sorted(requests);
+        const bool is_parallel = is_worth_threads(places) and most_threads() > 1;
+        struct part {
+            std::size_t begin, end, alike; // `alike` requests have the same lattice
+        };
+        std::vector<part> parts;
+        for (std::size_t begin = 0; begin < order.size();) {
+            const auto is_alike = [&](const key& other) { return order[begin].is_alike(other); };
+            const std::size_t end = std::size_t(
+                std::find_if_not(order.begin() + std::ptrdiff_t(begin), order.end(), is_alike) - order.begin());
+            const std::size_t most = is_parallel ? 256 : end - begin;
+            for (std::size_t first = begin; first < end; first += most)
+                parts.push_back({first, std::min(first + most, end), end - begin});
+            begin = end;
+        }
+        for_shared_parts(parts.size(), is_parallel ? 8 : parts.size(), is_parallel, [&](auto&& work) {
+            typename locator::search search(surface_->mesh_.topology(), *surface_->shapes_);
+            std::vector<std::size_t> inputs;
+            work.for_each([&](std::size_t begin, std::size_t end) {
+                for (; begin < end; ++begin) {
+                    const part& some = parts[begin];
+                    const request& first = requests[order[some.begin].request];
+                    face_lattice<T, Outputs> lattice(search,
+                                                     *around_[order[some.begin].neighbourhood],
+                                                     first.corner,
+                                                     parameters_of(first.list),
+                                                     some.alike);
+                    for (std::size_t i = some.begin; i < some.end; ++i) {
+                        const request& now = requests[order[i].request];
+                        inputs.clear();
+                        search.append_inputs(*around_[order[i].neighbourhood], Index(now.face), inputs);
+                        lattice.move_to([&](std::size_t input) -> const T& { return control[inputs[input]]; });
+                        body(order[i].request, lattice);
+                    }
+                }
+            });
+        });
+    }
+
+private:
+    using locator = surface_locator<Scheme, Index>;
+    using neighbourhood = typename locator::neighbourhood;
+
+    /// The order of the requests: those with the same lattice follow each other.
+    struct key {
+        std::size_t neighbourhood, list, corner, request;
+
+        auto operator<=>(const key&) const = default;
+        [[nodiscard]] bool is_alike(const key& other) const
+        {
+            return neighbourhood == other.neighbourhood and list == other.list and corner == other.corner;
+        }
+    };
+
+    std::vector<key> sorted(std::span<const request> requests)
+    {
+        std::vector<key> result;
+        result.reserve(requests.size());
+        for (std::size_t r = 0; r < requests.size(); ++r)
+            result.push_back({number_of(requests[r].face), requests[r].list, requests[r].corner, r});
+        if (not std::ranges::is_sorted(result))
+            std::ranges::sort(result);
+        return result;
+    }
+    /// Returns the number of the neighbourhood of a face, in the order in which they are met.
+    std::size_t number_of(std::size_t face)
+    {
+        if (numbers_.empty())
+            numbers_.assign(surface_->mesh_.face_count(), unknown);
+        if (numbers_[face] != unknown)
+            return numbers_[face];
+        if constexpr (not domain_of<Scheme>::takes_boundaries)
+            if (touches_boundary(surface_->mesh_.topology(), face))
+                throw mesh_error("face " + std::to_string(face) + " touches the boundary, where " +
+                                 std::string(scheme_name<Scheme>()) + " has no parameters; close the mesh");
+        const neighbourhood* const here = &surface_->neighbourhood_of(Index(face));
+        const auto [known, is_new] = known_.emplace(here, around_.size());
+        if (is_new)
+            around_.push_back(here);
+        return numbers_[face] = known->second;
+    }
+
+    static constexpr std::size_t unknown = std::size_t(-1);
+
+    locator* surface_;
+    std::vector<std::size_t> numbers_; // of the neighbourhoods of faces that were asked for
+    std::unordered_map<const neighbourhood*, std::size_t> known_;
+    std::vector<const neighbourhood*> around_;
+};
+
+} // namespace kith::detail
