@@ -6,11 +6,13 @@
 #include "placed_pieces.hpp"
 
 #include <kith/base/affine.hpp>
+#include <kith/lane/lanes.hpp>
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstring>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -25,16 +27,16 @@ namespace kith::detail {
 template <affine_value T, std::size_t Outputs>
 class face_lattice {
 public:
-    /// Takes places of a face that are evaluated for about so many faces. Cost: that of locating and evaluating them
-    /// once or, with weights, as often as a face has control points.
-    template <class Search, class Neighbourhood>
-    face_lattice(Search& search, const Neighbourhood& around, std::size_t corner,
-                 std::span<const std::array<double, 2>> parameters, std::size_t faces)
-        : inputs_(around.around->inputs)
+    /// Takes places of a face of a shape that are evaluated for about so many faces. Cost: that of locating and
+    /// evaluating them once or, with weights, as often as a face has control points.
+    template <class Search, class Shape>
+    face_lattice(Search& search, Shape& shape, std::size_t corner, std::span<const std::array<double, 2>> parameters,
+                 std::size_t faces)
+        : inputs_(shape.inputs)
     {
-        Neighbourhood of_shape{around.around, {}, {}, {}};
+        typename Search::neighbourhood of_shape{&shape, {}, {}, {}};
         of_shape.control.resize(inputs_);
-        std::iota(of_shape.control.begin(), of_shape.control.end(), 0);
+        std::iota(of_shape.control.begin(), of_shape.control.end(), typename Shape::index_type(0));
         std::vector<surface_place> places;
         for (const auto& [u, v] : parameters)
             places.push_back({0, u, v, corner});
@@ -46,21 +48,17 @@ public:
             make_weights();
     }
 
-    /// Takes the control values around a face: control_of(input) returns each.
+    /// Takes the control values around a face: control_of(input) returns each. If there are rows, those of the shape
+    /// are weighted sums of these.
     template <class ControlOf>
-    void move_to(const ControlOf& control_of)
+    void move_to(const subdivision_matrix* rows, const ControlOf& control_of)
     {
-        if (weights_.empty()) {
-            values_.clear();
-            values_.add_face(all_, 0, control_of);
-            line_piece_ = all_.pieces.size();
-            return;
-        }
-        if constexpr (has_coordinates)
-            for (std::size_t k = 0; k < inputs_; ++k) {
-                const auto& point = affine<T>::load(control_of(k));
-                control_[k] = {double(point[0]), double(point[1]), double(point[2])};
-            }
+        if (rows == nullptr)
+            return take_inputs([&](std::size_t input) { return fast_affine<T>::load(control_of(input)); });
+        net_.clear();
+        for (std::size_t input = 0; input < rows->columns; ++input)
+            net_.push_back(fast_affine<T>::load(control_of(input)));
+        take_inputs([&](std::size_t input) { return piece_values<T>::row_of(*rows, input, net_.data()); });
     }
     /// Calls take(i, values) for the places from one to another.
     template <class Take>
@@ -73,6 +71,23 @@ public:
     }
 
 private:
+    /// Takes the inputs of the shape, as sums.
+    template <class InputOf>
+    void take_inputs(const InputOf& input_of)
+    {
+        if (weights_.empty()) {
+            values_.clear();
+            values_.add_face(all_, 0, input_of);
+            line_piece_ = all_.pieces.size();
+            return;
+        }
+        if constexpr (has_coordinates)
+            for (std::size_t k = 0; k < inputs_; ++k) {
+                const auto point = affine<T>::load(fast_affine<T>::store(input_of(k)));
+                control_[k] = {double(point[0]), double(point[1]), double(point[2])};
+            }
+    }
+
     using sum = typename affine<T>::sum;
     static constexpr bool has_coordinates = std::same_as<sum, std::array<scalar_of<T>, 3>> and
                                             std::floating_point<scalar_of<T>>;
@@ -112,7 +127,7 @@ private:
                 const auto made = values.template at<Outputs>(all_.pieces[place.piece], place);
                 for (std::size_t k = first; k < std::min(first + inputs_at_once, inputs_); ++k)
                     for (std::size_t output = 0; output < Outputs; ++output)
-                        weights_[((i / at_once * Outputs + output) * inputs_ + k) * at_once + i % at_once] =
+                        weights_[((i / at_once * inputs_ + k) * Outputs + output) * at_once + i % at_once] =
                             made[output][k - first];
             }
         }
@@ -140,44 +155,74 @@ private:
     void evaluate_weights(std::size_t begin, std::size_t end, const Take& take)
     {
         for (std::size_t block = begin / at_once; block * at_once < end; ++block) {
-            double made[Outputs][3][at_once];
-            for (std::size_t output = 0; output < Outputs; ++output)
-                add_up(weights_.data() + (block * Outputs + output) * inputs_ * at_once, made[output]);
+            add_up(weights_.data() + block * Outputs * inputs_ * at_once);
             for (std::size_t i = std::max(begin, block * at_once); i < std::min(end, (block + 1) * at_once); ++i) {
                 std::array<T, Outputs> result;
                 for (std::size_t output = 0; output < Outputs; ++output) {
                     sum value;
                     for (std::size_t x = 0; x < 3; ++x)
-                        value[x] = static_cast<scalar_of<T>>(made[output][x][i % at_once]);
+                        value[x] = static_cast<scalar_of<T>>(totals_[output][x][i % at_once]);
                     result[output] = affine<T>::store(value);
                 }
                 take(i, result);
             }
         }
     }
-    /// Writes the coordinates of weighted sums of the control points, side by side.
-    void add_up(const double* weights, double (&to)[3][at_once]) const
+    /// Makes the weighted sums of places that are side by side, to the same bits in registers of any size.
+    void add_up(const double* weights)
     {
-        double total[3][at_once] = {};
-        for (const auto& point : control_) {
-            for (std::size_t x = 0; x < 3; ++x)
-                for (std::size_t i = 0; i < at_once; ++i)
-                    total[x][i] += weights[i] * point[x];
-            weights += at_once;
+#if defined(KITH_HAS_LANES)
+#if defined(__x86_64__)
+        if (lane_bytes() >= 32)
+            return add_up_32_bytes(weights);
+#endif
+        add_up_16_bytes(weights);
+#else
+        add_up_packs<double>(weights);
+#endif
+    }
+#if defined(KITH_HAS_LANES)
+    KITH_LANES_OF_16_BYTES void add_up_16_bytes(const double* weights)
+    {
+        add_up_packs<typename lanes<double, 16>::type>(weights);
+    }
+#if defined(__x86_64__)
+    KITH_LANES_OF_32_BYTES void add_up_32_bytes(const double* weights)
+    {
+        add_up_packs<typename lanes<double, 32>::type>(weights);
+    }
+#endif
+#endif
+    template <class Pack>
+    [[gnu::always_inline]] void add_up_packs(const double* weights)
+    {
+        constexpr std::size_t size = sizeof(Pack) / sizeof(double);
+        for (std::size_t first = 0; first < at_once; first += size) {
+            Pack total[Outputs][3] = {};
+            const double* next = weights + first;
+            for (const auto& point : control_)
+                for (std::size_t output = 0; output < Outputs; ++output, next += at_once) {
+                    Pack weight;
+                    std::memcpy(&weight, next, sizeof(Pack));
+                    for (std::size_t x = 0; x < 3; ++x)
+                        total[output][x] += weight * point[x];
+                }
+            for (std::size_t output = 0; output < Outputs; ++output)
+                for (std::size_t x = 0; x < 3; ++x)
+                    std::memcpy(&totals_[output][x][first], &total[output][x], sizeof(Pack));
         }
-        for (std::size_t x = 0; x < 3; ++x)
-            for (std::size_t i = 0; i < at_once; ++i)
-                to[x][i] = total[x][i];
     }
 
     std::size_t inputs_;
     placed_pieces all_; // of one face, whose inputs are numbered
     piece_values<T> values_;
+    std::vector<typename piece_values<T>::sum> net_; // around a face, of which the inputs are sums
     typename piece_values<T>::template line<Outputs> line_;
     std::size_t line_piece_ = 0;
     double line_t_ = 0;
     std::vector<double> weights_; // of `at_once` places side by side; none: by pieces
     std::vector<std::array<double, 3>> control_;
+    double totals_[Outputs][3][at_once] = {};
 };
 
 } // namespace kith::detail

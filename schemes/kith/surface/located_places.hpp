@@ -131,7 +131,9 @@ private:
     {
         of_pieces.clear();
         for (std::size_t face = begin_of_group(group).faces; face < all_.groups[group].faces; ++face)
-            of_pieces.add_face(all_, face, [&](std::size_t input) -> const T& { return control[all_.inputs[input]]; });
+            of_pieces.add_face(all_, face, [&](std::size_t input) {
+                return detail::fast_affine<T>::load(control[all_.inputs[input]]);
+            });
         const auto pieces = pieces_of(group);
         for (const auto& place : places_of(group)) {
             const auto made = of_pieces.template at<Outputs>(pieces[place.piece], place);

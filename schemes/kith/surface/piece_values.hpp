@@ -32,7 +32,7 @@ public:
         coefficients_.clear();
         first_coefficient_.clear();
     }
-    /// Adds the pieces of a face. control_of(input) returns the value of one of the inputs of `all`. Cost: that of a
+    /// Adds the pieces of a face. control_of(input) returns the sum of one of the inputs of `all`. Cost: that of a
     /// product with a matrix of some dozen rows.
     template <class ControlOf>
     void add_face(const placed_pieces& all, std::size_t face, const ControlOf& control_of)
@@ -45,16 +45,26 @@ public:
             first_point_.push_back(points_.size());
             for (std::size_t i = 0; i < net.size; ++i)
                 if (net.rows == nullptr)
-                    points_.push_back(number::load(control_of(net.parent + i)));
+                    points_.push_back(control_of(net.parent + i));
                 else
-                    points_.push_back(row_of(*net.rows, i, first_point_[net.parent]));
+                    points_.push_back(row_of(*net.rows, i, points_.data() + first_point_[net.parent]));
         }
         for (std::size_t p = begin.pieces; p < end.pieces; ++p) {
             const surface_piece& piece = all.pieces[p];
             first_coefficient_.push_back(coefficients_.size());
             for (std::size_t term = 0; term < piece.polynomial->terms(); ++term)
-                coefficients_.push_back(row_of(piece.polynomial->rows, term, first_point_[piece.net]));
+                coefficients_.push_back(row_of(piece.polynomial->rows, term, points_.data() + first_point_[piece.net]));
         }
+    }
+
+    /// Returns the sum of points with the weights of a row.
+    static sum row_of(const subdivision_matrix& rows, std::size_t row, const sum* points)
+    {
+        std::size_t k = rows.begin_of_row(row);
+        sum total = scaled(points[std::size_t(rows.column[k])], rows.weight[k]);
+        for (++k; k < rows.begin_of_row(row + 1); ++k)
+            add_scaled(total, points[std::size_t(rows.column[k])], rows.weight[k]);
+        return total;
     }
 
     /// Returns the value at a place and, if there are 3 or 6 outputs, its derivatives by u and v: du, dv, duu, duv, dvv.
@@ -96,15 +106,6 @@ private:
     {
         number::scale(total, factor);
         number::add(total, more);
-    }
-    [[nodiscard]] sum row_of(const subdivision_matrix& rows, std::size_t row, std::size_t first_point) const
-    {
-        const sum* const points = points_.data() + first_point;
-        std::size_t k = rows.begin_of_row(row);
-        sum total = scaled(points[std::size_t(rows.column[k])], rows.weight[k]);
-        for (++k; k < rows.begin_of_row(row + 1); ++k)
-            add_scaled(total, points[std::size_t(rows.column[k])], rows.weight[k]);
-        return total;
     }
     /// Returns a value and its derivatives by the parameters of the face, from those by the parameters of the piece.
     template <std::size_t Outputs>

@@ -6,16 +6,16 @@
 
 #include <kith/base/error.hpp>
 #include <kith/base/for_parts.hpp>
+#include <kith/mask/stencil.hpp>
 
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <span>
 #include <string>
+#include <tuple>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace kith::detail {
@@ -61,16 +61,13 @@ public:
                 for (; begin < end; ++begin) {
                     const part& some = parts[begin];
                     const request& first = requests[order[some.begin].request];
-                    face_lattice<T, Outputs> lattice(search,
-                                                     *around_[order[some.begin].neighbourhood],
-                                                     first.corner,
-                                                     parameters_of(first.list),
-                                                     some.alike);
+                    face_lattice<T, Outputs> lattice(
+                        search, *order[some.begin].of, order[some.begin].corner, parameters_of(first.list), some.alike);
                     for (std::size_t i = some.begin; i < some.end; ++i) {
-                        const request& now = requests[order[i].request];
                         inputs.clear();
-                        search.append_inputs(*around_[order[i].neighbourhood], Index(now.face), inputs);
-                        lattice.move_to([&](std::size_t input) -> const T& { return control[inputs[input]]; });
+                        search.append_inputs(*order[i].around, Index(requests[order[i].request].face), inputs);
+                        lattice.move_to(order[i].rows,
+                                        [&](std::size_t input) -> const T& { return control[inputs[input]]; });
                         body(order[i].request, lattice);
                     }
                 }
@@ -81,52 +78,56 @@ public:
 private:
     using locator = surface_locator<Scheme, Index>;
     using neighbourhood = typename locator::neighbourhood;
+    using shape = typename locator::shapes::shape;
 
-    /// The order of the requests: those with the same lattice follow each other.
+    /// The place of a request in an order in which those with the same lattice follow each other.
     struct key {
-        std::size_t neighbourhood, list, corner, request;
+        std::size_t shape_number, list, corner, request;
+        shape* of;
+        const subdivision_matrix* rows; ///< of its inputs over those around the face; nullptr for the same ones
+        const neighbourhood* around;    ///< the face
 
-        auto operator<=>(const key&) const = default;
+        [[nodiscard]] auto numbers() const { return std::tuple(shape_number, list, corner, request); }
         [[nodiscard]] bool is_alike(const key& other) const
         {
-            return neighbourhood == other.neighbourhood and list == other.list and corner == other.corner;
+            return shape_number == other.shape_number and list == other.list and corner == other.corner;
         }
     };
 
     std::vector<key> sorted(std::span<const request> requests)
     {
+        using domain = domain_of<Scheme>;
         std::vector<key> result;
         result.reserve(requests.size());
-        for (std::size_t r = 0; r < requests.size(); ++r)
-            result.push_back({number_of(requests[r].face), requests[r].list, requests[r].corner, r});
-        if (not std::ranges::is_sorted(result))
-            std::ranges::sort(result);
+        for (std::size_t r = 0; r < requests.size(); ++r) {
+            const neighbourhood& around = neighbourhood_of(requests[r].face);
+            key made{0, requests[r].list, requests[r].corner, r, around.around, nullptr, &around};
+            if constexpr (domain::splits_in_four)
+                if (around.around->in_domain.degree != domain::sides) { // its sub-faces are whole children
+                    surface_->shapes_->look(*around.around);
+                    const auto& child = around.around->children[made.corner];
+                    made.of = child.of;
+                    made.rows = &child.rows;
+                    made.corner = 0;
+                }
+            made.shape_number = shape_numbers_.emplace(made.of, shape_numbers_.size()).first->second;
+            result.push_back(made);
+        }
+        if (not std::ranges::is_sorted(result, {}, &key::numbers))
+            std::ranges::sort(result, {}, &key::numbers);
         return result;
     }
-    /// Returns the number of the neighbourhood of a face, in the order in which they are met.
-    std::size_t number_of(std::size_t face)
+    const neighbourhood& neighbourhood_of(std::size_t face)
     {
-        if (numbers_.empty())
-            numbers_.assign(surface_->mesh_.face_count(), unknown);
-        if (numbers_[face] != unknown)
-            return numbers_[face];
         if constexpr (not domain_of<Scheme>::takes_boundaries)
             if (touches_boundary(surface_->mesh_.topology(), face))
                 throw mesh_error("face " + std::to_string(face) + " touches the boundary, where " +
                                  std::string(scheme_name<Scheme>()) + " has no parameters; close the mesh");
-        const neighbourhood* const here = &surface_->neighbourhood_of(Index(face));
-        const auto [known, is_new] = known_.emplace(here, around_.size());
-        if (is_new)
-            around_.push_back(here);
-        return numbers_[face] = known->second;
+        return surface_->neighbourhood_of(Index(face));
     }
 
-    static constexpr std::size_t unknown = std::size_t(-1);
-
     locator* surface_;
-    std::vector<std::size_t> numbers_; // of the neighbourhoods of faces that were asked for
-    std::unordered_map<const neighbourhood*, std::size_t> known_;
-    std::vector<const neighbourhood*> around_;
+    std::unordered_map<const shape*, std::size_t> shape_numbers_; // in the order in which they are met
 };
 
 } // namespace kith::detail

@@ -150,11 +150,11 @@ private:
             [&](std::size_t pattern) { return numbers_->pattern(pattern).parameters(); },
             [&](std::size_t f, auto& lattice) {
                 const auto parameters = numbers_->pattern(numbers_->pattern_of(f)).parameters();
-                std::vector<tessellation_numbers::index> vertex;
-                numbers_->list_vertices(f, vertex);
-                numbers_->for_own_vertices(f, [&](std::size_t begin, std::size_t end) {
+                using index = tessellation_numbers::index;
+                numbers_->for_own_vertices(f, [&](std::size_t begin, std::size_t end, index vertex, index step) {
                     lattice.evaluate(begin, end, [&](std::size_t i, const std::array<Point, Outputs>& made) {
-                        take(vertex[i], f, parameters[i], made);
+                        take(vertex, f, parameters[i], made);
+                        vertex += step;
                     });
                 });
             });

@@ -73,23 +73,26 @@ public:
     /// Returns the number of the vertex at the begin of a part of a side.
     [[nodiscard]] index vertex_at(const part_of_side& part) const { return at_corners_[faces_.corner_of(part)]; }
 
-    /// Writes the numbers of the vertices of a face to a list.
-    void list_vertices(std::size_t f, std::vector<index>& result) const
+    /// Writes the numbers of the vertices on the sides of a face to a list.
+    void list_vertices_on_sides(std::size_t f, std::vector<index>& result) const
     {
-        const triangle_pattern& pattern = patterns_[pattern_of_face_[f]];
-        result.resize(pattern.parameters().size());
-        std::size_t b = 0;
+        result.clear();
         for (const part_of_side& part : faces_.faces()[f].parts()) {
             const auto n = index(rates_.of_curves[part.curve]);
-            const index first = on_curves_[part.curve].vertex;
-            result[b++] = vertex_at(part);
-            for (index i = 1; i < n; ++i)
-                result[b++] = first + (part.is_reversed ? n - i : i) - 1;
+            result.push_back(vertex_at(part));
+            for (index i = 1, v = first_on(part, n); i < n; ++i, v += part.is_reversed ? index(-1) : index(1))
+                result.push_back(v);
         }
-        for (index v = in_faces_[f].vertex; b < result.size(); ++v)
-            result[b++] = v;
     }
-    /// Calls take(begin, end) for the vertices in the pattern of a face that no other face calls its own.
+    /// Writes the numbers of all vertices of a face to a list.
+    void list_vertices(std::size_t f, std::vector<index>& result) const
+    {
+        list_vertices_on_sides(f, result);
+        for (index v = in_faces_[f].vertex; v < in_faces_[f + 1].vertex; ++v)
+            result.push_back(v);
+    }
+    /// Calls take(begin, end, first, step) for the vertices in the pattern of a face that no other face calls its own:
+    /// they are number `first`, and the others in steps.
     template <class Take>
     void for_own_vertices(std::size_t f, const Take& take) const
     {
@@ -97,16 +100,15 @@ public:
         const parametric_face& face = faces_.faces()[f];
         for (std::size_t q = 0; q < face.parts().size(); ++q) {
             const part_of_side& part = face.parts()[q];
-            const parametric_faces::start& start = faces_.starts()[faces_.corner_of(part)];
             const shared_curve& curve = faces_.curves()[part.curve];
             const std::size_t begin = pattern.begin_of_part(q), end = pattern.begin_of_part(q + 1);
-            const bool owns_corner = start.face == f and start.part == q;
-            const bool owns_curve = curve.face == f and curve.part == q and end - begin > 1;
-            if (owns_corner or owns_curve)
-                take(begin + (owns_corner ? 0 : 1), owns_curve ? end : begin + 1);
+            if (begins_here(f, q))
+                take(begin, begin + 1, vertex_at(part), index(1));
+            if (const auto n = index(end - begin); curve.face == f and curve.part == q and n > 1)
+                take(begin + 1, end, first_on(part, n), part.is_reversed ? index(-1) : index(1));
         }
         if (pattern.vertices_inside() > 0)
-            take(pattern.vertices_on_sides(), pattern.parameters().size());
+            take(pattern.vertices_on_sides(), pattern.parameters().size(), in_faces_[f].vertex, index(1));
     }
 
     /// Returns the triangles, whose edges follow from the numbers. Runs on threads. Cost: O(triangles).
@@ -138,6 +140,17 @@ private:
         index vertex, edge, triangle;
     };
 
+    /// Returns the first vertex within a part of a side that has n segments.
+    [[nodiscard]] index first_on(const part_of_side& part, index n) const
+    {
+        return on_curves_[part.curve].vertex + (part.is_reversed ? n - 2 : 0);
+    }
+    /// Returns true if the face answers for the corner at which a part begins.
+    [[nodiscard]] bool begins_here(std::size_t f, std::size_t q) const
+    {
+        const parametric_faces::start& start = faces_.starts()[faces_.corner_of(faces_.faces()[f].parts()[q])];
+        return start.face == f and start.part == q;
+    }
     static void require_room(std::size_t corners)
     {
         if (corners >= connectivity<index>::none / 2)
@@ -163,7 +176,7 @@ private:
         const index vertex_offset = in_faces_[f].vertex - on_sides, edge_offset = 2 * in_faces_[f].edge - on_sides;
         const auto vertex = pattern.corner_vertex(), halfedge = pattern.corner_halfedge(),
                    corner = pattern.halfedge_corner(), start = pattern.vertex_corner();
-        list_vertices(f, vertices);
+        list_vertices_on_sides(f, vertices);
         halfedges.resize(on_sides);
         join_sides(f, first_corner, halfedges, to);
         index* const new_vertex = to.corner_vertex.data() + first_corner;
@@ -174,10 +187,11 @@ private:
         for (std::size_t c = 0; c < inside; ++c)
             new_halfedge[c] = halfedge[c] + edge_offset;
         for (std::size_t c = inside; c < vertex.size(); ++c) {
-            new_vertex[c] = vertices[vertex[c]];
-            const index h = halfedge[c];
-            const index on_side = halfedges[std::min(h, on_sides - 1)];
-            new_halfedge[c] = h < on_sides ? on_side : h + edge_offset;
+            const index v = vertex[c], h = halfedge[c];
+            const index vertex_on_side = vertices[std::min(v, on_sides - 1)],
+                        halfedge_on_side = halfedges[std::min(h, on_sides - 1)];
+            new_vertex[c] = v < on_sides ? vertex_on_side : v + vertex_offset;
+            new_halfedge[c] = h < on_sides ? halfedge_on_side : h + edge_offset;
         }
         index* const new_corner = to.halfedge_corner.data() + 2 * in_faces_[f].edge;
         for (std::size_t h = on_sides; h < corner.size(); ++h)
@@ -198,7 +212,7 @@ private:
             const first_numbers first = on_curves_[part.curve];
             const auto n = index(rates_.of_curves[part.curve]);
             const bool owns_curve = curve.face == f and curve.part == q;
-            if (const auto& start = faces_.starts()[faces_.corner_of(part)]; start.face == f and start.part == q)
+            if (begins_here(f, q))
                 to.vertex_corner[vertex_at(part)] = first_corner + corner[b];
             for (index i = 0; i < n; ++i, ++b) {
                 const index along = part.is_reversed ? n - 1 - i : i;
