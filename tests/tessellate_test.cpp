@@ -3,6 +3,7 @@
 
 #include "error_text.hpp"
 #include "every_scheme.hpp"
+#include "thread_count.hpp"
 
 #include <kith/limit/limit_surface.hpp>
 
@@ -144,6 +145,19 @@ TEST(tessellate, keeps_to_an_edge_length)
             const point &a = made.mesh.point(v[k]), &b = made.mesh.point(v[(k + 1) % 3]);
             EXPECT_LE(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), .15);
         }
+}
+
+TEST(tessellate, has_the_same_bits_on_any_number_of_threads)
+{
+    const auto mesh = native(shapes::shaken(shapes::triangulated(shapes::torus(8, 9))));
+    const auto one = tessellate(mesh, kith::catmull_clark{}, {.segments = 6});
+    const thread_count three(3);
+    const auto other = tessellate(mesh, kith::catmull_clark{}, {.segments = 6});
+    EXPECT_TRUE(std::ranges::equal(one.mesh.points(), other.mesh.points()));
+    EXPECT_TRUE(std::ranges::equal(one.normals, other.normals));
+    EXPECT_TRUE(std::ranges::equal(one.places, other.places));
+    EXPECT_TRUE(std::ranges::equal(one.mesh.topology().corner_vertex, other.mesh.topology().corner_vertex));
+    EXPECT_TRUE(std::ranges::equal(one.mesh.topology().halfedge_corner, other.mesh.topology().halfedge_corner));
 }
 
 TEST(tessellate, carries_other_values)

@@ -118,9 +118,17 @@ inline std::optional<normal_vector> unit_vector(const Vector& v)
 
 namespace detail {
 
-inline normal_vector cross(const normal_vector& a, const normal_vector& b)
+template <class Number>
+[[gnu::always_inline]] inline std::array<Number, 3> cross(const std::array<Number, 3>& a,
+                                                          const std::array<Number, 3>& b)
 {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// Returns false if a sum of squares may have overflowed or lost digits.
+inline bool is_usual_square(double square)
+{
+    constexpr double small = 0x1p-600, large = 0x1p600;
+    return small < square and square < large;
 }
 /// Returns the unit normal of two vectors whose products may overflow or vanish.
 [[gnu::noinline]] inline std::optional<normal_vector> unit_normal_of_any(const normal_vector& first,
@@ -139,8 +147,7 @@ inline std::optional<normal_vector> unit_normal(const Vector& first, const Vecto
         b{double(second[0]), double(second[1]), double(second[2])};
     normal_vector n = detail::cross(a, b);
     const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    constexpr double small = 0x1p-600, large = 0x1p600; // between them no square overflows, nor loses digits
-    if (not(small < square and square < large)) [[unlikely]]
+    if (not detail::is_usual_square(square)) [[unlikely]]
         return detail::unit_normal_of_any(a, b);
     const double length = std::sqrt(square);
     for (double& x : n)

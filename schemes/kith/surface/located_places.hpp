@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast_affine.hpp"
 #include "piece_values.hpp"
 #include "placed_pieces.hpp"
 
@@ -10,11 +9,10 @@
 #include <kith/base/for_parts.hpp>
 #include <kith/base/storage.hpp>
 #include <kith/mask/stencil.hpp>
+#include <kith/spline/fast_affine.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <limits>
 #include <ranges>
 #include <span>
 #include <string>

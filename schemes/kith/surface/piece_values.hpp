@@ -1,20 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast_affine.hpp"
 #include "placed_pieces.hpp"
 
 #include <kith/base/affine.hpp>
 #include <kith/mask/stencil.hpp>
-#include <kith/spline/surface_polynomial.hpp>
+#include <kith/spline/fast_affine.hpp>
+#include <kith/spline/polynomial_values.hpp>
 
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace kith::detail {
+
+/// Replaces the derivatives of a value by the parameters of a piece with those by the parameters of the face. Those that
+/// are not known become no numbers.
+template <class Number, std::size_t Outputs>
+[[gnu::always_inline]] inline void take_parameters_of_face(const surface_piece& at,
+                                                           std::array<typename Number::sum, Outputs>& values)
+{
+    using sum = typename Number::sum;
+    using scalar = typename Number::scalar;
+    const auto scale = [](sum& x, double weight) { Number::scale(x, static_cast<scalar>(weight)); };
+    if constexpr (Outputs > 1) {
+        const sum by_s = values[1], by_t = values[2];
+        const auto write = [&](sum& to, double s, double t) {
+            to = by_s;
+            scale(to, s);
+            polynomial_values<Number>::add_scaled(to, by_t, t);
+        };
+        write(values[1], at.s_u, at.t_u);
+        write(values[2], at.s_v, at.t_v);
+    }
+    if constexpr (Outputs > 3) {
+        const sum ss = values[3], st = values[4], tt = values[5];
+        const auto write = [&](sum& to, double s1, double t1, double s2, double t2) {
+            to = ss;
+            scale(to, s1 * s2);
+            polynomial_values<Number>::add_scaled(to, st, s1 * t2 + s2 * t1);
+            polynomial_values<Number>::add_scaled(to, tt, t1 * t2);
+        };
+        write(values[3], at.s_u, at.t_u, at.s_u, at.t_u);
+        write(values[4], at.s_u, at.t_u, at.s_v, at.t_v);
+        write(values[5], at.s_v, at.t_v, at.s_v, at.t_v);
+    }
+    constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 1; i < Outputs; ++i)
+        if (at.polynomial->derivatives < (i < 3 ? 1 : 2))
+            scale(values[i], no_number);
+}
 
 /// The coefficients of pieces of a limit surface for control values of a type, and the values that the pieces have.
 template <affine_value T>
@@ -23,9 +59,6 @@ class piece_values {
 
 public:
     using sum = typename number::sum;
-    /// The coefficients of the powers of s at some t, each with its derivatives by t.
-    template <std::size_t Outputs>
-    using line = std::array<std::array<sum, Outputs>, surface_polynomial::most_degree + 1>;
 
     void clear()
     {
@@ -61,9 +94,10 @@ public:
     static sum row_of(const subdivision_matrix& rows, std::size_t row, const sum* points)
     {
         std::size_t k = rows.begin_of_row(row);
-        sum total = scaled(points[std::size_t(rows.column[k])], rows.weight[k]);
+        sum total = points[std::size_t(rows.column[k])];
+        number::scale(total, static_cast<typename number::scalar>(rows.weight[k]));
         for (++k; k < rows.begin_of_row(row + 1); ++k)
-            add_scaled(total, points[std::size_t(rows.column[k])], rows.weight[k]);
+            values::add_scaled(total, points[std::size_t(rows.column[k])], rows.weight[k]);
         return total;
     }
 
@@ -72,119 +106,28 @@ public:
     template <std::size_t Outputs>
     [[nodiscard]] std::array<sum, Outputs> at(const surface_piece& piece, const placed_parameters& here) const
     {
-        const sum* const coefficients = coefficients_.data() + first_coefficient_[here.piece];
-        return by_parameters_of_face(piece, sums<Outputs>(*piece.polynomial, here.s, [&](std::size_t i) {
-                                         return row_at<Outputs>(*piece.polynomial, coefficients, i, here.t);
-                                     }));
+        const auto s = static_cast<typename number::scalar>(here.s);
+        std::array<sum, Outputs> result;
+        values::template evaluate<Outputs>(
+            *piece.polynomial,
+            s,
+            [&](std::size_t i, std::array<sum, Outputs>& row) { write_row(piece, here, i, row); },
+            result);
+        take_parameters_of_face<number>(piece, result);
+        return result;
     }
-    /// Writes the line of all s at the t of a place.
+    /// Writes the coefficient of s^i at the t of a place, with its derivatives by t.
     template <std::size_t Outputs>
-    void make_line(const surface_piece& piece, const placed_parameters& here, line<Outputs>& to) const
+    void write_row(const surface_piece& piece, const placed_parameters& here, std::size_t i,
+                   std::array<sum, Outputs>& row) const
     {
-        const sum* const coefficients = coefficients_.data() + first_coefficient_[here.piece];
-        for (std::size_t i = 0; i <= piece.polynomial->degree; ++i)
-            to[i] = row_at<Outputs>(*piece.polynomial, coefficients, i, here.t);
-    }
-    /// Returns what `at` returns, to the bit, for a place on the line that was made of its piece.
-    template <std::size_t Outputs>
-    static std::array<sum, Outputs> on_line(const surface_piece& piece, double s, const line<Outputs>& of_t)
-    {
-        return by_parameters_of_face(
-            piece, sums<Outputs>(*piece.polynomial, s, [&](std::size_t i) -> const auto& { return of_t[i]; }));
+        const auto t = static_cast<typename number::scalar>(here.t);
+        values::template evaluate_row<Outputs>(
+            *piece.polynomial, coefficients_.data() + first_coefficient_[here.piece], i, t, row);
     }
 
 private:
-    /// Returns weight * x.
-    static sum scaled(sum x, double weight)
-    {
-        number::scale(x, static_cast<typename number::scalar>(weight));
-        return x;
-    }
-    static void add_scaled(sum& total, const sum& x, double weight) { number::add(total, scaled(x, weight)); }
-    template <class Scalar>
-    static void multiply_and_add(sum& total, const Scalar& factor, const sum& more)
-    {
-        number::scale(total, factor);
-        number::add(total, more);
-    }
-    /// Returns a value and its derivatives by the parameters of the face, from those by the parameters of the piece.
-    template <std::size_t Outputs>
-    static std::array<sum, Outputs> by_parameters_of_face(const surface_piece& at, const std::array<sum, Outputs>& made)
-    {
-        std::array<sum, Outputs> result = made;
-        if constexpr (Outputs > 1) {
-            const auto first = [&](double by_s, double by_t) {
-                sum total = scaled(made[1], by_s);
-                add_scaled(total, made[2], by_t);
-                return total;
-            };
-            result[1] = first(at.s_u, at.t_u);
-            result[2] = first(at.s_v, at.t_v);
-        }
-        if constexpr (Outputs > 3) {
-            const auto second = [&](double s1, double t1, double s2, double t2) {
-                sum total = scaled(made[3], s1 * s2);
-                add_scaled(total, made[4], s1 * t2 + s2 * t1);
-                add_scaled(total, made[5], t1 * t2);
-                return total;
-            };
-            result[3] = second(at.s_u, at.t_u, at.s_u, at.t_u);
-            result[4] = second(at.s_u, at.t_u, at.s_v, at.t_v);
-            result[5] = second(at.s_v, at.t_v, at.s_v, at.t_v);
-        }
-        constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-        for (std::size_t i = 1; i < Outputs; ++i)
-            if (at.polynomial->derivatives < (i < 3 ? 1 : 2))
-                result[i] = scaled(result[i], no_number);
-        return result;
-    }
-    /// Returns a value with its derivatives, as many as there are outputs: value, s, t, ss, st, tt. row_of_power(i)
-    /// returns the coefficient of s^i, with its derivatives by t.
-    template <std::size_t Outputs, class RowOfPower>
-    static std::array<sum, Outputs> sums(const surface_polynomial& polynomial, double s, const RowOfPower& row_of_power)
-    {
-        const auto x = static_cast<typename number::scalar>(s);
-        std::array<sum, Outputs> result = row_of_power(polynomial.degree);
-        for (std::size_t i = polynomial.degree; i-- > 0;) {
-            const std::array<sum, Outputs>& row = row_of_power(i);
-            // Horner's rule: derivatives come before what they are derivatives of.
-            if constexpr (Outputs > 3) {
-                multiply_and_add(result[3], x, result[1]);
-                number::add(result[3], result[1]);
-                multiply_and_add(result[4], x, result[2]);
-                multiply_and_add(result[5], x, row[5]);
-            }
-            if constexpr (Outputs > 1) {
-                multiply_and_add(result[1], x, result[0]);
-                multiply_and_add(result[2], x, row[2]);
-            }
-            multiply_and_add(result[0], x, row[0]);
-        }
-        return result;
-    }
-    /// Returns the coefficient of s^i, a polynomial in t, with its derivatives by t; all others are zero.
-    template <std::size_t Outputs>
-    static std::array<sum, Outputs> row_at(const surface_polynomial& polynomial, const sum* coefficients, std::size_t i,
-                                           double t)
-    {
-        const auto y = static_cast<typename number::scalar>(t);
-        const sum* const row = coefficients + polynomial.begin_of_row(i);
-        std::size_t j = polynomial.row_size(i) - 1;
-        std::array<sum, Outputs> result;
-        if constexpr (Outputs > 1)
-            result.fill(scaled(row[j], 0));
-        result[0] = row[j];
-        while (j-- > 0) {
-            if constexpr (Outputs > 3) {
-                multiply_and_add(result[5], y, result[2]);
-                number::add(result[5], result[2]);
-            }
-            if constexpr (Outputs > 1)
-                multiply_and_add(result[2], y, result[0]);
-            multiply_and_add(result[0], y, row[j]);
-        }
-        return result;
-    }
+    using values = polynomial_values<number>;
 
     std::vector<sum> points_;                    // of the face that was added last
     std::vector<std::size_t> first_point_;       // of each of its nets

@@ -35,7 +35,7 @@ public:
     /// Calls body(r, lattice) for each request, on threads, in no order: the face_lattice has the parameters
     /// parameters_of(list) and the control points around the face. `places` is about the number of places.
     /// Errors: mesh_error for faces that the scheme has no parameters for.
-    template <std::size_t Outputs, affine_value T, class ParametersOf, class Body>
+    template <bool HasNormals, affine_value T, class ParametersOf, class Body>
     void for_each(std::span<const request> requests, std::span<const T> control, std::size_t places,
                   const ParametersOf& parameters_of, const Body& body)
     {
@@ -61,13 +61,15 @@ public:
                 for (; begin < end; ++begin) {
                     const part& some = parts[begin];
                     const request& first = requests[order[some.begin].request];
-                    face_lattice<T, Outputs> lattice(
+                    face_lattice<HasNormals> lattice(
                         search, *order[some.begin].of, order[some.begin].corner, parameters_of(first.list), some.alike);
                     for (std::size_t i = some.begin; i < some.end; ++i) {
                         inputs.clear();
                         search.append_inputs(*order[i].around, Index(requests[order[i].request].face), inputs);
-                        lattice.move_to(order[i].rows,
-                                        [&](std::size_t input) -> const T& { return control[inputs[input]]; });
+                        lattice.move_to(order[i].rows, [&](std::size_t input) -> std::array<double, 3> {
+                            const auto& point = affine<T>::load(control[inputs[input]]);
+                            return {double(point[0]), double(point[1]), double(point[2])};
+                        });
                         body(order[i].request, lattice);
                     }
                 }

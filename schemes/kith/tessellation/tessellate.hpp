@@ -5,6 +5,7 @@
 #include "tessellation_numbers.hpp"
 #include "tessellation_rates.hpp"
 
+#include <kith/base/affine.hpp>
 #include <kith/base/error.hpp>
 #include <kith/base/storage.hpp>
 #include <kith/level/lift.hpp>
@@ -20,6 +21,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,16 @@ struct tessellation {
 };
 
 namespace detail {
+
+/// Returns the point with these coordinates.
+template <class Point>
+Point point_from(const std::array<double, 3>& coordinates)
+{
+    typename affine<Point>::sum result;
+    for (std::size_t x = 0; x < 3; ++x)
+        result[x] = static_cast<std::remove_reference_t<decltype(result[x])>>(coordinates[x]);
+    return affine<Point>::store(result);
+}
 
 template <class Point, parametric_scheme Scheme, std::unsigned_integral Index>
 class tessellator {
@@ -117,12 +129,12 @@ private:
     /// rates where this is too far, or an edge too long, and returns whether there are such faces.
     bool raise_rates()
     {
-        storage<Point> vertices(numbers_->vertices());
-        evaluate<1>(
-            [&](std::size_t vertex, std::size_t, const auto&, const auto& made) { vertices[vertex] = made[0]; });
+        storage<normal_vector> vertices(numbers_->vertices());
+        evaluate<false>([&](std::size_t vertex, std::size_t, const auto&, const auto& values, std::size_t i) {
+            vertices[vertex] = values.point(i);
+        });
         tessellation_measures factors(*numbers_, faces_, options_);
-        factors.measure_triangles(
-            lattices_, requests_, control_, std::span<const Point>(vertices.data(), vertices.size()));
+        factors.measure_triangles(lattices_, requests_, control_, vertices);
         if (std::isfinite(options_.chord_error))
             factors.measure_walls(surface_, control_, rates_);
         const auto raised = [](std::size_t rate, double factor) { return whole_segments(factor * double(rate)); };
@@ -139,11 +151,12 @@ private:
         return std::ranges::any_of(factors.of_curves, [](double factor) { return factor > 1; });
     }
 
-    /// Calls take(vertex, face, u and v, values) for each vertex, on threads, in no order.
-    template <std::size_t Outputs, class Take>
+    /// Evaluates the vertices on threads: calls take(vertex, face, u and v, values, i), where i is its number among the
+    /// values, for each vertex, in no order.
+    template <bool HasNormals, class Take>
     void evaluate(const Take& take)
     {
-        lattices_.template for_each<Outputs, Point>(
+        lattices_.template for_each<HasNormals, Point>(
             requests_,
             control_,
             numbers_->vertices(),
@@ -152,8 +165,8 @@ private:
                 const auto parameters = numbers_->pattern(numbers_->pattern_of(f)).parameters();
                 using index = tessellation_numbers::index;
                 numbers_->for_own_vertices(f, [&](std::size_t begin, std::size_t end, index vertex, index step) {
-                    lattice.evaluate(begin, end, [&](std::size_t i, const std::array<Point, Outputs>& made) {
-                        take(vertex, f, parameters[i], made);
+                    lattice.evaluate(begin, end, [&](std::size_t place, const auto& values, std::size_t i) {
+                        take(vertex, f, parameters[place], values, i);
                         vertex += step;
                     });
                 });
@@ -166,12 +179,11 @@ private:
                                    storage<surface_place>(points.size()),
                                    storage<normal_vector>(points.size()),
                                    storage<std::uint32_t>(numbers_->triangles())};
-        evaluate<3>([&](std::size_t vertex, std::size_t f, const std::array<double, 2>& at, const auto& made) {
+        evaluate<true>([&](std::size_t vertex, std::size_t f, const auto& uv, const auto& values, std::size_t i) {
             const surface_place& origin = faces_.faces()[f].origin;
-            points[vertex] = made[0];
-            result.normals[vertex] = unit_normal(affine<Point>::load(made[1]), affine<Point>::load(made[2]))
-                                         .value_or(normal_vector{});
-            result.places[vertex] = {origin.face, at[0], at[1], origin.corner};
+            points[vertex] = point_from<Point>(values.point(i));
+            result.normals[vertex] = values.normal(i);
+            result.places[vertex] = {origin.face, uv[0], uv[1], origin.corner};
         });
         result.mesh = basic_mesh<Point>(std::move(points), numbers_->connect());
         for (std::size_t f = 0; f < faces_.faces().size(); ++f)

@@ -35,9 +35,9 @@ public:
     /// each triangle and for each edge.
     template <class Lattices, class Point>
     void measure_triangles(Lattices& lattices, std::span<const typename Lattices::request> requests,
-                           std::span<const Point> control, std::span<const Point> vertices)
+                           std::span<const Point> control, const storage<normal_vector>& vertices)
     {
-        lattices.template for_each<1, Point>(
+        lattices.template for_each<false, Point>(
             requests,
             control,
             3 * numbers_.triangles(),
@@ -46,15 +46,16 @@ public:
                 const triangle_pattern& pattern = numbers_.pattern(numbers_.pattern_of(f));
                 std::vector<tessellation_numbers::index> vertex;
                 numbers_.list_vertices(f, vertex);
-                std::vector<Point> middles(middles_in(pattern));
-                lattice.evaluate(
-                    0, middles.size(), [&](std::size_t i, const std::array<Point, 1>& made) { middles[i] = made[0]; });
+                std::vector<normal_vector> middles(middles_in(pattern));
+                lattice.evaluate(0, middles.size(), [&](std::size_t place, const auto& values, std::size_t i) {
+                    middles[place] = values.point(i);
+                });
                 for (std::size_t t = 0; t < pattern.triangles(); ++t) {
-                    const auto corner = [&](std::size_t k) -> const Point& {
+                    const auto corner = [&](std::size_t k) -> const normal_vector& {
                         return vertices[vertex[pattern.corner_vertex()[3 * t + k % 3]]];
                     };
                     const auto normal = unit_normal(difference(corner(1), corner(0)), difference(corner(2), corner(0)));
-                    const auto note_distance = [&](const Point& on_surface) {
+                    const auto note_distance = [&](const normal_vector& on_surface) {
                         const normal_vector from_corner = difference(on_surface, corner(0));
                         note_error(normal ? std::abs(dot(from_corner, *normal)) : length_of(from_corner), of_faces[f]);
                     };

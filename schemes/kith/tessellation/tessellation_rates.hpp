@@ -121,21 +121,21 @@ public:
         std::vector<typename Lattices::request> requests;
         for (const parametric_face& face : faces.faces())
             requests.push_back({face.origin.face, face.origin.corner, list_of(face)});
-        lattices.template for_each<1, Point>(
+        lattices.template for_each<false, Point>(
             requests,
             control,
             requests.size() * lists.back().size(),
             [&](std::size_t list) -> const auto& { return lists[list]; },
             [&](std::size_t f, auto& lattice) {
                 const parametric_face& face = faces.faces()[f];
-                std::array<Point, samples + 1> points;
+                std::array<normal_vector, samples + 1> points;
                 const auto raise = [&](std::size_t line, std::size_t& rate) {
                     const std::size_t first = line * points.size();
                     lattice.evaluate(
-                        first, first + points.size(), [&](std::size_t i, const std::array<Point, 1>& made) {
-                            points[i - first] = made[0];
+                        first, first + points.size(), [&](std::size_t place, const auto& values, std::size_t i) {
+                            points[place - first] = values.point(i);
                         });
-                    rate = std::max(rate, whole_segments(segments_of(std::span<const Point>(points), options)));
+                    rate = std::max(rate, whole_segments(segments_of(std::span<const normal_vector>(points), options)));
                 };
                 for (std::size_t q = 0; q < face.parts().size(); ++q)
                     if (const std::size_t c = face.parts()[q].curve;
