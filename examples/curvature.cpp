@@ -25,7 +25,8 @@ std::array<double, 3> color_of(double value)
 void draw(const kith::basic_mesh<point>& control, const kith::catmull_clark& scheme, double left)
 {
     const auto fine = tessellate(control, scheme, {.segments = 6, .chord_error = .01});
-    const auto curvatures = curvatures_of(fine.at.evaluate(control.points(), kith::derivatives::second));
+    const auto at = kith::surface_locator(control, scheme).locate(fine.places);
+    const auto curvatures = curvatures_of(at.evaluate(control.points(), kith::derivatives::second));
     painting::triangles triangles;
     for (std::size_t f = 0; f < fine.mesh.face_count(); ++f) {
         double sum = 0, known = 0;

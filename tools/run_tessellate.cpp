@@ -69,27 +69,40 @@ tessellation_options tessellation_options_from(const po::variables_map& values)
     return result;
 }
 
-/// Errors: usage_error for another scheme than those that the program tessellates.
-triangles tessellate_with(const any_scheme& scheme, const basic_mesh<>& mesh, const tessellation_options& options)
+/// Triangles, and their vertices as places that can be evaluated.
+struct located_triangles {
+    triangles made;
+    located_places at;
+};
+
+/// Locates the vertices if the mesh has attributes of vertices. Errors: usage_error for another scheme than those that
+/// the program tessellates.
+located_triangles tessellate_with(const any_scheme& scheme, const control_mesh& control,
+                                  const tessellation_options& options)
 {
     return std::visit(
-        [&]<class Scheme>(const Scheme& s) -> triangles {
-            if constexpr (parametric_scheme<Scheme> and scheme_with_creases<Scheme>)
-                return tessellate(mesh, s, options);
-            else
+        [&]<class Scheme>(const Scheme& s) -> located_triangles {
+            if constexpr (parametric_scheme<Scheme> and scheme_with_creases<Scheme>) {
+                located_triangles result{tessellate(control.mesh, s, options), {}};
+                if (not control.attributes.vertices.empty())
+                    result.at = surface_locator(control.mesh, s).locate(result.made.places);
+                return result;
+            } else {
                 throw usage_error("tessellate: '" + std::string(scheme_name<Scheme>()) +
                                   "' is not possible here; the schemes are catmull-clark and loop");
+            }
         },
         scheme);
 }
 
 /// Returns the attributes of vertices as smooth as the surface, and those of the faces that the triangles lie in.
-io::mesh_attributes attributes_on(const triangles& made, const io::mesh_attributes& of_control, std::size_t vertices)
+io::mesh_attributes attributes_on(const located_triangles& on, const io::mesh_attributes& of_control,
+                                  std::size_t vertices)
 {
     io::mesh_attributes result;
     for (io::attribute a : of_control.vertices) {
         a.values.resize(vertices);
-        const auto values = made.at.evaluate(a.values).points;
+        const auto values = on.at.evaluate(a.values).points;
         a.values.assign(values.begin(), values.end());
         for (double& x : a.values)
             x = io::as_stored(a.type, x);
@@ -97,7 +110,7 @@ io::mesh_attributes attributes_on(const triangles& made, const io::mesh_attribut
     }
     for (const io::attribute& from : of_control.faces) {
         io::attribute a{from.name, from.type, {}, from.labels};
-        for (const std::size_t face : made.faces)
+        for (const std::size_t face : on.made.faces)
             a.values.push_back(from.values[face]);
         result.faces.push_back(std::move(a));
     }
@@ -138,8 +151,9 @@ int run_tessellate(const verb& verb, const std::vector<std::string>& arguments)
     give_creases(scheme, control, words);
     settle(control, format, scheme, is_binary);
     const hole_field holes = holes_of(control.tags, control.mesh);
-    triangles made = tessellate_with(scheme, control.mesh, options);
-    auto attributes = attributes_on(made, control.attributes, control.mesh.vertex_count());
+    located_triangles on_surface = tessellate_with(scheme, control, options);
+    auto attributes = attributes_on(on_surface, control.attributes, control.mesh.vertex_count());
+    triangles& made = on_surface.made;
     refined_mesh result;
     result.mesh = std::move(made.mesh);
     result.normals = std::move(made.normals);

@@ -18,13 +18,6 @@ struct limit_side {
     double weight = 0;                     ///< one minus the cosine of the angle; 2 for half a turn, 4 for a whole one
 };
 
-inline normal_vector cross(const normal_vector& a, const normal_vector& b)
-{
-    normal_vector result;
-    for (std::size_t i = 0; i < 3; ++i)
-        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-    return result;
-}
 inline double dot(const normal_vector& a, const normal_vector& b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

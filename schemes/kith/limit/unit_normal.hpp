@@ -116,16 +116,43 @@ inline std::optional<normal_vector> unit_vector(const Vector& v)
     return n;
 }
 
+namespace detail {
+
+template <class Number>
+[[gnu::always_inline]] inline std::array<Number, 3> cross(const std::array<Number, 3>& a,
+                                                          const std::array<Number, 3>& b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// Returns false if a sum of squares may have overflowed or lost digits.
+inline bool is_usual_square(double square)
+{
+    constexpr double small = 0x1p-600, large = 0x1p600;
+    return small < square and square < large;
+}
+/// Returns the unit normal of two vectors whose products may overflow or vanish.
+[[gnu::noinline]] inline std::optional<normal_vector> unit_normal_of_any(const normal_vector& first,
+                                                                         const normal_vector& second)
+{
+    return unit_vector(cross(brought_near_one(first), brought_near_one(second)));
+}
+
+} // namespace detail
+
 /// The unit normal of the plane of two vectors, counter-clockwise; nothing where they are parallel or not finite.
 template <class Vector>
 inline std::optional<normal_vector> unit_normal(const Vector& first, const Vector& second)
 {
-    const auto a = detail::brought_near_one(detail::scaled(first, 0));
-    const auto b = detail::brought_near_one(detail::scaled(second, 0));
-    normal_vector n;
-    for (std::size_t i = 0; i < 3; ++i)
-        n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-    return unit_vector(n);
+    const normal_vector a{double(first[0]), double(first[1]), double(first[2])},
+        b{double(second[0]), double(second[1]), double(second[2])};
+    normal_vector n = detail::cross(a, b);
+    const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    if (not detail::is_usual_square(square)) [[unlikely]]
+        return detail::unit_normal_of_any(a, b);
+    const double length = std::sqrt(square);
+    for (double& x : n)
+        x /= length;
+    return n;
 }
 
 /// For each wanted vertex the mean of its faces' normals, each weighed by its area (Newell's formula), of length one;

@@ -14,7 +14,9 @@ namespace kith::detail {
 /// A piece of a limit surface over one face: a polynomial in the parameters s and t of the face. Its coefficients are
 /// weighted sums of the control points around the face.
 struct surface_polynomial {
-    std::size_t degree = 0;  ///< in s, and in t; at most 6
+    static constexpr std::size_t most_degree = 6;
+
+    std::size_t degree = 0;  ///< in s, and in t
     bool is_tensor = true;   ///< all terms s^i t^j have i, j <= degree; else i + j <= degree
     int derivatives = 2;     ///< so many are known; all others are no numbers
     subdivision_matrix rows; ///< of the coefficients, that of s^0 t^0 first, then by powers of t

@@ -28,9 +28,10 @@ struct face_neighbourhood {
 template <std::unsigned_integral Index, class Shapes>
 class face_search {
     using shape = typename Shapes::shape;
-    using neighbourhood = face_neighbourhood<Index, shape>;
 
 public:
+    using neighbourhood = face_neighbourhood<Index, shape>;
+
     face_search(const connectivity<Index>& mesh, Shapes& all) : shapes_(&all), finder_(mesh) {}
 
     /// Locates places of one face, those with these numbers. Writes them to `found`, and appends nets and pieces to

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fast_affine.hpp"
+#include "piece_values.hpp"
 #include "placed_pieces.hpp"
 
 #include <kith/base/affine.hpp>
@@ -9,11 +9,10 @@
 #include <kith/base/for_parts.hpp>
 #include <kith/base/storage.hpp>
 #include <kith/mask/stencil.hpp>
+#include <kith/spline/fast_affine.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <limits>
 #include <ranges>
 #include <span>
 #include <string>
@@ -71,7 +70,7 @@ public:
             all_.groups.size(),
             is_parallel,
             [&](std::size_t begin, std::size_t end) {
-                group_memory<typename detail::fast_affine<T>::sum> memory;
+                detail::piece_values<T> memory;
                 for (std::size_t group = begin; group < end; ++group)
                     switch (wanted) {
                     case derivatives::none: evaluate_group<1>(group, control, memory, result); break;
@@ -103,22 +102,6 @@ public:
     }
 
 private:
-    /// The memory of a thread while it evaluates groups of faces.
-    template <class Sum>
-    struct group_memory {
-        std::vector<Sum> points;                    ///< of the face at work
-        std::vector<std::size_t> first_point;       ///< of each of its nets
-        std::vector<Sum> coefficients;              ///< of all pieces of the group
-        std::vector<std::size_t> first_coefficient; ///< of each piece
-    };
-
-    /// Returns weight * x.
-    template <class T>
-    static typename detail::fast_affine<T>::sum scaled(typename detail::fast_affine<T>::sum x, double weight)
-    {
-        detail::fast_affine<T>::scale(x, static_cast<typename detail::fast_affine<T>::scalar>(weight));
-        return x;
-    }
     /// Returns the end of all that belongs to the faces before one, or before a group.
     [[nodiscard]] detail::end_of_face begin_of_face(std::size_t face) const
     {
@@ -140,139 +123,23 @@ private:
     }
 
     /// Evaluates the places of a group: the coefficients of its faces first, so that values are written in their order.
-    template <std::size_t Outputs, class T, class Sum>
-    void evaluate_group(std::size_t group, std::span<const T> control, group_memory<Sum>& memory,
+    template <std::size_t Outputs, class T>
+    void evaluate_group(std::size_t group, std::span<const T> control, detail::piece_values<T>& of_pieces,
                         surface_values<T>& result) const
     {
-        memory.coefficients.clear();
-        memory.first_coefficient.clear();
+        of_pieces.clear();
         for (std::size_t face = begin_of_group(group).faces; face < all_.groups[group].faces; ++face)
-            add_coefficients(face, control, memory);
+            of_pieces.add_face(all_, face, [&](std::size_t input) {
+                return detail::fast_affine<T>::load(control[all_.inputs[input]]);
+            });
         const auto pieces = pieces_of(group);
-        for (const auto& place : places_of(group))
-            store<T, Outputs>(
-                pieces[place.piece], memory.coefficients.data() + memory.first_coefficient[place.piece], place, result);
-    }
-    template <class T, class Sum>
-    void add_coefficients(std::size_t face, std::span<const T> control, group_memory<Sum>& memory) const
-    {
-        const detail::end_of_face begin = begin_of_face(face), end = all_.faces[face];
-        auto& [points, first_point, coefficients, first_coefficient] = memory;
-        points.clear();
-        first_point.clear();
-        for (std::size_t n = begin.nets; n < end.nets; ++n) {
-            const detail::surface_net& net = all_.nets[n];
-            first_point.push_back(points.size());
-            for (std::size_t i = 0; i < net.size; ++i)
-                if (net.rows == nullptr)
-                    points.push_back(detail::fast_affine<T>::load(control[all_.inputs[net.parent + i]]));
-                else
-                    points.push_back(
-                        row_of<T>(*net.rows, i, std::span<const Sum>(points).subspan(first_point[net.parent])));
+        for (const auto& place : places_of(group)) {
+            const auto made = of_pieces.template at<Outputs>(pieces[place.piece], place);
+            storage<T>* const outputs[] = {
+                &result.points, &result.du, &result.dv, &result.duu, &result.duv, &result.dvv};
+            for (std::size_t i = 0; i < Outputs; ++i)
+                (*outputs[i])[place.number] = detail::fast_affine<T>::store(made[i]);
         }
-        for (std::size_t p = begin.pieces; p < end.pieces; ++p) {
-            const detail::surface_piece& piece = all_.pieces[p];
-            const auto of_net = std::span<const Sum>(points).subspan(first_point[piece.net]);
-            first_coefficient.push_back(coefficients.size());
-            for (std::size_t term = 0; term < piece.polynomial->terms(); ++term)
-                coefficients.push_back(row_of<T>(piece.polynomial->rows, term, of_net));
-        }
-    }
-    template <class T, class Sum>
-    static Sum row_of(const subdivision_matrix& rows, std::size_t row, std::span<const Sum> points)
-    {
-        std::size_t k = rows.begin_of_row(row);
-        Sum total = scaled<T>(points[std::size_t(rows.column[k])], rows.weight[k]);
-        for (++k; k < rows.begin_of_row(row + 1); ++k)
-            detail::fast_affine<T>::add(total, scaled<T>(points[std::size_t(rows.column[k])], rows.weight[k]));
-        return total;
-    }
-    /// Writes the value at a place and, if there are 3 or 6 outputs, its first or first and second derivatives.
-    template <class T, std::size_t Outputs, class Sum>
-    static void store(const detail::surface_piece& at, const Sum* coefficients, const detail::placed_parameters& here,
-                      surface_values<T>& result)
-    {
-        const detail::surface_polynomial& polynomial = *at.polynomial;
-        const auto made = sums<T, Outputs>(polynomial, coefficients, here.s, here.t);
-        const auto write = [&](storage<T>& to, const Sum& x, int needed) {
-            constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-            to[here.number] = detail::fast_affine<T>::store(polynomial.derivatives < needed ? scaled<T>(x, no_number)
-                                                                                            : x);
-        };
-        write(result.points, made[0], 0);
-        if constexpr (Outputs > 1) {
-            const auto first = [&](double by_s, double by_t) {
-                Sum total = scaled<T>(made[1], by_s);
-                detail::fast_affine<T>::add(total, scaled<T>(made[2], by_t));
-                return total;
-            };
-            write(result.du, first(at.s_u, at.t_u), 1);
-            write(result.dv, first(at.s_v, at.t_v), 1);
-        }
-        if constexpr (Outputs > 3) {
-            const auto second = [&](double s1, double t1, double s2, double t2) {
-                Sum total = scaled<T>(made[3], s1 * s2);
-                detail::fast_affine<T>::add(total, scaled<T>(made[4], s1 * t2 + s2 * t1));
-                detail::fast_affine<T>::add(total, scaled<T>(made[5], t1 * t2));
-                return total;
-            };
-            write(result.duu, second(at.s_u, at.t_u, at.s_u, at.t_u), 2);
-            write(result.duv, second(at.s_u, at.t_u, at.s_v, at.t_v), 2);
-            write(result.dvv, second(at.s_v, at.t_v, at.s_v, at.t_v), 2);
-        }
-    }
-    /// A value with its derivatives, as many as there are outputs: value, s, t, ss, st, tt.
-    template <class T, std::size_t Outputs, class Sum>
-    static std::array<Sum, Outputs> sums(const detail::surface_polynomial& polynomial, const Sum* coefficients,
-                                         double s, double t)
-    {
-        const auto x = static_cast<typename detail::fast_affine<T>::scalar>(s);
-        std::array<Sum, Outputs> result = row_at<T, Outputs>(polynomial, coefficients, polynomial.degree, t);
-        for (std::size_t i = polynomial.degree; i-- > 0;) {
-            const std::array<Sum, Outputs> row = row_at<T, Outputs>(polynomial, coefficients, i, t);
-            // Horner's rule: derivatives come before what they are derivatives of.
-            if constexpr (Outputs > 3) {
-                multiply_and_add<T>(result[3], x, result[1]);
-                detail::fast_affine<T>::add(result[3], result[1]);
-                multiply_and_add<T>(result[4], x, result[2]);
-                multiply_and_add<T>(result[5], x, row[5]);
-            }
-            if constexpr (Outputs > 1) {
-                multiply_and_add<T>(result[1], x, result[0]);
-                multiply_and_add<T>(result[2], x, row[2]);
-            }
-            multiply_and_add<T>(result[0], x, row[0]);
-        }
-        return result;
-    }
-    /// Returns the coefficient of s^i, a polynomial in t, with its derivatives by t; all others are zero.
-    template <class T, std::size_t Outputs, class Sum>
-    static std::array<Sum, Outputs> row_at(const detail::surface_polynomial& polynomial, const Sum* coefficients,
-                                           std::size_t i, double t)
-    {
-        const auto y = static_cast<typename detail::fast_affine<T>::scalar>(t);
-        const Sum* const row = coefficients + polynomial.begin_of_row(i);
-        std::size_t j = polynomial.row_size(i) - 1;
-        std::array<Sum, Outputs> result;
-        if constexpr (Outputs > 1)
-            result.fill(scaled<T>(row[j], 0));
-        result[0] = row[j];
-        while (j-- > 0) {
-            if constexpr (Outputs > 3) {
-                multiply_and_add<T>(result[5], y, result[2]);
-                detail::fast_affine<T>::add(result[5], result[2]);
-            }
-            if constexpr (Outputs > 1)
-                multiply_and_add<T>(result[2], y, result[0]);
-            multiply_and_add<T>(result[0], y, row[j]);
-        }
-        return result;
-    }
-    template <class T, class Sum, class Scalar>
-    static void multiply_and_add(Sum& total, const Scalar& factor, const Sum& more)
-    {
-        detail::fast_affine<T>::scale(total, factor);
-        detail::fast_affine<T>::add(total, more);
     }
 
     detail::placed_pieces all_;

@@ -32,6 +32,8 @@ namespace detail {
 
 template <parametric_scheme Scheme, std::unsigned_integral Index>
 class surface_cells;
+template <parametric_scheme Scheme, std::unsigned_integral Index>
+class surface_lattices;
 
 } // namespace detail
 
@@ -81,6 +83,7 @@ public:
 
 private:
     friend class detail::surface_cells<Scheme, Index>;
+    friend class detail::surface_lattices<Scheme, Index>;
 
     using shapes = detail::surface_shapes<Index, Scheme>;
     using search = detail::face_search<Index, shapes>;

@@ -84,29 +84,6 @@ inline std::size_t whole_segments(double segments)
     return std::size_t(std::ceil(segments));
 }
 
-/// Returns the points of a surface at some places.
-template <class Locator, class Point>
-storage<Point> points_at(Locator& surface, std::span<const Point> control, const std::vector<surface_place>& places)
-{
-    constexpr std::size_t at_once = std::size_t(1) << 18; // so that located places take some megabytes
-    storage<Point> result(places.size());
-    for (std::size_t first = 0; first < places.size(); first += at_once) {
-        const auto some = std::span(places).subspan(first, std::min(at_once, places.size() - first));
-        const auto made = surface.locate(some).evaluate(control).points;
-        std::ranges::copy(made, result.begin() + first);
-    }
-    return result;
-}
-
-/// Returns the place at u and v of a face, which rounding may have brought out of it.
-inline surface_place place_in(const parametric_face& face, double u, double v)
-{
-    surface_place place = face.origin;
-    place.u = std::clamp(u, 0., 1.);
-    place.v = std::clamp(v, 0., face.sides.size() == 3 ? 1 - place.u : 1.);
-    return place;
-}
-
 /// The numbers of segments of the curves that faces share, and of the grids within faces.
 class tessellation_rates {
 public:
@@ -117,13 +94,12 @@ public:
     std::vector<std::size_t> of_curves;
     std::vector<of_grid> of_faces;
 
-    /// Chooses the numbers by samples of the curves and of lines across the faces. The faces must outlive this object.
-    /// Errors: mesh_error for too many segments. Cost: that of some hundred evaluations for each face; O(faces) if
-    /// segments alone are asked for.
-    template <class Locator, class Point>
-    tessellation_rates(const parametric_faces& faces, Locator& surface, std::span<const Point> control,
+    /// Chooses the numbers by samples of the curves and of lines across the faces. Errors: mesh_error for too many
+    /// segments. Cost: that of some hundred evaluations for each face; O(faces) if segments alone are asked for.
+    template <class Lattices, class Point>
+    tessellation_rates(const parametric_faces& faces, Lattices& lattices, std::span<const Point> control,
                        const tessellation_options& options)
-        : of_curves(faces.curves().size()), of_faces(faces.faces().size()), faces_(faces)
+        : of_curves(faces.curves().size()), of_faces(faces.faces().size())
     {
         const auto least = [&](bool is_half) {
             return whole_segments(double(is_half ? (options.segments + 1) / 2 : options.segments));
@@ -134,52 +110,75 @@ public:
             of_faces[f] = {least(faces.faces()[f].is_sub_face), least(faces.faces()[f].is_sub_face)};
         if (std::isinf(options.longest_edge) and std::isinf(options.chord_error) and std::isinf(options.angle))
             return;
-        for (std::size_t c = 0; c < of_curves.size(); ++c) {
-            for (std::size_t i = 0; i <= samples; ++i)
-                places_.push_back(faces.place_on(faces.curves()[c], double(i) / samples));
-            rates_.push_back(&of_curves[c]);
-        }
-        for (std::size_t f = 0; f < of_faces.size(); ++f)
-            add_lines_across(f);
-        const auto points = points_at(surface, control, places_);
-        for (std::size_t line = 0; line < rates_.size(); ++line) {
-            const std::span<const Point> of_line(points.data() + line * (samples + 1), samples + 1);
-            *rates_[line] = std::max(*rates_[line], whole_segments(segments_of(of_line, options)));
-        }
-        for (std::size_t f = 0; f < of_faces.size(); ++f)
-            if (faces.faces()[f].sides.size() == 3)
-                of_faces[f].u = of_faces[f].v = std::max(of_faces[f].u, of_faces[f].v);
-        places_.clear();
-        rates_.clear();
+        // The faces of a list have as many sides, and parts of a side, as its number tells.
+        const auto list_of = [](const parametric_face& face) {
+            return std::size_t(2 * (face.sides - 3) + face.parts_of_side - 1);
+        };
+        std::vector<std::vector<std::array<double, 2>>> lists;
+        for (const std::size_t sides : {3, 4})
+            for (const std::size_t parts_of_side : {1, 2})
+                lists.push_back(samples_of(sides, parts_of_side));
+        std::vector<typename Lattices::request> requests;
+        for (const parametric_face& face : faces.faces())
+            requests.push_back({face.origin.face, face.origin.corner, list_of(face)});
+        lattices.template for_each<false, Point>(
+            requests,
+            control,
+            requests.size() * lists.back().size(),
+            [&](std::size_t list) -> const auto& { return lists[list]; },
+            [&](std::size_t f, auto& lattice) {
+                const parametric_face& face = faces.faces()[f];
+                std::array<normal_vector, samples + 1> points;
+                const auto raise = [&](std::size_t line, std::size_t& rate) {
+                    const std::size_t first = line * points.size();
+                    lattice.evaluate(
+                        first, first + points.size(), [&](std::size_t place, const auto& values, std::size_t i) {
+                            points[place - first] = values.point(i);
+                        });
+                    rate = std::max(rate, whole_segments(segments_of(std::span<const normal_vector>(points), options)));
+                };
+                for (std::size_t q = 0; q < face.parts().size(); ++q)
+                    if (const std::size_t c = face.parts()[q].curve;
+                        faces.curves()[c].face == f and faces.curves()[c].part == q)
+                        raise(q, of_curves[c]);
+                for (std::size_t line = face.parts().size(); line * points.size() < lists[list_of(face)].size(); ++line)
+                    raise(line,
+                          (line - face.parts().size()) % lines_at_once(face.sides) == 1 ? of_faces[f].v
+                                                                                        : of_faces[f].u);
+                if (face.sides == 3)
+                    of_faces[f].u = of_faces[f].v = std::max(of_faces[f].u, of_faces[f].v);
+            });
     }
 
 private:
     static constexpr std::size_t samples = 8; // segments of a line that is looked at
 
-    /// Adds the samples of lines across a face.
-    void add_lines_across(std::size_t f)
+    /// Returns the number of directions of lines across a face.
+    static std::size_t lines_at_once(std::size_t sides) { return sides == 3 ? 3 : 2; }
+    /// Returns the samples of the parts of the sides of a face, then those of lines across it: along u, along v and, in
+    /// a triangle, along its second side.
+    static std::vector<std::array<double, 2>> samples_of(std::size_t sides, std::size_t parts_of_side)
     {
-        const parametric_face& face = faces_.faces()[f];
-        const bool is_triangle = face.sides.size() == 3;
-        const auto add_line = [&](double u, double v, double by_u, double by_v, std::size_t& rate) {
-            for (std::size_t i = 0; i <= samples; ++i) {
-                const double t = double(i) / samples;
-                places_.push_back(place_in(face, u + by_u * t, v + by_v * t));
-            }
-            rates_.push_back(&rate);
-        };
+        std::vector<std::array<double, 2>> result;
+        for (std::size_t q = 0; q < sides * parts_of_side; ++q)
+            for (std::size_t i = 0; i <= samples; ++i)
+                result.push_back(
+                    parameters_on_side(sides,
+                                       q / parts_of_side,
+                                       (double(q % parts_of_side) + double(i) / samples) / double(parts_of_side)));
         for (const double at : {.125, .375, .625, .875}) {
-            const double length = is_triangle ? 1 - at : 1;
-            add_line(0, at, length, 0, of_faces[f].u);
-            add_line(at, 0, 0, length, of_faces[f].v);
-            if (is_triangle)
-                add_line(length, 0, -length, length, of_faces[f].u);
+            const double length = sides == 3 ? 1 - at : 1;
+            const std::array<std::array<double, 4>, 3> lines{
+                {{0, at, length, 0}, {at, 0, 0, length}, {length, 0, -length, length}}};
+            for (std::size_t k = 0; k < lines_at_once(sides); ++k)
+                for (std::size_t i = 0; i <= samples; ++i) {
+                    const double t = double(i) / samples;
+                    const auto& [u, v, by_u, by_v] = lines[k];
+                    result.push_back(parameters_within(sides, u + by_u * t, v + by_v * t));
+                }
         }
+        return result;
     }
-
-    const parametric_faces& faces_;
-    std::vector<surface_place> places_; // of all samples
-    std::vector<std::size_t*> rates_;   // of the line of each
 };
 
 } // namespace detail
