@@ -19,7 +19,7 @@ namespace kith::io {
 
 namespace {
 
-using cursor = text_cursor<text_kind::with_comments>;
+using off_cursor = text_cursor<text_kind::with_comments>;
 
 /// The prefix of the keyword: [ST][C][N][4][n]OFF in any order, as programs do not agree on one.
 struct off_keyword {
@@ -31,7 +31,7 @@ struct off_keyword {
     [[nodiscard]] int numbers() const { return coordinates() + (normal ? 3 : 0) + (color ? 4 : 0) + (texture ? 2 : 0); }
 };
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_component = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of a file, and whether it is written with a point or an exponent.
 struct off_number {
@@ -60,13 +60,13 @@ public:
     void add(std::size_t element, off_numbers color)
     {
         kinds_.resize(element, kind::none);
-        values_.resize(4 * element, no_number);
+        values_.resize(4 * element, no_component);
         const auto rgb = color.first(3);
         const bool are_bytes = std::ranges::all_of(rgb, is_byte, &off_number::value);
         kind of_color = are_bytes and std::ranges::any_of(rgb, is_larger_than_one)        ? kind::bytes
                         : are_bytes and std::ranges::none_of(rgb, &off_number::has_point) ? kind::zeros_and_ones
                                                                                           : kind::shares;
-        double alpha = color.size() == 4 ? color[3].value : no_number;
+        double alpha = color.size() == 4 ? color[3].value : no_component;
         if (of_color == kind::zeros_and_ones and alpha > 1 and is_byte(alpha))
             of_color = kind::bytes;
         const bool is_share_beside_bytes = of_color == kind::bytes and color.size() == 4 and color[3].has_point and
@@ -89,7 +89,7 @@ public:
         if (kinds_.empty())
             return;
         kinds_.resize(elements, kind::none);
-        values_.resize(4 * elements, no_number);
+        values_.resize(4 * elements, no_component);
         const bool some_are_bytes = std::ranges::find(kinds_, kind::bytes) != kinds_.end();
         const bool all_are_bytes = some_are_bytes and std::ranges::find(kinds_, kind::shares) == kinds_.end();
         const std::size_t first = attributes.size();
@@ -140,7 +140,7 @@ bool is_plausible_normal(off_numbers n)
     return square == 0 or std::abs(square - 1) < tolerance;
 }
 
-off_keyword read_keyword(cursor& text)
+off_keyword read_keyword(off_cursor& text)
 {
     const std::string_view keyword = text.word();
     const auto refuse = [&] {
@@ -208,7 +208,7 @@ private:
     void read_counts()
     {
         to_content([] { return std::string("the numbers of vertices and faces"); });
-        if (cursor ahead = text_; ahead.word() == "BINARY")
+        if (off_cursor ahead = text_; ahead.word() == "BINARY")
             text_.refuse_here(
                 "binary OFF is not read, as programs do not agree on its byte order; save it as text or as PLY");
         if (keyword_.has_dimension)
@@ -237,7 +237,7 @@ private:
     void find_order()
     {
         constexpr std::size_t most_vertices = 4096;
-        const cursor begin = text_;
+        const off_cursor begin = text_;
         std::array<std::size_t, 2> doubts{}; // normals first, colours first
         for (std::size_t v = 0; v < std::min(vertices_, most_vertices); ++v) {
             (void)read_place(v);
@@ -263,7 +263,7 @@ private:
     /// and some files have all their numbers in a line: then nothing but what the keyword says stands between them.
     bool lines_hold_elements()
     {
-        const auto numbers_in_line = [](cursor text) {
+        const auto numbers_in_line = [](off_cursor text) {
             std::size_t result = 0;
             while (not text.word().empty())
                 ++result;
@@ -276,7 +276,7 @@ private:
             (void)text_.word();
             text_.refuse("this line holds more than the numbers of vertices, faces and edges");
         }
-        cursor first = text_;
+        off_cursor first = text_;
         if (not first.to_content())
             return true;
         const std::size_t numbers = numbers_in_line(first);
@@ -371,7 +371,7 @@ private:
         const auto add = [&](std::vector<std::vector<double>>& columns, off_numbers values) {
             columns.resize(values.size());
             for (std::size_t i = 0; i < values.size(); ++i) {
-                columns[i].resize(vertex, no_number);
+                columns[i].resize(vertex, no_component);
                 columns[i].push_back(values[i].value);
             }
         };
@@ -419,7 +419,7 @@ private:
         mesh_attributes& attributes = soup_.attributes;
         const auto take = [&](std::vector<std::vector<double>>& columns, std::span<const std::string_view> names) {
             for (std::size_t i = 0; i < columns.size(); ++i) {
-                columns[i].resize(vertices_, no_number);
+                columns[i].resize(vertices_, no_component);
                 attributes.vertices.emplace_back().name = names[i];
                 attributes.vertices.back().values = std::move(columns[i]);
             }
@@ -435,7 +435,7 @@ private:
     }
 
     std::string_view bytes_;
-    cursor text_;
+    off_cursor text_;
     off_keyword keyword_;
     polygon_soup soup_;
     std::size_t vertices_ = 0, faces_ = 0;

@@ -266,7 +266,9 @@ TEST(refine_in_patches, leaves_small_patches_of_a_scattered_mesh_to_the_order_of
     EXPECT_FALSE(makes(scattered, kith::loop{}, 1, connect::everything)); // patches of 4 faces
     EXPECT_FALSE(makes(scattered, kith::loop{}, 2, connect::faces));      // of 16
     EXPECT_TRUE(makes(scattered, kith::loop{}, 2, connect::everything));
-    EXPECT_TRUE(makes(scattered, kith::loop{}, 3, connect::faces));
+    if (not under_sanitizers) { // it is large
+        EXPECT_TRUE(makes(scattered, kith::loop{}, 3, connect::faces));
+    }
     EXPECT_TRUE(makes(native(shapes::triangulated(shapes::torus(61, 66))), kith::loop{}, 1, connect::everything));
     // No order of the surface.
     EXPECT_TRUE(makes(scattered, kith::doo_sabin{}, 2, connect::faces)); // from the first level on
@@ -720,11 +722,12 @@ TEST(refine_in_patches, tells_a_thin_tube_from_a_thick_one)
 
 TEST(refine_in_patches, does_not_look_at_more_faces_around_a_face_than_it_can_number)
 {
-    const auto mesh = native(shapes::umbrella(1000)); // around whose apex all faces lie
-    EXPECT_TRUE(compare(mesh, kith::loop{}, 2));
+    constexpr std::size_t faces = 600; // all of which lie around the apex
+    static_assert(faces > kith::face_walk<std::uint32_t>::most_faces);
+    EXPECT_TRUE(compare(native(shapes::umbrella(faces)), kith::loop{}, 2));
     // Nor where it has just looked at others.
     const auto torus = shapes::triangulated(shapes::torus(9, 9));
-    EXPECT_TRUE(compare(native(shapes::shaken(shapes::both(torus, shapes::umbrella(1000)))), kith::loop{}, 2));
+    EXPECT_TRUE(compare(native(shapes::shaken(shapes::both(torus, shapes::umbrella(faces)))), kith::loop{}, 2));
 }
 
 } // namespace

@@ -70,11 +70,12 @@ TEST(refine_in_surface_order, is_what_refine_does_with_a_scattered_mesh)
         }
     };
     expect_same(scattered_torus(), kith::catmull_clark{});
+    expect_same(scattered_grid(), kith::loop{});
+    if (under_sanitizers) // one closed mesh and one that is open take all ways
+        return;
     expect_same(scattered_torus(), kith::sqrt3{});
     expect_same(scattered_torus(), kith::butterfly{});
-    expect_same(scattered_grid(), kith::loop{});
-    if (not under_sanitizers)
-        expect_same(scattered_torus(), kith::sqrt3{}, 5, connect::everything);
+    expect_same(scattered_torus(), kith::sqrt3{}, 5, connect::everything);
     expect_same(scattered_grid(), kith::catmull_clark{.corners = kith::boundary_corner::smoothed, .sharpness = {}});
 }
 

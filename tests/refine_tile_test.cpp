@@ -108,10 +108,11 @@ TEST(refine_tile, makes_the_last_steps_in_patches_beside_creases_and_irregular_v
         const kith::catmull_clark scheme{.corners = kith::boundary_corner::kept, .sharpness = sharpened(quads, method)};
         EXPECT_GT(compare_last_in_patches(quads, scheme, levels, partitions::grown(quads, 5, 3), 5), 0U);
     }
+    const int levels_of_triangles = levels - (under_sanitizers ? 1 : 0);
     for (const auto& mesh : {triangles, open}) {
         const auto parts = partitions::grown(mesh, 6, 2);
-        EXPECT_GT(compare_last_in_patches(mesh, kith::loop{}, levels, parts, 6), 0U);
-        EXPECT_GT(compare_last_in_patches(mesh, kith::butterfly{}, levels, parts, 6), 0U);
+        EXPECT_GT(compare_last_in_patches(mesh, kith::loop{}, levels_of_triangles, parts, 6), 0U);
+        EXPECT_GT(compare_last_in_patches(mesh, kith::butterfly{}, levels_of_triangles, parts, 6), 0U);
     }
     EXPECT_GT(compare_last_in_patches(triangles, kith::sqrt3{}, levels, partitions::grown(triangles, 3, 2), 3), 0U);
 }
@@ -267,7 +268,9 @@ TEST(refine_tile, takes_valences_from_3_to_17_polygons_and_creases)
     const auto run = [](const auto& scheme, const mesh3d& mesh) {
         SCOPED_TRACE(name_of(scheme));
         EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::grown(mesh, 5, 1), 5), "");
-        EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::scattered(mesh.face_count(), 3, 1), 3), "");
+        if (not under_sanitizers) { // small meshes are scattered there
+            EXPECT_EQ(tiles_differ(mesh, scheme, 2, partitions::scattered(mesh.face_count(), 3, 1), 3), "");
+        }
     };
     for (const auto method : {kith::crease_method::uniform, kith::crease_method::chaikin}) {
         run(kith::catmull_clark{.corners = {}, .sharpness = sharpened(polygons, method)}, polygons);

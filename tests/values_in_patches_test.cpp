@@ -19,6 +19,7 @@
 #include "same_mesh.hpp"
 #include "shapes.hpp"
 #include "shuffled.hpp"
+#include "under_sanitizers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -89,6 +90,8 @@ TEST(values_in_patches, are_carried_by_the_masks_to_the_same_bits)
     const auto torus = native(shapes::shaken(shapes::torus(12, 24)));
     expect_same_carried<kith::catmull_clark, double>(torus, {}, 5);
     expect_same_carried<kith::loop, float>(native(shapes::shaken(shapes::triangulated(shapes::torus(12, 24)))), {}, 5);
+    if (under_sanitizers)
+        return;
     expect_same_carried<kith::doo_sabin, double>(torus, {}, 5);
     const auto open = native(shapes::shaken(shapes::grid(17, 19)));
     kith::catmull_clark creased;
@@ -115,7 +118,9 @@ TEST(values_in_patches, go_along_with_a_mesh_that_is_refined_in_patches)
 {
     const auto control = native(shapes::shaken(shapes::torus(12, 24)));
     const kith::catmull_clark scheme;
-    for (const auto last : {kith::connect::faces, kith::connect::everything}) {
+    for (const auto last : {kith::connect::everything, kith::connect::faces}) {
+        if (under_sanitizers and last == kith::connect::faces)
+            continue;
         auto weight = kith::on_vertices(values_at_vertices<double>(control), kith::by_mask());
         auto shade = kith::on_vertices(values_at_vertices<colour>(control), kith::by_mask());
         auto label = kith::on_faces(labels_of(control));

@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 /// A file that holds one number. Nothing for "max", and where there is no such file.
-std::optional<std::uint64_t> number_in(const std::string& path)
+std::optional<std::uint64_t> number_in_file(const std::string& path)
 {
     std::ifstream in(path);
     std::uint64_t number = 0;
@@ -57,8 +57,8 @@ std::uint64_t left_in_groups(const std::string& mount, const std::string& group,
     std::uint64_t left = unlimited;
     for (auto path = std::filesystem::path(group).relative_path();; path = path.parent_path()) {
         const std::string here = mount + "/" + path.string() + "/";
-        const auto limit = number_in(here + std::string(names.limit));
-        const auto usage = number_in(here + std::string(names.usage));
+        const auto limit = number_in_file(here + std::string(names.limit));
+        const auto usage = number_in_file(here + std::string(names.usage));
         if (limit and usage) {
             const auto cache = number_after(here + "memory.stat", std::string(names.cache)).value_or(0);
             const std::uint64_t used = *usage - std::min(*usage, cache);

@@ -21,7 +21,7 @@ mpi::sharing sharing_named(const std::string& name)
     throw usage_error("--mode: '" + name + "' is not one of spmd, manager");
 }
 
-po::options_description options_of_refine()
+po::options_description options_of_rank_refine()
 {
     po::options_description options("Options");
     add_scheme_options(options);
@@ -78,7 +78,7 @@ void require_slices_alone(const po::variables_map& values)
 
 std::optional<rank_request> rank_request_from(const verb& verb, const std::vector<std::string>& arguments)
 {
-    const auto values = parse(verb, options_of_refine(), {"[IN]"}, arguments);
+    const auto values = parse(verb, options_of_rank_refine(), {"[IN]"}, arguments);
     if (not values)
         return std::nullopt;
     const auto text = [&](const char* option, std::string otherwise) {

@@ -55,7 +55,7 @@ void print_box(const Line& line, const mesh_facts& facts)
 }
 
 /// What `info` tells beside facts.
-struct verdict {
+struct mesh_verdict {
     std::vector<std::string> problems;     ///< all that `refine` would refuse, whatever the scheme
     std::vector<std::string> tags;         ///< "edge 0-1: sharpness 2"
     std::vector<std::string_view> schemes; ///< that take the mesh
@@ -109,9 +109,9 @@ std::string numbers_of(const mesh_tags& tags)
     return result.empty() ? "none" : result;
 }
 
-verdict verdict_on(const polygon_soup& soup, const mesh_report& report)
+mesh_verdict verdict_on(const polygon_soup& soup, const mesh_report& report)
 {
-    verdict result{report.lines(), lines_of(soup.tags), {}, topics_of(soup.attributes), soup.not_kept, {}, {}};
+    mesh_verdict result{report.lines(), lines_of(soup.tags), {}, topics_of(soup.attributes), soup.not_kept, {}, {}};
     if (not report.has(problem::bad_index))
         result.cracks = cracks_of(soup);
     result.remedies = remedies(soup, report);
@@ -162,7 +162,7 @@ std::string cracks_text(const cracks& found, std::size_t first_number)
     return result + (count > most ? ", ..." : "") + "; --weld joins them";
 }
 
-void print_text(const std::string& path, const mesh_facts& facts, const polygon_soup& soup, const verdict& found)
+void print_text(const std::string& path, const mesh_facts& facts, const polygon_soup& soup, const mesh_verdict& found)
 {
     const auto line = [](std::string_view name, const auto& value) {
         std::cout << std::left << std::setw(22) << name << value << '\n';
@@ -206,7 +206,7 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
         std::cout << "  " << remedy << '\n';
 }
 
-void print_json(const std::string& path, const mesh_facts& facts, const verdict& found)
+void print_json(const std::string& path, const mesh_facts& facts, const mesh_verdict& found)
 {
     json_object result;
     result.add("file", path)
@@ -254,7 +254,7 @@ int run_info(const verb& verb, const std::vector<std::string>& arguments)
     const polygon_soup soup = read_soup(path, input_repair_from(*values));
     const mesh_report report = report_of(soup);
     const mesh_facts facts = shown("counting", {}, [&] { return facts_of(soup, report); });
-    const verdict found = shown("trying schemes", {}, [&] { return verdict_on(soup, report); });
+    const mesh_verdict found = shown("trying schemes", {}, [&] { return verdict_on(soup, report); });
     if (values->count("json") != 0)
         print_json(path, facts, found);
     else
