@@ -47,8 +47,8 @@ struct polynomial_values {
     }
     /// Writes the coefficient of s^i, a polynomial in t, with its derivatives by t; all others are zero.
     template <std::size_t Outputs, class Parameter>
-    static void evaluate_row(const surface_polynomial& polynomial, const sum* coefficients, std::size_t i,
-                             const Parameter& t, std::array<sum, Outputs>& result)
+    [[gnu::always_inline]] static void evaluate_row(const surface_polynomial& polynomial, const sum* coefficients,
+                                                    std::size_t i, const Parameter& t, std::array<sum, Outputs>& result)
     {
         const sum* const row = coefficients + polynomial.begin_of_row(i);
         std::size_t j = polynomial.row_size(i) - 1;
