@@ -136,6 +136,16 @@ void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Inde
     refinement_run(std::move(control), scheme, levels).make(last);
 }
 
+/// Returns whether the last steps are made in patches, and why.
+template <class Point, std::unsigned_integral Index, scheme Scheme>
+strategy strategy_in_patches(basic_mesh<Point, Index> control, Scheme scheme, int levels, connect last_level)
+{
+    no_last_level none(last_level);
+    refinement_run run(std::move(control), scheme, levels);
+    run.make_in_patches(none);
+    return run.so_far();
+}
+
 /// A copy whose edges are known; a copy made with face-vertex lists only gets them by matching.
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
@@ -206,11 +216,7 @@ strategy strategy_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
     bool is_ordering_worth_it = false;
     if constexpr (orderable_scheme<Scheme, Index>)
         is_ordering_worth_it = is_worth_ordering(control, scheme, levels, options.last_level);
-    Scheme of_level = scheme;
-    no_last_level none(options.last_level);
-    refinement_run run(std::move(control), of_level, levels);
-    run.make_in_patches(none);
-    strategy how = run.so_far();
+    strategy how = detail::strategy_in_patches(std::move(control), scheme, levels, options.last_level);
     if (how.way == refinement_way::by_levels and is_ordering_worth_it) {
         how.way = refinement_way::in_surface_order;
         how.is_ordered = true;
@@ -222,11 +228,7 @@ strategy strategy_of(const M& mesh, const Scheme& scheme, int levels, const refi
 {
     auto control = lift_valid(mesh);
     detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
-    Scheme of_level = scheme;
-    no_last_level none(connect::everything);
-    refinement_run run(std::move(control), of_level, levels);
-    run.make_in_patches(none);
-    return run.so_far();
+    return detail::strategy_in_patches(std::move(control), scheme, levels, connect::everything);
 }
 
 /// Refines a list of points and a list of faces, such as vectors of std::array<double, 3> and std::array<int, 4>, and

@@ -126,7 +126,7 @@ private:
         if constexpr (carries_nothing and orderable_scheme<Scheme, Index>)
             if (lies_in_no_order and patches.plan().bases.size() > 1 and // else the numbers take unplanned memory
                 can_be_ordered(mesh_.topology(), scheme_, levels())) {
-                // What is read around a face lies close together then.
+                // In this order the elements around a face lie close together.
                 auto ordered = in_surface_order(mesh_);
                 Scheme of_level = scheme_;
                 refine_ordered(ordered, of_level, patches.begin());
