@@ -91,7 +91,7 @@ public:
         for_each_of(ids_.edges, edges, [&]<tuple_kind Kind>(std::size_t at, std::size_t parent, std::size_t) {
             unsigned char marks = owns<Kind>(parent, [&] { return owns_first_face(edges[at]); }) ? owned_mark : 0;
             if constexpr (parent_kind(Kind) == element_kind::edge)
-                marks |= coarse_.edge_marks[parent] & turned_mark;
+                marks = static_cast<unsigned char>(marks | (coarse_.edge_marks[parent] & turned_mark));
             next.edge_marks[at] = marks;
         });
     }

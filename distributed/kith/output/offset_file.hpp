@@ -238,14 +238,20 @@ public:
         std::memcpy(bytes_.data() + size_, data, size);
         size_ += size;
     }
-    /// Returns where so many bytes for this place are to be stored, before the next call. Precondition: size <= 4096.
-    char* room(std::uint64_t offset, std::size_t size)
+    /// Stores value(i) for each i below `count`, one behind the other.
+    template <std::invocable<std::size_t> F>
+    void put_each(std::uint64_t offset, std::size_t count, const F& value)
     {
-        if (offset != start_ + size_ or size_ + size > largest) {
-            flush();
-            start_ = offset;
+        using type = std::invoke_result_t<const F&, std::size_t>;
+        constexpr std::size_t at_once = 4096 / sizeof(type);
+        for (std::size_t first = 0; first < count; first += at_once) {
+            const std::size_t last = std::min(first + at_once, count);
+            char* to = room(offset + sizeof(type) * first, sizeof(type) * (last - first));
+            for (std::size_t i = first; i < last; ++i, to += sizeof(type)) {
+                const type one = value(i);
+                std::memcpy(to, &one, sizeof(type));
+            }
         }
-        return bytes_.data() + std::exchange(size_, size_ + size);
     }
     void flush()
     {
@@ -256,6 +262,16 @@ public:
 
 private:
     static constexpr std::size_t largest = std::size_t(1) << 20;
+
+    /// Returns where so many bytes for this place are to be stored, before the next call. Precondition: they fit.
+    char* room(std::uint64_t offset, std::size_t size)
+    {
+        if (offset != start_ + size_ or size_ + size > largest) {
+            flush();
+            start_ = offset;
+        }
+        return bytes_.data() + std::exchange(size_, size_ + size);
+    }
 
     placed_bytes* out_;
     std::uint64_t start_ = 0; // of what has not been written yet

@@ -174,45 +174,71 @@ private:
     void put_tile(placed_bytes& file, const tile<std::array<double, 3>>& part,
                   std::span<const value_bytes> values) const
     {
-        joined_writes points(file);
-        const bool has_points_alone = bytes_of_vertex_ == 24;
-        for (std::size_t v = 0, run = 1; v < part.mesh.vertex_count(); v += run) {
-            run = 1;
-            if (not part.owns_vertex(v))
-                continue;
-            const std::uint64_t first = part.vertex_ids[v], at = head_.size() + bytes_of_vertex_ * first;
+        joined_writes out(file);
+        const bool has_points_alone = bytes_of_vertex_ == 24,
+                   has_corners_alone = bytes_of_corner_ == 4 and bytes_of_face_ == corners_of_face_.bytes;
+        for_each_owned_run(part.vertex_ids, part.vertex_marks, [&](std::size_t first, global_id id, std::size_t run) {
+            std::uint64_t at = head_.size() + bytes_of_vertex_ * id;
             if (has_points_alone)
-                while (v + run < part.mesh.vertex_count() and part.owns_vertex(v + run) and
-                       part.vertex_ids[v + run] == first + run)
-                    ++run;
-            points.put(at, part.mesh.points().data() + v, 24 * run);
-            if (with_normals_)
-                points.put(at + 24, part.normals[v]);
-            if (not has_points_alone)
-                put_values(points, at, field_on::vertices, v, values);
-        }
-        points.flush();
-        joined_writes faces(file);
-        std::size_t corner = 0;
-        for (std::size_t f = 0; f < part.mesh.face_count(); ++f) {
-            const auto face = part.mesh.face(f);
-            if (part.owns_face(f)) {
-                require_room(part, f);
-                std::uint64_t at = face_at(part.face_ids[f], part.corner_id(f, 0));
-                at = put_count(faces, at, corners_of_face_, face.size());
-                at = put_numbers(faces, at, part, face);
-                if (corners_)
-                    at = put_corners(faces, at, part, f, corner, values[*corners_]);
-                if (with_corner_normals_) {
-                    at = put_count(faces, at, normals_of_face_, 3 * face.size());
-                    faces.put(at, part.corner_normals.data() + corner, 24 * face.size());
-                    at += 24 * face.size();
-                }
-                put_values(faces, at, field_on::faces, f, values);
+                return out.put(at, part.mesh.points().data() + first, 24 * run);
+            for (std::size_t v = first; v < first + run; ++v, at += bytes_of_vertex_) {
+                out.put(at, part.mesh.point(v));
+                if (with_normals_)
+                    out.put(at + 24, part.normals[v]);
+                put_values(out, at, field_on::vertices, v, values);
             }
+        });
+        out.flush();
+        const int degree = part.mesh.topology().degree;
+        for_each_owned_run(part.face_ids, part.face_marks, [&](std::size_t first, global_id id, std::size_t run) {
+            const std::uint64_t at = face_at(id, part.corner_id(first, 0));
+            if (has_corners_alone and degree == 3 and corners_of_face_.bytes == 1)
+                put_alike_faces<3>(out, at, part, first, run);
+            else if (has_corners_alone and degree == 4 and corners_of_face_.bytes == 1)
+                put_alike_faces<4>(out, at, part, first, run);
+            else
+                put_faces(out, at, part, first, run, values);
+        });
+        out.flush();
+    }
+    /// Writes faces of this degree that have nothing but their vertices. Precondition: the length of the list is a
+    /// byte.
+    template <std::size_t Degree>
+    static void put_alike_faces(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,
+                                std::size_t first, std::size_t run)
+    {
+        const std::uint32_t* const vertices = part.mesh.topology().corner_vertex.data() + Degree * first;
+        out.put_each(at, run, [&](std::size_t i) {
+            std::array<unsigned char, 1 + 4 * Degree> face;
+            face[0] = Degree;
+            for (std::size_t k = 0; k < Degree; ++k) {
+                const auto number = std::int32_t(part.vertex_ids[vertices[Degree * i + k]]);
+                std::memcpy(face.data() + 1 + 4 * k, &number, 4);
+            }
+            return face;
+        });
+    }
+    void put_faces(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part, std::size_t first,
+                   std::size_t run, std::span<const value_bytes> values) const
+    {
+        std::size_t corner = part.mesh.topology().first_corner(first);
+        for (std::size_t f = first; f < first + run; ++f) {
+            const auto face = part.mesh.face(f);
+            require_room(part, f);
+            at = put_count(out, at, corners_of_face_, face.size());
+            out.put_each(at, face.size(), [&](std::size_t k) { return std::int32_t(part.vertex_ids[face[k]]); });
+            at += 4 * face.size();
+            if (corners_)
+                at = put_corners(out, at, part, f, corner, values[*corners_]);
+            if (with_corner_normals_) {
+                at = put_count(out, at, normals_of_face_, 3 * face.size());
+                out.put(at, part.corner_normals.data() + corner, 24 * face.size());
+                at += 24 * face.size();
+            }
+            put_values(out, at, field_on::faces, f, values);
+            at += bytes_of_values_;
             corner += face.size();
         }
-        faces.flush();
     }
     /// Writes the length of a list and returns the place behind it.
     static std::uint64_t put_count(joined_writes& out, std::uint64_t at, const ply_count& type, std::uint64_t entries)
@@ -220,22 +246,6 @@ private:
         static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
         out.put(at, &entries, type.bytes);
         return at + type.bytes;
-    }
-    /// Writes the numbers of vertices in the whole mesh and returns the place behind them.
-    static std::uint64_t put_numbers(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,
-                                     std::span<const std::uint32_t> vertices)
-    {
-        constexpr std::size_t at_once = 1024;
-        for (std::size_t first = 0; first < vertices.size(); first += at_once) {
-            const auto some = vertices.subspan(first, std::min(at_once, vertices.size() - first));
-            char* to = out.room(at + 4 * first, 4 * some.size());
-            for (const std::uint32_t v : some) {
-                const auto number = std::int32_t(part.vertex_ids[v]);
-                std::memcpy(to, &number, 4);
-                to += 4;
-            }
-        }
-        return at + 4 * vertices.size();
     }
     /// Writes the values at the corners of a face and returns the place behind them.
     std::uint64_t put_corners(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,

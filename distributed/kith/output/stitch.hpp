@@ -142,39 +142,42 @@ private:
     void put_tile(placed_bytes& file, const tile<std::array<double, 3>>& part, std::uint32_t number,
                   std::optional<std::uint32_t> rank) const
     {
-        const auto for_owned_faces = [&](std::size_t array, std::uint64_t bytes, const auto& value) {
-            joined_writes out(file);
-            for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
-                if (part.owns_face(f))
-                    out.put(layout_.offset(array) + bytes * part.face_ids[f], value(f));
+        joined_writes out(file);
+        const auto put_vertices = [&](std::size_t array, const auto& values) {
+            for_each_owned_run(
+                part.vertex_ids, part.vertex_marks, [&](std::size_t first, global_id id, std::size_t run) {
+                    out.put(layout_.offset(array) + 24 * id, values.data() + first, 24 * run);
+                });
             out.flush();
         };
-        joined_writes points(file);
-        for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
-            if (part.owns_vertex(v))
-                points.put(layout_.offset(points_) + 24 * part.vertex_ids[v], part.mesh.point(v));
-        points.flush();
+        put_vertices(points_, part.mesh.points());
         if (with_normals_)
-            for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v)
-                if (part.owns_vertex(v))
-                    points.put(layout_.offset(normals_) + 24 * part.vertex_ids[v], part.normals[v]);
-        points.flush();
-        joined_writes corners(file);
-        for (std::size_t f = 0; f < part.mesh.face_count(); ++f)
-            if (part.owns_face(f))
-                for (std::size_t k = 0; k < part.mesh.face(f).size(); ++k)
-                    corners.put(layout_.offset(connectivity_) + 8 * part.corner_id(f, k),
-                                std::int64_t(part.vertex_ids[part.mesh.face(f)[k]]));
-        corners.flush();
-        for_owned_faces(
-            offsets_, 8, [&](std::size_t f) { return std::int64_t(part.corner_id(f, part.mesh.face(f).size())); });
-        for_owned_faces(types_, 1, [&](std::size_t f) { return vtk_cell_type(part.mesh.face(f).size()); });
-        for_owned_faces(parents_, 8, [&](std::size_t f) { return std::int64_t(part.root(f)); });
-        for_owned_faces(levels_, 1, [&](std::size_t) { return std::uint8_t(level_); });
+            put_vertices(normals_, part.normals);
+        const auto& t = part.mesh.topology();
+        for_each_owned_run(part.face_ids, part.face_marks, [&](std::size_t first, global_id, std::size_t run) {
+            const std::size_t corner = t.first_corner(first);
+            out.put_each(layout_.offset(connectivity_) + 8 * part.corner_id(first, 0),
+                         t.first_corner(first + run) - corner,
+                         [&](std::size_t i) { return std::int64_t(part.vertex_ids[t.corner_vertex[corner + i]]); });
+        });
+        out.flush();
+        const auto put_faces = [&](std::size_t array, const auto& value) {
+            using type = std::invoke_result_t<decltype(value), std::size_t>;
+            for_each_owned_run(part.face_ids, part.face_marks, [&](std::size_t first, global_id id, std::size_t run) {
+                out.put_each(
+                    layout_.offset(array) + sizeof(type) * id, run, [&](std::size_t i) { return value(first + i); });
+            });
+            out.flush();
+        };
+        const auto degree = [&](std::size_t f) { return std::size_t(t.first_corner(f + 1) - t.first_corner(f)); };
+        put_faces(offsets_, [&](std::size_t f) { return std::int64_t(part.corner_id(f, degree(f))); });
+        put_faces(types_, [&](std::size_t f) { return vtk_cell_type(degree(f)); });
+        put_faces(parents_, [&](std::size_t f) { return std::int64_t(part.root(f)); });
+        put_faces(levels_, [&](std::size_t) { return std::uint8_t(level_); });
         if (with_origin_)
-            for_owned_faces(tiles_, 4, [&](std::size_t) { return number; });
+            put_faces(tiles_, [&](std::size_t) { return number; });
         if (rank)
-            for_owned_faces(ranks_, 4, [&](std::size_t) { return *rank; });
+            put_faces(ranks_, [&](std::size_t) { return *rank; });
     }
     void put_values(placed_bytes& file, const tile<std::array<double, 3>>& part,
                     std::span<const value_bytes> values) const

@@ -159,12 +159,7 @@ private:
         p.layout.write_frame(file);
         const auto write = [&](std::size_t array, const std::vector<std::size_t>& elements, const auto& value) {
             joined_writes out(file);
-            std::uint64_t at = p.layout.offset(array);
-            for (const std::size_t element : elements) {
-                const auto bytes = value(element);
-                out.put(at, bytes);
-                at += sizeof bytes;
-            }
+            out.put_each(p.layout.offset(array), elements.size(), [&](std::size_t i) { return value(elements[i]); });
             out.flush();
         };
         write(p.points, p.vertices, [&](std::size_t v) { return part.mesh.point(v); });

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -27,6 +28,21 @@ std::uint64_t owned_count(const Marks& marks)
 {
     return std::uint64_t(
         std::count_if(marks.begin(), marks.end(), [](unsigned char mark) { return (mark & owned_mark) != 0; }));
+}
+
+/// Calls f(first element, its number, how many) for runs of elements that a tile owns and whose numbers follow one
+/// another. Cost: O(elements).
+template <class Ids, class Marks, std::invocable<std::size_t, global_id, std::size_t> F>
+void for_each_owned_run(const Ids& ids, const Marks& marks, const F& f)
+{
+    for (std::size_t first = 0, last; first < ids.size(); first = last) {
+        last = first + 1;
+        if ((marks[first] & owned_mark) == 0)
+            continue;
+        while (last < ids.size() and (marks[last] & owned_mark) != 0 and ids[last] == ids[last - 1] + 1)
+            ++last;
+        f(first, ids[first], last - first);
+    }
 }
 
 /// A part of a mesh that is refined alone: its owned faces, and around them as many rings of shadow faces (faces that

@@ -14,6 +14,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -53,16 +54,12 @@ public:
 
     /// Returns the last level; nothing where patches are no gain at these costs. Cost: that of the patches.
     [[nodiscard]] std::optional<tile<Point, Index>> make(const face_classes<Index>& classes,
-                                                         const strategy_costs& costs,
-                                                         std::span<const unsigned char> is_patched) const
+                                                         const strategy_costs& costs) const
     {
-        std::vector<Index> owned, rim;
-        for (std::size_t f = 0; f < is_patched.size(); ++f)
-            if (is_patched[f] != 0)
-                (coarse_.owns_face(f) ? owned : rim).push_back(Index(f));
-        const auto ours = patches_of(std::move(owned), classes, costs);
+        const auto ours = patches_of(owned_faces_of(coarse_), classes, costs);
         if (not ours)
             return {};
+        std::vector<Index> rim = makers_of(ours->closure);
         tile<Point, Index> result;
         storage<Point> points(ours->plan.last().vertices);
         connectivity<Index> faces;
@@ -122,12 +119,31 @@ private:
         return numbered_patches{std::move(closure), std::move(*plan), std::move(*made)};
     }
 
+    /// Returns the face in whose patch lie the descendants of a vertex or an edge.
+    [[nodiscard]] Index maker_of(tuple_kind kind, std::size_t element) const
+    {
+        const auto& t = coarse_.mesh.topology();
+        return t.face_of(kind == tuple_kind::e ? t.halfedge_corner[2 * element] : t.vertex_corner[element]);
+    }
+    /// Returns the other faces whose patches make points of owned ones, increasing.
+    [[nodiscard]] std::vector<Index> makers_of(const closure_of_faces<Index>& owned) const
+    {
+        std::vector<unsigned char> is_maker(coarse_.mesh.face_count(), 0);
+        for (const Index v : owned.vertices)
+            is_maker[maker_of(tuple_kind::v, v)] = 1;
+        for (const Index e : owned.edges)
+            is_maker[maker_of(tuple_kind::e, e)] = 1;
+        std::vector<Index> result;
+        for (std::size_t f = 0; f < is_maker.size(); ++f)
+            if (is_maker[f] != 0 and not coarse_.owns_face(f))
+                result.push_back(Index(f));
+        return result;
+    }
     /// Copies the points between owned faces and others that the patches of the others make.
     void take_points_of_rim(const numbered_patches& ours, const numbered_patches& rim, storage<Point>& points) const
     {
         storage<Point> of_rim(rim.plan.last().vertices);
         rim.made.fill(coarse_.mesh, {.points = of_rim.data(), .coarse_numbers = &rim.closure.numbers});
-        const auto& t = coarse_.mesh.topology();
         const auto from = descents_of(tuple_kind::v, rim.plan.bases, degree),
                    to = descents_of(tuple_kind::v, ours.plan.bases, degree);
         for (std::size_t i = 0; i < to.size(); ++i) {
@@ -136,14 +152,11 @@ private:
             const bool is_of_edges = to[i].from == tuple_kind::e;
             const std::vector<Index>& elements = is_of_edges ? ours.closure.edges : ours.closure.vertices;
             const storage<Index>& number = rim.closure.numbers.of(to[i].from);
-            for (std::size_t x = 0; x < elements.size(); ++x) {
-                const Index corner = is_of_edges ? t.halfedge_corner[2 * std::size_t(elements[x])]
-                                                 : t.vertex_corner[elements[x]];
-                if (not coarse_.owns_face(t.face_of(corner))) // whose patch has made them
+            for (std::size_t x = 0; x < elements.size(); ++x)
+                if (not coarse_.owns_face(maker_of(to[i].from, elements[x])))
                     std::copy_n(of_rim.begin() + from[i].first + from[i].each * number[elements[x]],
                                 to[i].each,
                                 points.begin() + to[i].first + to[i].each * x);
-            }
         }
     }
     /// Writes what the tile knows of the vertices. One between two tiles belongs to that of the element from which it
@@ -161,13 +174,12 @@ private:
             const std::vector<Index>& elements = kind == element_kind::vertex ? ours.closure.vertices
                                                  : kind == element_kind::edge ? ours.closure.edges
                                                                               : ours.closure.faces;
-            std::size_t next = here[i].first;
+            global_id* id = result.vertex_ids.data() + here[i].first;
+            unsigned char* mark = result.vertex_marks.data() + here[i].first;
             for (const Index x : elements) {
-                const global_id first = there[i].first + there[i].each * ids[x];
-                for (std::size_t which = 0; which < here[i].each; ++which, ++next) {
-                    result.vertex_ids[next] = first + which;
-                    result.vertex_marks[next] = marks[x] & owned_mark;
-                }
+                std::iota(id, id + here[i].each, there[i].first + there[i].each * ids[x]);
+                id += here[i].each;
+                mark = std::fill_n(mark, here[i].each, static_cast<unsigned char>(marks[x] & owned_mark));
             }
         }
     }
@@ -231,15 +243,15 @@ std::optional<tile<Point, Index>> last_in_patches([[maybe_unused]] const tile<Po
         std::vector<column_bases> there;
         for (int step = 0; step < steps; ++step)
             there.push_back(bases_of_columns(scheme, whole.counts(level + step).as_counts(), generation + step));
-        detail::tile_of_patches<Point, Index> made(
-            coarse, plan->bases, there, plan->last(), whole.counts(whole.levels()).vertices, degree);
         face_classes<Index> classes(t, plan->rings, state_marks<Index>(t, scheme));
         const auto recorder = recorder_of<scalar_of<Point>, Index, Scheme>(scheme, *plan, generation, {});
         if (numbers_are_affine<Scheme>(false) and recorder->children_of_faces(t, generation)) {
             if (not plan->has_counts_of(t, scheme, generation))
                 return {};
-            return detail::owned_in_patches(coarse, scheme, *plan, there).make(classes, costs, made.is_patched());
+            return detail::owned_in_patches(coarse, scheme, *plan, there).make(classes, costs);
         }
+        detail::tile_of_patches<Point, Index> made(
+            coarse, plan->bases, there, plan->last(), whole.counts(whole.levels()).vertices, degree);
         classes.keep_marked(made.is_patched());
         const auto patches = make_patches(coarse.mesh, classes, scheme, *plan, costs);
         if (not patches)

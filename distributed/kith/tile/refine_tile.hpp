@@ -5,12 +5,15 @@
 #include "refine_last.hpp"
 #include "tile_job.hpp"
 #include "tile_step.hpp"
+#include "untrimmed_step.hpp"
 #include "whole_levels.hpp"
 
 #include <kith/refine.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace kith {
@@ -29,6 +32,25 @@ tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme,
     return result;
 }
 
+namespace detail {
+
+/// Makes the remaining steps of a tile in patches of the next level, whose rim stays. Returns nothing where numbers
+/// do not allow it or patches are no gain. Errors and cost: as last_in_patches.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+std::optional<tile<Point, Index>> last_in_patches_of_next(const tile<Point, Index>& coarse, Scheme scheme, int level,
+                                                          const whole_levels<Scheme>& whole)
+{
+    if constexpr (faces_descend_from_faces<Scheme, Index>)
+        if (numbers_are_affine<Scheme>(false) and
+            std::size_t(coarse.mesh.topology().degree) == numbering_of<Scheme, Index>::common_degree) {
+            const auto next = refine_untrimmed(coarse, scheme, level, whole);
+            return last_in_patches(next, scheme, level + 1, whole, costs_in_tiles(next, level + 1, whole));
+        }
+    return {};
+}
+
+} // namespace detail
+
 /// Refines a tile of level 0 through all levels that `whole` was made for, and its scheme with it. `connect::faces`
 /// gives the last level without edges and ghosts; its last steps may be made at once, in patches, and the scheme is
 /// that of the level before them. `each(tile)` is called with every level that is made but the first.
@@ -37,13 +59,16 @@ void refine(tile_job<Tile, Scheme>& job, const whole_levels<Scheme>& whole, conn
 {
     const int patches = last == connect::faces ? first_in_patches(job.part, job.scheme, whole.levels()) : -1;
     for (int level = 0; level < whole.levels(); ++level) {
+        std::optional<Tile> made;
         if (level == patches)
-            if (auto made = last_in_patches(
-                    job.part, job.scheme, level, whole, costs_in_tiles(job.part, level, whole))) {
-                job.part = std::move(*made);
-                each(std::as_const(job.part));
-                return;
-            }
+            made = last_in_patches(job.part, job.scheme, level, whole, costs_in_tiles(job.part, level, whole));
+        else if (level + 1 == patches and patches < whole.levels())
+            made = detail::last_in_patches_of_next(job.part, job.scheme, level, whole);
+        if (made) {
+            job.part = std::move(*made);
+            each(std::as_const(job.part));
+            return;
+        }
         const bool is_last = level + 1 == whole.levels();
         job.part = is_last and last == connect::faces ? refine_last(job.part, job.scheme, level, whole)
                                                       : refine_once(job.part, job.scheme, level, whole);

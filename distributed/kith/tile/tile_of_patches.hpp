@@ -9,10 +9,10 @@
 #include <kith/patch/patch_writer.hpp>
 
 #include <algorithm>
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -34,14 +34,13 @@ void number_owned_faces(const tile<Point, Index>& coarse, std::span<const Index>
     result.face_marks = storage<unsigned char>(size);
     std::ranges::fill(result.face_marks, owned_mark);
     result.roots = coarse.roots;
-    std::size_t next = 0;
+    global_id* id = result.face_ids.data();
+    Index* root = result.root_of.data();
     for (const descent& way : there)
         for (const Index f : owned) {
-            const global_id first = way.first + way.each * coarse.face_ids[f];
-            for (std::size_t which = 0; which < way.each; ++which, ++next) {
-                result.face_ids[next] = first + which;
-                result.root_of[next] = coarse.root_of[f];
-            }
+            std::iota(id, id + way.each, way.first + way.each * coarse.face_ids[f]);
+            id += way.each;
+            root = std::fill_n(root, way.each, coarse.root_of[f]);
         }
 }
 
@@ -120,32 +119,24 @@ private:
                         f(Index(face), *vertex++);
             }
     }
-    /// Marks the vertices of owned faces. Those at the rim are looked up in the first face of either side.
+    /// Marks the vertices of owned faces, and of those at the rim whether the first face is there.
     [[nodiscard]] storage<unsigned char> marks_of_vertices() const
     {
         storage<unsigned char> marks(points_.size());
         std::ranges::fill(marks, is_whole_ ? ours : 0);
         if (is_whole_)
             return marks;
-        using firsts = std::vector<std::array<Index, 2>>; // vertices with the first of their faces
-        firsts of_ours, of_rim;
-        for_each_corner(rim_, [&](Index, Index v) { marks[v] = at_rim; });
+        storage<Index> first_at_rim(points_.size()); // of the faces of a vertex, if it is marked
+        for_each_corner(rim_, [&](Index face, Index v) {
+            if (marks[v] == 0)
+                first_at_rim[v] = face;
+            marks[v] = at_rim;
+        });
         for_each_corner(owned_, [&](Index face, Index v) {
-            if (marks[v] == at_rim)
-                of_ours.push_back({v, face});
+            if ((marks[v] & ours) == 0 and marks[v] != 0 and first_at_rim[v] < face)
+                marks[v] |= rim_comes_first;
             marks[v] |= ours;
         });
-        for_each_corner(rim_, [&](Index face, Index v) {
-            if (marks[v] == (ours | at_rim)) {
-                of_rim.push_back({v, face});
-                marks[v] = ours;
-            }
-        });
-        std::ranges::sort(of_ours);
-        std::ranges::sort(of_rim);
-        for (std::size_t i = 0; i < of_ours.size(); ++i)
-            if (of_rim[i][1] < of_ours[i][1])
-                marks[of_ours[i][0]] |= rim_comes_first;
         return marks;
     }
     /// Numbers the vertices of owned faces one after the other, and writes what the tile knows of them.

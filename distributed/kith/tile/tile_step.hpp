@@ -68,8 +68,9 @@ public:
         elements_.number_edges(result, part.edge_from, [&](index e) { return is_owned_[first_face(e)] != 0; });
         for (std::size_t e = 0; e < part.edge_from.size(); ++e) {
             const bool cut = is_cut_[part.edge_from[e]] != 0 or part.edge_is_new_rim[e] != 0;
-            result.edge_marks[e] |= cut ? cut_mark : 0;
-            result.edge_marks[e] ^= part.edge_is_turned[e] != 0 ? turned_mark : 0;
+            const bool is_turned = part.edge_is_turned[e] != 0;
+            result.edge_marks[e] = static_cast<unsigned char>((result.edge_marks[e] | (cut ? cut_mark : 0)) ^
+                                                              (is_turned ? turned_mark : 0));
         }
         elements_.number_faces(result, part.face_from, is_owned_);
         result.mesh = std::move(part.mesh);

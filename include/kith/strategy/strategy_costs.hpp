@@ -22,7 +22,7 @@ struct strategy_costs {
     // A final face in patches.
     double in_patch = .45;           ///< .3 (Butterfly) to .6
     double in_patch_with_edges = .5; ///< with all connectivity: .5 (Butterfly) to .8 (Loop)
-    double among_few = 6;            ///< of few faces with their rings, where making a template is not worth it
+    double among_few = 15;           ///< of few faces with their rings, without a template: 12 to 70
     // Templates and classes.
     double of_template = 600;        ///< of making one: half of what it takes, since templates are kept
     double of_face_in_template = 20; ///< the same for each face of its patch: small ones, with fewer, gain more of them
