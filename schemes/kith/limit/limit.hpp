@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -129,15 +130,11 @@ bool are_in_range(const Vectors&... tangents)
     return (is_in_range(exponent_bits(tangents)) and ...);
 }
 
-/// The tangents that masks give of scaled points, given those of the points themselves, which are not in range.
-template <level Level, std::size_t Count, class... Masks>
-[[gnu::noinline, gnu::cold]] std::array<normal_vector, Count>
-tangents_of_scaled(std::array<normal_vector, Count> tangents, const Masks&... masks)
+/// Returns tangents in range, given those that masks give and over(factor), which makes them anew of points times a
+/// factor.
+template <std::size_t Count, class Over>
+std::array<normal_vector, Count> brought_into_range(std::array<normal_vector, Count> tangents, const Over& over)
 {
-    const auto over = [&](double factor) {
-        const scaled_points<Level> points(factor);
-        return std::array{scaled(masks.evaluate(points), 0)...};
-    };
     const auto are_finite = [](const auto& some) {
         return std::ranges::all_of(some, [](const normal_vector& t) { return is_finite(t); });
     };
@@ -153,6 +150,19 @@ tangents_of_scaled(std::array<normal_vector, Count> tangents, const Masks&... ma
         if (const auto larger = over(std::scalbn(1., 200)); are_finite(larger))
             tangents = larger;
     return tangents;
+}
+
+/// The same where over(factor) evaluates masks.
+template <level Level, std::size_t Count, class... Masks>
+[[gnu::noinline, gnu::cold]] std::array<normal_vector, Count>
+tangents_of_scaled(const std::array<normal_vector, Count>& tangents, const Masks&... masks)
+{
+    const std::function<std::array<normal_vector, Count>(double)> over =
+        [&](double factor) __attribute__((noinline, cold)) {
+            const scaled_points<Level> points(factor);
+            return std::array{scaled(masks.evaluate(points), 0)...};
+        };
+    return brought_into_range(tangents, over);
 }
 
 /// The tangents that masks give. Where their sums are not in range, they are formed once more of scaled points.
