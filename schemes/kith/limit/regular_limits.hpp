@@ -20,14 +20,6 @@ namespace kith::detail {
 
 #ifdef KITH_HAS_LANES
 
-/// The arrays that limits are written into, by vertex.
-struct limit_places {
-    std::array<double, 3>* positions;
-    std::array<double, 3>* normals;
-    unsigned char* has_no_normal;
-    unsigned char* is_open; ///< whether the limits of a vertex are still to be made
-};
-
 /// Makes the limits of regular vertices, as many at a time as two registers have lanes: what `limit_search::take` makes
 /// of each, to the same bits.
 template <std::unsigned_integral Index, int Degree>
@@ -269,9 +261,8 @@ template <std::unsigned_integral Index>
 void fill_regular_limits(const basic_mesh<std::array<double, 3>, Index>& mesh, const regular_masks& masks,
                          const std::vector<unsigned char>& is_irregular, const limit_places& to)
 {
-    const std::size_t faces = mesh.face_count();
-    const auto make = [&]<int Degree>() {
-        constexpr std::size_t faces_of_part = 1024;
+    constexpr std::size_t faces_of_part = 1024;
+    const auto make = [&, faces = mesh.face_count()]<int Degree>() {
         for_shared_parts(faces, faces_of_part, is_worth_threads(faces), [&](parts_to_do parts) {
             regular_limits<Index, Degree> some(mesh, masks, is_irregular, to);
             parts.for_each([&](std::size_t begin, std::size_t end) { some.make(begin, end); });

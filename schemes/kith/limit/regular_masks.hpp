@@ -126,4 +126,12 @@ KITH_IN_LIBRARY void regular_masks::take_ways(const regular_walk& walk)
 }
 #endif
 
+/// The arrays that limits are written into, by vertex.
+struct limit_places {
+    std::array<double, 3>* positions;
+    std::array<double, 3>* normals;
+    unsigned char* has_no_normal;
+    unsigned char* is_open; ///< whether the limits of a vertex are still to be made
+};
+
 } // namespace kith::detail
