@@ -152,7 +152,7 @@ std::array<normal_vector, Count> brought_into_range(std::array<normal_vector, Co
     return tangents;
 }
 
-/// The same where over(factor) evaluates masks.
+/// Returns tangents in range, given those that masks give.
 template <level Level, std::size_t Count, class... Masks>
 [[gnu::noinline, gnu::cold]] std::array<normal_vector, Count>
 tangents_of_scaled(const std::array<normal_vector, Count>& tangents, const Masks&... masks)
