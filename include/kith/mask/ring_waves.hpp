@@ -100,7 +100,7 @@ public:
     /// The weights of values() that make `total` times the mask of a new point, which lies so many halves of 1/n of a
     /// turn from the first operand. The part x0 is formed in the scalar type of the evaluation.
     [[nodiscard, gnu::noinline]] std::array<scalar, size> weights(const wave_kernel& kernel, std::int64_t half_steps,
-                                                   double total = 1) const
+                                                                  double total = 1) const
     {
         std::array<scalar, size> result;
         result[0] = scalar(total) * scalar(kernel.x0) / scalar(double(n_));
