@@ -46,6 +46,20 @@
     How basic_mesh<> refine_mesh<connect::faces>(                                                                      \
         const basic_mesh<>&, const Scheme&, numbering_of<Scheme, std::uint32_t>&);                                     \
     How basic_mesh<> refine(const basic_mesh<>&, const Scheme&, int, const refine_options&);
+/// KITH_STEP_PARTS(How, Number): what the steps of all schemes share. KITH_STEP_NUMBERS is what of that has no
+/// coordinates.
+#define KITH_STEP_PARTS(How, Number)                                                                                   \
+    How void write_level(level_writer<std::array<Number, 3>, std::uint32_t>&,                                          \
+                         const basic_mesh<std::array<Number, 3>, std::uint32_t>&);                                     \
+    How basic_mesh<std::array<Number, 3>, std::uint32_t> detail::with_edges(                                           \
+        const basic_mesh<std::array<Number, 3>, std::uint32_t>&);                                                      \
+    How ordered_mesh<std::array<Number, 3>, std::uint32_t> in_surface_order(                                           \
+        const basic_mesh<std::array<Number, 3>, std::uint32_t>&);                                                      \
+    How class submesh_cutter<std::array<Number, 3>, std::uint32_t>;
+#define KITH_STEP_NUMBERS(How)                                                                                         \
+    How void detail::require_numbers<std::uint32_t>(std::size_t, std::size_t, const char*);                            \
+    How bool is_scattered(const connectivity<std::uint32_t>&);                                                         \
+    How class state_marks<std::uint32_t>;
 #ifdef KITH_HAS_LANES
 #define KITH_PATCHES(How, Scheme, Number)                                                                              \
     How std::shared_ptr<const part_recorder<Number, std::uint32_t>> recorder_of(                                       \
@@ -54,13 +68,11 @@
     How class lane_program_maker<Number>;                                                                              \
     How class template_assembler<Number, std::uint32_t>;                                                               \
     How class submesh_cutter<recorded<Number>, std::uint32_t>;                                                         \
-    How class submesh_cutter<std::array<Number, 3>, std::uint32_t>;                                                    \
     How class patch_filler<std::array<Number, 3>, std::uint32_t>;                                                      \
     How class patched_level<std::array<Number, 3>, std::uint32_t>;
 #define KITH_PATCH_NUMBERS(How)                                                                                        \
     How class face_walk<std::uint32_t>;                                                                                \
     How class face_classes<std::uint32_t>;                                                                             \
-    How class state_marks<std::uint32_t>;                                                                              \
     How class sources_of_part<std::uint32_t>;                                                                          \
     How struct part_of_whole<affine_number<std::uint32_t>>;                                                            \
     How struct part_of_whole<owned_number<std::uint32_t>>;                                                             \
@@ -75,6 +87,9 @@
 
 #ifdef KITH_COMPILED_SCHEMES
 namespace kith {
+KITH_STEP_PARTS(extern template, double)
+KITH_STEP_PARTS(extern template, float)
+KITH_STEP_NUMBERS(extern template)
 KITH_PATCH_PARTS(extern template, double)
 KITH_PATCH_PARTS(extern template, float)
 KITH_PATCH_NUMBERS(extern template)

@@ -173,14 +173,17 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
 {
     validate(mesh).require_ok();
     auto coarse = detail::with_edges(mesh);
-    const std::uint64_t bytes_left = detail::require_refinable(coarse, scheme, levels, options);
-    bool is_ordering_worth_it = false;
-    if constexpr (orderable_scheme<Scheme, Index>)
-        is_ordering_worth_it = is_worth_ordering(coarse, scheme, levels, options.last_level) and
-                               detail::bytes_of_numbers(coarse, scheme, levels) <= bytes_left;
+    [[maybe_unused]] const std::uint64_t bytes_left = detail::require_refinable(coarse, scheme, levels, options);
     Scheme of_level = scheme;
     native_last_level<Point, Index> last(options.last_level);
-    refinement_run(std::move(coarse), of_level, levels).make(last, is_ordering_worth_it);
+    refinement_run run(std::move(coarse), of_level, levels);
+    if constexpr (orderable_scheme<Scheme, Index>)
+        if (is_worth_ordering(run.mesh(), scheme, levels, options.last_level) and
+            detail::bytes_of_numbers(run.mesh(), scheme, levels) <= bytes_left) {
+            run.make_in_order(last);
+            return last.take();
+        }
+    run.make(last);
     return last.take();
 }
 template <refinable_mesh M, scheme Scheme>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define KITH_HAS_BODIES
 #include <kith/level/validate.hpp>
+#include <kith/limit/regular_masks.hpp>
 #include <kith/mesh/make_mesh.hpp>
 #include <kith/refine.hpp>
 #include <kith/repair/repair.hpp>

@@ -3,6 +3,9 @@
 
 namespace kith {
 
+KITH_STEP_PARTS(template, double)
+KITH_STEP_PARTS(template, float)
+KITH_STEP_NUMBERS(template)
 KITH_PATCH_PARTS(template, double)
 KITH_PATCH_PARTS(template, float)
 KITH_PATCH_NUMBERS(template)

@@ -10,7 +10,8 @@ namespace kith {
 /// The cosine of k/n of a full turn, to about one unit in the last place and the same on every machine: the libm of one
 /// platform may differ from that of the next, and a weight that differs breaks equality from rank to rank.
 /// Exact where the cosine is 0, 1/2 or 1. Precondition: n > 0. Cost: O(1).
-constexpr double cos_turn(std::int64_t k, std::int64_t n)
+/// Loops over masks keep it out of line, since they call it for large rings alone.
+[[gnu::noinline, gnu::const]] constexpr double cos_turn(std::int64_t k, std::int64_t n)
 {
     k = (k % n + n) % n;
     if (2 * k > n) // cos(-x) = cos(x)

@@ -97,13 +97,6 @@ public:
         numbering_of<Scheme, Index> ids;
         refine_mesh_into(fine_, mesh, scheme, ids);
     }
-    /// Writes it by one step from the elements of a level.
-    template <level Level, scheme Scheme>
-    void step(const Level& coarse, int generation, const Scheme& scheme)
-    {
-        numbering_of<Scheme, Index> ids;
-        refine_level_into(fine_, coarse, scheme, generation, ids);
-    }
 #ifdef KITH_HAS_LANES
     /// Writes it in patches of the faces of a level, whose elements may have other numbers.
     template <class Patches>

@@ -54,32 +54,30 @@ public:
     {
     }
 
-    /// Makes the last level. Where there are no patches it may go in the order of the surface, if that is worth while.
-    /// Returns false if `carried` stops it. Errors: as `refine`.
+    /// Makes the last level. Returns false if `carried` stops it. Errors: as `refine`.
     template <class LastLevel>
-    bool make(LastLevel& last, [[maybe_unused]] bool is_ordering_worth_it = false)
+    bool make(LastLevel& last)
     {
-        if (levels() == 0) {
-            last.keep(std::move(mesh_));
-            return true;
+        if (levels() > 0)
+            if (const auto goes_on = make_in_patches(last))
+                return *goes_on;
+        return make_by_levels(last);
+    }
+    /// Makes the last level in patches or, if these are no gain, in the order of the surface. Errors: as `refine`.
+    /// Precondition: there are levels to be made.
+    template <class LastLevel>
+        requires std::same_as<Carried, const nothing_carried> and orderable_scheme<Scheme, Index>
+    void make_in_order(LastLevel& last)
+    {
+        if (make_in_patches(last))
+            return;
+        if (levels() <= 1) {
+            make_by_levels(last);
+            return;
         }
-        if (const auto goes_on = make_in_patches(last))
-            return *goes_on;
-        if constexpr (carries_nothing) {
-            if constexpr (orderable_scheme<Scheme, Index>)
-                if (is_ordering_worth_it and levels() > 1) {
-                    auto ordered = in_surface_order(std::exchange(mesh_, {}));
-                    refine_ordered(ordered, scheme_, last_generation_ - ordered.mesh.generation() - 1);
-                    step_to_last(ordered, scheme_, last);
-                    return true;
-                }
-            make_levels(mesh_, scheme_, levels() - 1);
-            last.step(std::as_const(mesh_), scheme_);
-            return true;
-        } else {
-            return make_levels(mesh_, scheme_, levels() - 1, carried_) and
-                   last.step(std::move(mesh_), scheme_, carried_);
-        }
+        auto ordered = in_surface_order(std::exchange(mesh_, {}));
+        refine_ordered(ordered, scheme_, last_generation_ - ordered.mesh.generation() - 1);
+        step_to_last(ordered, scheme_, last);
     }
     /// Makes the last level in patches. Returns false if what goes along stops the refinement. Returns nothing if
     /// patches are no gain: then mesh(), the scheme and what goes along are of a level to go on from.
@@ -108,6 +106,22 @@ private:
     static constexpr nothing_carried nothing{};
 
     [[nodiscard]] int levels() const { return last_generation_ - mesh_.generation(); }
+    template <class LastLevel>
+    bool make_by_levels(LastLevel& last)
+    {
+        if (levels() == 0) {
+            last.keep(std::move(mesh_));
+            return true;
+        }
+        if constexpr (carries_nothing) {
+            make_levels(mesh_, scheme_, levels() - 1);
+            last.step(std::as_const(mesh_), scheme_);
+            return true;
+        } else {
+            return make_levels(mesh_, scheme_, levels() - 1, carried_) and
+                   last.step(std::move(mesh_), scheme_, carried_);
+        }
+    }
 
 #ifdef KITH_HAS_LANES
     [[nodiscard]] bool may_go_in_patches() const

@@ -99,8 +99,8 @@ public:
 
     /// The weights of values() that make `total` times the mask of a new point, which lies so many halves of 1/n of a
     /// turn from the first operand. The part x0 is formed in the scalar type of the evaluation.
-    [[nodiscard]] std::array<scalar, size> weights(const wave_kernel& kernel, std::int64_t half_steps,
-                                                   double total = 1) const
+    [[nodiscard, gnu::noinline]] std::array<scalar, size> weights(const wave_kernel& kernel, std::int64_t half_steps,
+                                                                  double total = 1) const
     {
         std::array<scalar, size> result;
         result[0] = scalar(total) * scalar(kernel.x0) / scalar(double(n_));
@@ -123,7 +123,7 @@ private:
     /// Weights that are rounded have a sum that is not quite zero; it is taken off them, so that masks sum to what they
     /// should, exactly so over exact numbers.
     template <class Ring, class WeightOf>
-    sum_type wave(const Space& assoc, const Ring& ring, const WeightOf& weight_of) const
+    [[gnu::noinline]] sum_type wave(const Space& assoc, const Ring& ring, const WeightOf& weight_of) const
     {
         scalar excess(0);
         for (std::size_t j = 0; j < n_; ++j)

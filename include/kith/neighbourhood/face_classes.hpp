@@ -37,16 +37,7 @@ public:
 
     /// Preconditions: the mesh has its edges and at most `most_corners`; rings > 0. Cost: O(corners) per ring, on all
     /// threads.
-    face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks)
-        : class_(mesh.faces, 0), place_in_fan_(mesh.corners())
-    {
-        if (not marks.empty() or mesh.degree == 0)
-            look_at_each(mesh, marks);
-        for (int ring = 0; ring < rings; ++ring) {
-            look_at_fans(mesh);
-            look_at_faces(mesh, ring + 1 == rings);
-        }
-    }
+    face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks);
 
     /// Leaves out the faces without a mark; the numbers of the classes stay, and some may have no faces then.
     void keep_marked(std::span<const unsigned char> is_marked)
@@ -158,6 +149,20 @@ private:
     storage<number> class_;
     storage<char32_t> place_in_fan_; // of corners: which place in which kind of fan
 };
+
+// Outside of the class, so that what declares it `extern template` does not compile them.
+
+template <std::unsigned_integral Index>
+face_classes<Index>::face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks)
+    : class_(mesh.faces, 0), place_in_fan_(mesh.corners())
+{
+    if (not marks.empty() or mesh.degree == 0)
+        look_at_each(mesh, marks);
+    for (int ring = 0; ring < rings; ++ring) {
+        look_at_fans(mesh);
+        look_at_faces(mesh, ring + 1 == rings);
+    }
+}
 
 /// How many classes a sample of faces has, divided by its faces; of small meshes all faces, which is as quick.
 /// Preconditions: the mesh has its edges and faces. Cost: that of one to two times `most_looks` walks at most.

@@ -10,11 +10,10 @@
 #include <kith/step/level_state.hpp>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -117,14 +116,7 @@ public:
     /// What the state says of a face, its corners' vertices and its edges, as a number that is the same for the same
     /// words; 0 where it says nothing. Precondition: there is state. Cost: O(1), or O(corners) at elements of which it
     /// speaks.
-    [[nodiscard]] std::uint32_t number_of_face(std::size_t face)
-    {
-        if (not is_marked_[face])
-            return 0;
-        key_.clear();
-        append_all_of(Index(face));
-        return number_.try_emplace(key_, std::uint32_t(number_.size() + 1)).first->second;
-    }
+    [[nodiscard]] std::uint32_t number_of_face(std::size_t face);
 
 private:
     static constexpr Index none = connectivity<Index>::none;
@@ -133,30 +125,9 @@ private:
     template <class Value>
     void add(tuple_kind kind, std::size_t element, char16_t which, const Value& value)
     {
-        if (texts_.empty()) {
-            of_vertex_ = storage<Index>(mesh_.vertices, none);
-            of_edge_ = storage<Index>(mesh_.edges(), none);
-            of_face_ = storage<Index>(mesh_.faces, none);
-            is_marked_ = storage<unsigned char>(mesh_.faces, false);
-        }
-        storage<Index>& of_kind = kind == tuple_kind::v ? of_vertex_ : kind == tuple_kind::e ? of_edge_ : of_face_;
-        if (element >= of_kind.size())
-            throw mesh_error("the state of the scheme: " +
-                             std::string(kind == tuple_kind::v   ? "vertex "
-                                         : kind == tuple_kind::e ? "edge "
-                                                                 : "face ") +
-                             std::to_string(element) + " does not exist, there are " + std::to_string(of_kind.size()) +
-                             "; make the state for this mesh and level");
-        if (of_kind[element] == none) {
-            of_kind[element] = Index(texts_.size());
-            texts_.emplace_back();
-            mark_faces(kind, element);
-        }
-        std::u16string& text = texts_[of_kind[element]];
-        text += which;
-        for (const std::byte b : std::bit_cast<std::array<std::byte, sizeof(Value)>>(value))
-            text += char16_t(b);
+        add_bytes(kind, element, which, std::as_bytes(std::span(&value, 1)));
     }
+    void add_bytes(tuple_kind kind, std::size_t element, char16_t which, std::span<const std::byte> value);
     /// Those that have the element.
     void mark_faces(tuple_kind kind, std::size_t element)
     {
@@ -203,5 +174,46 @@ private:
     std::u16string key_;
     std::unordered_map<std::u16string, std::uint32_t> number_; // of what is said of a face and around it
 };
+
+// Outside of the class, so that what declares it `extern template` does not compile them.
+
+template <std::unsigned_integral Index>
+std::uint32_t state_marks<Index>::number_of_face(std::size_t face)
+{
+    if (not is_marked_[face])
+        return 0;
+    key_.clear();
+    append_all_of(Index(face));
+    return number_.try_emplace(key_, std::uint32_t(number_.size() + 1)).first->second;
+}
+
+template <std::unsigned_integral Index>
+void state_marks<Index>::add_bytes(tuple_kind kind, std::size_t element, char16_t which,
+                                   std::span<const std::byte> value)
+{
+    if (texts_.empty()) {
+        of_vertex_ = storage<Index>(mesh_.vertices, none);
+        of_edge_ = storage<Index>(mesh_.edges(), none);
+        of_face_ = storage<Index>(mesh_.faces, none);
+        is_marked_ = storage<unsigned char>(mesh_.faces, false);
+    }
+    storage<Index>& of_kind = kind == tuple_kind::v ? of_vertex_ : kind == tuple_kind::e ? of_edge_ : of_face_;
+    if (element >= of_kind.size())
+        throw mesh_error("the state of the scheme: " +
+                         std::string(kind == tuple_kind::v   ? "vertex "
+                                     : kind == tuple_kind::e ? "edge "
+                                                             : "face ") +
+                         std::to_string(element) + " does not exist, there are " + std::to_string(of_kind.size()) +
+                         "; make the state for this mesh and level");
+    if (of_kind[element] == none) {
+        of_kind[element] = Index(texts_.size());
+        texts_.emplace_back();
+        mark_faces(kind, element);
+    }
+    std::u16string& text = texts_[of_kind[element]];
+    text += which;
+    for (const std::byte b : value)
+        text += char16_t(b);
+}
 
 } // namespace kith

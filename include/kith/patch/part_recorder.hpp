@@ -154,7 +154,7 @@ private:
     static mesh step(const mesh& part, const Scheme& scheme, numbering& ids)
     {
         constexpr int degree = int(numbering::common_degree);
-        if constexpr (degree == 0)
+        if constexpr (degree == 0 and scheme_beside_state<Scheme>)
             return refine_mesh<connect::everything>(part, scheme, ids);
         else
             return refine_level<connect::everything>(

@@ -90,99 +90,9 @@ public:
 
     /// Returns the faces within `rings` rings of the seeds, increasing. A ring is the faces that share a vertex with
     /// the faces before. Precondition: the seeds are increasing.
-    [[nodiscard]] std::vector<Index> faces_around(std::span<const Index> seeds, int rings)
-    {
-        begin();
-        const auto& t = mesh_.topology();
-        std::vector<Index> faces(seeds.begin(), seeds.end()), vertices;
-        for (const Index f : faces)
-            face_[f] = 0;
-        std::size_t first_new = 0;
-        for (int ring = 0; ring < rings; ++ring) {
-            const std::size_t end = faces.size();
-            for (; first_new < end; ++first_new)
-                for (const Index v : mesh_.face(faces[first_new]))
-                    if (vertex_[v] == none) {
-                        vertex_[v] = 0;
-                        vertices.push_back(v);
-                        Index c = t.vertex_corner[v];
-                        do {
-                            const Index f = t.face_of(c);
-                            if (face_[f] == none) {
-                                face_[f] = 0;
-                                faces.push_back(f);
-                            }
-                            c = t.next_in_fan(c);
-                        } while (c != none and c != t.vertex_corner[v]);
-                    }
-        }
-        for (const Index v : vertices)
-            vertex_[v] = none;
-        put_in_order(faces, face_);
-        for (const Index f : faces)
-            face_[f] = none;
-        is_marked_ = false;
-        return faces;
-    }
-
+    [[nodiscard]] std::vector<Index> faces_around(std::span<const Index> seeds, int rings);
     /// Returns the submesh of these faces. Precondition: the faces are increasing.
-    [[nodiscard]] submesh<Point, Index> cut(std::span<const Index> faces)
-    {
-        begin();
-        const auto& t = mesh_.topology();
-        submesh<Point, Index> result;
-        result.face_from.assign(faces.begin(), faces.end());
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            face_[faces[i]] = Index(i);
-        collect_elements(result);
-
-        connectivity<Index> fine;
-        fine.allocate_faces(faces.size(), t.degree, [&](std::size_t i) { return mesh_.face(faces[i]).size(); });
-        fine.allocate_edges(result.edge_from.size());
-        result.edge_is_turned.resize(result.edge_from.size());
-        result.edge_is_new_rim.resize(result.edge_from.size());
-        for (std::size_t e = 0; e < result.edge_from.size(); ++e) {
-            const std::size_t side0 = 2 * std::size_t(result.edge_from[e]);
-            const bool left_is_here = is_here(t.halfedge_corner[side0]);
-            const bool right_is_here = is_here(t.halfedge_corner[side0 + 1]);
-            result.edge_is_turned[e] = not left_is_here;
-            result.edge_is_new_rim[e] = not t.is_boundary(side0 / 2) and not(left_is_here and right_is_here);
-        }
-        Index corner = 0;
-        for (std::size_t i = 0; i < faces.size(); ++i) {
-            const Index first = t.first_corner(faces[i]);
-            const Index end = t.first_corner(std::size_t(faces[i]) + 1);
-            if (fine.degree == 0)
-                result.corners_from.push_back({first, Index(end - first)});
-            for (Index c = first; c < end; ++c, ++corner) {
-                const Index e = edge_[t.corner_halfedge[c] >> 1];
-                fine.set_side(corner, Index(2 * e + ((t.corner_halfedge[c] & 1) ^ result.edge_is_turned[e])));
-                fine.corner_vertex[corner] = vertex_[t.corner_vertex[c]];
-            }
-        }
-
-        detail::split_fans(fine, result.vertex_from);
-        const auto first_of = [&](Index old) { // the corner here that is this corner there
-            const Index f = t.face_of(old);
-            return Index(fine.first_corner(face_[f]) + (old - t.first_corner(f)));
-        };
-        for (std::size_t v = 0; v < fine.vertices; ++v)
-            if (fine.vertex_corner[v] == none)
-                fine.vertex_corner[v] = first_of(t.vertex_corner[result.vertex_from[v]]);
-
-        storage<Point> points(fine.vertices);
-        for (std::size_t v = 0; v < fine.vertices; ++v)
-            points[v] = mesh_.point(result.vertex_from[v]);
-        for (const Index v : result.vertex_from)
-            vertex_[v] = none;
-        for (const Index e : result.edge_from)
-            edge_[e] = none;
-        for (const Index f : faces)
-            face_[f] = none;
-        is_marked_ = false;
-        result.mesh = {std::move(points), std::move(fine), mesh_.generation()};
-        return result;
-    }
+    [[nodiscard]] submesh<Point, Index> cut(std::span<const Index> faces);
 
 private:
     static constexpr Index none = connectivity<Index>::none;
@@ -238,5 +148,102 @@ private:
     std::vector<Index> vertex_, edge_, face_; // the numbers in the submesh at work; none outside of it
     bool is_marked_ = false;                  // a call is at work, or has ended by an exception
 };
+
+// Outside of the class, so that what declares it `extern template` does not compile them.
+
+template <class Point, std::unsigned_integral Index>
+std::vector<Index> submesh_cutter<Point, Index>::faces_around(std::span<const Index> seeds, int rings)
+{
+    begin();
+    const auto& t = mesh_.topology();
+    std::vector<Index> faces(seeds.begin(), seeds.end()), vertices;
+    for (const Index f : faces)
+        face_[f] = 0;
+    std::size_t first_new = 0;
+    for (int ring = 0; ring < rings; ++ring) {
+        const std::size_t end = faces.size();
+        for (; first_new < end; ++first_new)
+            for (const Index v : mesh_.face(faces[first_new]))
+                if (vertex_[v] == none) {
+                    vertex_[v] = 0;
+                    vertices.push_back(v);
+                    Index c = t.vertex_corner[v];
+                    do {
+                        const Index f = t.face_of(c);
+                        if (face_[f] == none) {
+                            face_[f] = 0;
+                            faces.push_back(f);
+                        }
+                        c = t.next_in_fan(c);
+                    } while (c != none and c != t.vertex_corner[v]);
+                }
+    }
+    for (const Index v : vertices)
+        vertex_[v] = none;
+    put_in_order(faces, face_);
+    for (const Index f : faces)
+        face_[f] = none;
+    is_marked_ = false;
+    return faces;
+}
+
+template <class Point, std::unsigned_integral Index>
+submesh<Point, Index> submesh_cutter<Point, Index>::cut(std::span<const Index> faces)
+{
+    begin();
+    const auto& t = mesh_.topology();
+    submesh<Point, Index> result;
+    result.face_from.assign(faces.begin(), faces.end());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        face_[faces[i]] = Index(i);
+    collect_elements(result);
+
+    connectivity<Index> fine;
+    fine.allocate_faces(faces.size(), t.degree, [&](std::size_t i) { return mesh_.face(faces[i]).size(); });
+    fine.allocate_edges(result.edge_from.size());
+    result.edge_is_turned.resize(result.edge_from.size());
+    result.edge_is_new_rim.resize(result.edge_from.size());
+    for (std::size_t e = 0; e < result.edge_from.size(); ++e) {
+        const std::size_t side0 = 2 * std::size_t(result.edge_from[e]);
+        const bool left_is_here = is_here(t.halfedge_corner[side0]);
+        const bool right_is_here = is_here(t.halfedge_corner[side0 + 1]);
+        result.edge_is_turned[e] = not left_is_here;
+        result.edge_is_new_rim[e] = not t.is_boundary(side0 / 2) and not(left_is_here and right_is_here);
+    }
+    Index corner = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const Index first = t.first_corner(faces[i]);
+        const Index end = t.first_corner(std::size_t(faces[i]) + 1);
+        if (fine.degree == 0)
+            result.corners_from.push_back({first, Index(end - first)});
+        for (Index c = first; c < end; ++c, ++corner) {
+            const Index e = edge_[t.corner_halfedge[c] >> 1];
+            fine.set_side(corner, Index(2 * e + ((t.corner_halfedge[c] & 1) ^ result.edge_is_turned[e])));
+            fine.corner_vertex[corner] = vertex_[t.corner_vertex[c]];
+        }
+    }
+
+    detail::split_fans(fine, result.vertex_from);
+    const auto first_of = [&](Index old) { // the corner here that is this corner there
+        const Index f = t.face_of(old);
+        return Index(fine.first_corner(face_[f]) + (old - t.first_corner(f)));
+    };
+    for (std::size_t v = 0; v < fine.vertices; ++v)
+        if (fine.vertex_corner[v] == none)
+            fine.vertex_corner[v] = first_of(t.vertex_corner[result.vertex_from[v]]);
+
+    storage<Point> points(fine.vertices);
+    for (std::size_t v = 0; v < fine.vertices; ++v)
+        points[v] = mesh_.point(result.vertex_from[v]);
+    for (const Index v : result.vertex_from)
+        vertex_[v] = none;
+    for (const Index e : result.edge_from)
+        edge_[e] = none;
+    for (const Index f : faces)
+        face_[f] = none;
+    is_marked_ = false;
+    result.mesh = {std::move(points), std::move(fine), mesh_.generation()};
+    return result;
+}
 
 } // namespace kith

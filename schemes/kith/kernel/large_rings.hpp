@@ -25,6 +25,20 @@ constexpr fan_kind irregular_fan(std::size_t valence)
     return valence > longest_row ? fan_kind::large : fan_kind::irregular;
 }
 
+namespace detail {
+
+/// Where a corner lies in a large fan, by the number of the corner.
+struct corner_of_large_fan {
+    std::size_t corner;
+    std::uint32_t fan, step;
+};
+/// The place of a large face among these, by its number.
+struct large_face {
+    std::size_t face, place;
+};
+
+} // namespace detail
+
 /// What has been summed of each large fan (ring_waves), and where its corners lie in it. Few among many, so they are
 /// kept as a sorted list. Cost: O(corners of large fans log of them), and a look at every vertex's kind.
 template <class Sums>
@@ -49,23 +63,19 @@ public:
                 corners_.push_back({c.index(), std::uint32_t(sums_.size()), step++});
             sums_.push_back(make(v, std::size_t(step)));
         }
-        std::ranges::sort(corners_, {}, &entry::corner);
+        std::ranges::sort(corners_, {}, &detail::corner_of_large_fan::corner);
     }
 
     /// Precondition: a corner of a large fan. Cost: O(log corners of large fans).
     template <corner_element Corner>
     [[nodiscard]] place at(const Corner& c) const
     {
-        const auto found = std::ranges::lower_bound(corners_, c.index(), {}, &entry::corner);
+        const auto found = std::ranges::lower_bound(corners_, c.index(), {}, &detail::corner_of_large_fan::corner);
         return {sums_[found->fan], found->step};
     }
 
 private:
-    struct entry {
-        std::size_t corner;
-        std::uint32_t fan, step;
-    };
-    std::vector<entry> corners_;
+    std::vector<detail::corner_of_large_fan> corners_;
     std::vector<Sums> sums_;
 };
 
@@ -82,21 +92,23 @@ public:
     large_faces(const Level& coarse, const Make& make)
     {
         for (const auto f : coarse.faces())
-            if (const std::size_t n = f.degree(); n > longest_row)
-                faces_.emplace_back(f.index(), make(f, n));
-        std::ranges::sort(faces_, {}, &entry::first);
+            if (const std::size_t n = f.degree(); n > longest_row) {
+                faces_.push_back({f.index(), sums_.size()});
+                sums_.push_back(make(f, n));
+            }
+        std::ranges::sort(faces_, {}, &detail::large_face::face);
     }
 
     /// Precondition: a face of more than longest_row corners. Cost: O(log large faces).
     template <face_element Face>
     [[nodiscard]] const Sums& of(const Face& f) const
     {
-        return std::ranges::lower_bound(faces_, f.index(), {}, &entry::first)->second;
+        return sums_[std::ranges::lower_bound(faces_, f.index(), {}, &detail::large_face::face)->place];
     }
 
 private:
-    using entry = std::pair<std::size_t, Sums>;
-    std::vector<entry> faces_;
+    std::vector<detail::large_face> faces_;
+    std::vector<Sums> sums_;
 };
 
 template <level Level, class Make>

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -129,19 +130,16 @@ bool are_in_range(const Vectors&... tangents)
     return (is_in_range(exponent_bits(tangents)) and ...);
 }
 
-/// The tangents that masks give. Where their sums are not in range, they are formed once more of scaled points.
-template <level Level, class... Masks>
-std::array<normal_vector, sizeof...(Masks)> tangents_of(const Masks&... masks)
+/// Returns tangents in range, given those that masks give and over(factor), which makes them anew of points times a
+/// factor.
+template <std::size_t Count, class Over>
+std::array<normal_vector, Count> brought_into_range(std::array<normal_vector, Count> tangents, const Over& over)
 {
-    const auto over = [&](const auto& values) { return std::array{scaled(masks.evaluate(values), 0)...}; };
-    const auto are_finite = [](const auto& tangents) {
-        return std::ranges::all_of(tangents, [](const normal_vector& t) { return is_finite(t); });
+    const auto are_finite = [](const auto& some) {
+        return std::ranges::all_of(some, [](const normal_vector& t) { return is_finite(t); });
     };
-    auto tangents = over(bare_points<Level>());
-    if (std::apply([](const auto&... t) { return are_in_range(t...); }, tangents))
-        return tangents;
     if (not are_finite(tangents))
-        tangents = over(scaled_points<Level>(std::scalbn(1., -100)));
+        tangents = over(std::scalbn(1., -100));
     int least = std::numeric_limits<int>::max();
     for (const normal_vector& t : tangents) {
         common_exponent exponent;
@@ -149,9 +147,33 @@ std::array<normal_vector, sizeof...(Masks)> tangents_of(const Masks&... masks)
         least = std::min(least, exponent.value());
     }
     if (least < -900)
-        if (const auto larger = over(scaled_points<Level>(std::scalbn(1., 200))); are_finite(larger))
+        if (const auto larger = over(std::scalbn(1., 200)); are_finite(larger))
             tangents = larger;
     return tangents;
+}
+
+/// Returns tangents in range, given those that masks give.
+template <level Level, std::size_t Count, class... Masks>
+[[gnu::noinline, gnu::cold]] std::array<normal_vector, Count>
+tangents_of_scaled(const std::array<normal_vector, Count>& tangents, const Masks&... masks)
+{
+    const std::function<std::array<normal_vector, Count>(double)> over =
+        [&](double factor) __attribute__((noinline, cold)) {
+            const scaled_points<Level> points(factor);
+            return std::array{scaled(masks.evaluate(points), 0)...};
+        };
+    return brought_into_range(tangents, over);
+}
+
+/// The tangents that masks give. Where their sums are not in range, they are formed once more of scaled points.
+template <level Level, class... Masks>
+std::array<normal_vector, sizeof...(Masks)> tangents_of(const Masks&... masks)
+{
+    const bare_points<Level> points;
+    const auto tangents = std::array{scaled(masks.evaluate(points), 0)...};
+    if (std::apply([](const auto&... t) { return are_in_range(t...); }, tangents)) [[likely]]
+        return tangents;
+    return tangents_of_scaled<Level>(tangents, masks...);
 }
 
 /// The unit normal that two tangent masks give; nothing where they give none.

@@ -274,7 +274,23 @@ auto limit_surface_of(const hierarchy<M, Scheme>& levels, int level)
     How limit_surface<std::array<double, 3>> limit_surface_around(                                                     \
         const basic_mesh<>&, const Scheme&, std::span<const unsigned char>);
 
+/// KITH_LIMIT_PARTS(How): what the limits of all schemes share.
+#define KITH_LIMIT_PARTS(How)                                                                                          \
+    How std::vector<normal_vector> mean_face_normals(                                                                  \
+        const basic_mesh<>&, std::span<const std::array<double, 3>>, std::span<const unsigned char>);                  \
+    KITH_REGULAR_LIMITS(How)
+#ifdef KITH_HAS_LANES
+#define KITH_REGULAR_LIMITS(How)                                                                                       \
+    How std::vector<unsigned char> detail::irregular_vertices(                                                         \
+        const connectivity<std::uint32_t>&, state_marks<std::uint32_t>, std::size_t, std::size_t, int);                \
+    How void detail::fill_regular_limits(                                                                              \
+        const basic_mesh<>&, const regular_masks&, const std::vector<unsigned char>&, const limit_places&);
+#else
+#define KITH_REGULAR_LIMITS(How)
+#endif
+
 #ifdef KITH_COMPILED_SCHEMES
+KITH_LIMIT_PARTS(extern template)
 #define KITH_LIMITS_IN_LIBRARY(type, header, numbers, paper) KITH_LIMITS(extern template, type)
 KITH_SCHEMES(KITH_LIMITS_IN_LIBRARY)
 #undef KITH_LIMITS_IN_LIBRARY

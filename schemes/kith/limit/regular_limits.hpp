@@ -20,14 +20,6 @@ namespace kith::detail {
 
 #ifdef KITH_HAS_LANES
 
-/// The arrays that limits are written into, by vertex.
-struct limit_places {
-    std::array<double, 3>* positions;
-    std::array<double, 3>* normals;
-    unsigned char* has_no_normal;
-    unsigned char* is_open; ///< whether the limits of a vertex are still to be made
-};
-
 /// Makes the limits of regular vertices, as many at a time as two registers have lanes: what `limit_search::take` makes
 /// of each, to the same bits.
 template <std::unsigned_integral Index, int Degree>
@@ -263,6 +255,27 @@ private:
     storage<point> slots_;   // the last number of each is not read
 };
 
+/// Makes the limits of all vertices of a level that are not marked as irregular, and closes these vertices, unless their
+/// fans show that they are irregular, too. Cost: O(corners).
+template <std::unsigned_integral Index>
+void fill_regular_limits(const basic_mesh<std::array<double, 3>, Index>& mesh, const regular_masks& masks,
+                         const std::vector<unsigned char>& is_irregular, const limit_places& to)
+{
+    constexpr std::size_t faces_of_part = 1024;
+    const auto make = [&, faces = mesh.face_count()]<int Degree>() {
+        for_shared_parts(faces, faces_of_part, is_worth_threads(faces), [&](parts_to_do parts) {
+            regular_limits<Index, Degree> some(mesh, masks, is_irregular, to);
+            parts.for_each([&](std::size_t begin, std::size_t end) { some.make(begin, end); });
+        });
+    };
+    if (mesh.topology().degree == 4)
+        make.template operator()<4>();
+    else if (mesh.topology().degree == 3)
+        make.template operator()<3>();
+    else
+        make.template operator()<0>();
+}
+
 /// Makes the limits of the regular vertices of a level, if there are masks for them, and closes these vertices. All
 /// others stay open. `with_normals` says that a vertex without a normal stays open. Errors: those of the masks.
 /// Cost: O(corners).
@@ -278,19 +291,7 @@ void make_regular_limits(const basic_mesh<std::array<double, 3>, Index>& mesh, c
             return;
         const auto is_irregular = irregular_vertices(
             level, state_marks<Index>(level, scheme), degree, masks->valence(), limit_rules<Scheme>::rings(scheme));
-        const auto make = [&]<int Degree>() {
-            constexpr std::size_t faces_of_part = 1024;
-            for_shared_parts(level.faces, faces_of_part, is_worth_threads(level.faces), [&](parts_to_do parts) {
-                regular_limits<Index, Degree> some(mesh, *masks, is_irregular, to);
-                parts.for_each([&](std::size_t begin, std::size_t end) { some.make(begin, end); });
-            });
-        };
-        if (level.degree == 4)
-            make.template operator()<4>();
-        else if (level.degree == 3)
-            make.template operator()<3>();
-        else
-            make.template operator()<0>();
+        fill_regular_limits(mesh, *masks, is_irregular, to);
     }
 }
 

@@ -70,16 +70,7 @@ public:
         const auto size = std::size_t(2 * rings + 5); // one ring more than the masks may read
         const auto mesh = regular_torus(degree, size);
         const regular_walk walk(mesh.topology(), 0, rings);
-        const recorded_masks masks = record_masks(scheme, mesh, generation, walk);
-        if (masks.results.size() != 1 and masks.results.size() != 3)
-            return {};
-        regular_masks result;
-        result.program_ = lane_program_maker<double>().make(masks.done, masks.results);
-        const auto is_outside = [&](std::uint32_t input) { return input >= walk.vertices.size(); };
-        if (result.program_.is_too_long() or std::ranges::any_of(result.program_.inputs(), is_outside))
-            return {};
-        result.take_ways(walk);
-        return result;
+        return made_of(record_masks(scheme, mesh, generation, walk), walk);
     }
 
     /// Returns steps that each reach one more corner, as those of a regular_walk do.
@@ -92,29 +83,55 @@ public:
     [[nodiscard]] bool have_tangents() const { return program_.outputs().size() == 3; }
 
 private:
+    static std::optional<regular_masks> made_of(const recorded_masks& masks, const regular_walk& walk);
     /// Takes the steps around the vertex and those that lead to the inputs.
-    void take_ways(const regular_walk& walk)
-    {
-        valence_ = walk.valence;
-        std::vector<std::uint16_t> number(walk.steps.size() + 1, 0); // of the corners that are reached; 0 if not needed
-        for (std::size_t r = 1; r < valence_; ++r)
-            number[r] = 1;
-        for (const std::uint32_t input : program_.inputs())
-            for (std::size_t r = walk.vertices[input].reached; r != 0; r = walk.steps[r - 1].reached)
-                number[r] = 1;
-        const auto renumbered = [&](const corner_from& c) { return corner_from{number[c.reached], c.on}; };
-        for (std::size_t r = 1; r < number.size(); ++r)
-            if (number[r] != 0) {
-                steps_.push_back(renumbered(walk.steps[r - 1]));
-                number[r] = std::uint16_t(steps_.size());
-            }
-        for (const std::uint32_t input : program_.inputs())
-            inputs_.push_back(renumbered(walk.vertices[input]));
-    }
+    void take_ways(const regular_walk& walk);
 
     std::vector<corner_from> steps_, inputs_;
     std::size_t valence_ = 0;
     lane_program<double> program_;
+};
+
+#ifdef KITH_HAS_BODIES
+KITH_IN_LIBRARY std::optional<regular_masks> regular_masks::made_of(const recorded_masks& masks,
+                                                                    const regular_walk& walk)
+{
+    if (masks.results.size() != 1 and masks.results.size() != 3)
+        return {};
+    regular_masks result;
+    result.program_ = lane_program_maker<double>().make(masks.done, masks.results);
+    const auto is_outside = [&](std::uint32_t input) { return input >= walk.vertices.size(); };
+    if (result.program_.is_too_long() or std::ranges::any_of(result.program_.inputs(), is_outside))
+        return {};
+    result.take_ways(walk);
+    return result;
+}
+KITH_IN_LIBRARY void regular_masks::take_ways(const regular_walk& walk)
+{
+    valence_ = walk.valence;
+    std::vector<std::uint16_t> number(walk.steps.size() + 1, 0); // of the corners that are reached; 0 if not needed
+    for (std::size_t r = 1; r < valence_; ++r)
+        number[r] = 1;
+    for (const std::uint32_t input : program_.inputs())
+        for (std::size_t r = walk.vertices[input].reached; r != 0; r = walk.steps[r - 1].reached)
+            number[r] = 1;
+    const auto renumbered = [&](const corner_from& c) { return corner_from{number[c.reached], c.on}; };
+    for (std::size_t r = 1; r < number.size(); ++r)
+        if (number[r] != 0) {
+            steps_.push_back(renumbered(walk.steps[r - 1]));
+            number[r] = std::uint16_t(steps_.size());
+        }
+    for (const std::uint32_t input : program_.inputs())
+        inputs_.push_back(renumbered(walk.vertices[input]));
+}
+#endif
+
+/// The arrays that limits are written into, by vertex.
+struct limit_places {
+    std::array<double, 3>* positions;
+    std::array<double, 3>* normals;
+    unsigned char* has_no_normal;
+    unsigned char* is_open; ///< whether the limits of a vertex are still to be made
 };
 
 } // namespace kith::detail

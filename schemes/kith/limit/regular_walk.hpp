@@ -17,7 +17,9 @@ namespace kith::detail {
 
 /// Returns a torus of quads or triangles, all of whose vertices are regular: `size` of them each way.
 /// Precondition: degree is 3 or 4, and size at least 3.
-inline basic_mesh<> regular_torus(std::size_t degree, std::size_t size)
+basic_mesh<> regular_torus(std::size_t degree, std::size_t size);
+#ifdef KITH_HAS_BODIES
+KITH_IN_LIBRARY basic_mesh<> regular_torus(std::size_t degree, std::size_t size)
 {
     std::vector<std::array<double, 3>> points;
     std::vector<std::vector<std::size_t>> faces;
@@ -33,6 +35,7 @@ inline basic_mesh<> regular_torus(std::size_t degree, std::size_t size)
     }
     return make_mesh(points, faces);
 }
+#endif
 
 /// A corner of a face that was reached by another one of its corners.
 struct corner_from {
@@ -49,25 +52,7 @@ struct regular_walk {
     std::size_t valence;                ///< so many corners are reached first, those of the vertex
 
     /// Precondition: the mesh is closed and all its faces have one degree.
-    regular_walk(const connectivity<std::uint32_t>& mesh, std::size_t vertex, int rings)
-        : mesh_(mesh), reached_by_(mesh.faces, mesh.none)
-    {
-        std::vector<unsigned char> is_met(mesh.vertices, 0);
-        reach(mesh.vertex_corner[vertex]);
-        turn_around(reached_[0]);
-        valence = reached_.size();
-        for (int ring = 0; ring < rings; ++ring)
-            for (std::size_t r = 0, end = reached_.size(); r < end; ++r)
-                for (std::uint32_t i = 0, c = reached_[r]; i < degree(); ++i, c = mesh.next(c))
-                    turn_around(c);
-        for (const std::uint32_t start : reached_)
-            for (std::uint32_t i = 0, c = start; i < degree(); ++i, c = mesh.next(c))
-                if (const std::uint32_t v = mesh.corner_vertex[c]; is_met[v] == 0) {
-                    is_met[v] = 1;
-                    numbers.push_back(v);
-                    vertices.push_back(from_reached(c));
-                }
-    }
+    regular_walk(const connectivity<std::uint32_t>& mesh, std::size_t vertex, int rings);
 
 private:
     [[nodiscard]] std::uint32_t degree() const { return std::uint32_t(mesh_.degree); }
@@ -95,6 +80,28 @@ private:
     const connectivity<std::uint32_t>& mesh_;
     std::vector<std::uint32_t> reached_, reached_by_; // corners, a face each; by faces, which of these corners
 };
+
+#ifdef KITH_HAS_BODIES
+KITH_IN_LIBRARY regular_walk::regular_walk(const connectivity<std::uint32_t>& mesh, std::size_t vertex, int rings)
+    : mesh_(mesh), reached_by_(mesh.faces, mesh.none)
+{
+    std::vector<unsigned char> is_met(mesh.vertices, 0);
+    reach(mesh.vertex_corner[vertex]);
+    turn_around(reached_[0]);
+    valence = reached_.size();
+    for (int ring = 0; ring < rings; ++ring)
+        for (std::size_t r = 0, end = reached_.size(); r < end; ++r)
+            for (std::uint32_t i = 0, c = reached_[r]; i < degree(); ++i, c = mesh.next(c))
+                turn_around(c);
+    for (const std::uint32_t start : reached_)
+        for (std::uint32_t i = 0, c = start; i < degree(); ++i, c = mesh.next(c))
+            if (const std::uint32_t v = mesh.corner_vertex[c]; is_met[v] == 0) {
+                is_met[v] = 1;
+                numbers.push_back(v);
+                vertices.push_back(from_reached(c));
+            }
+}
+#endif
 
 /// Marks the vertices around which a mask within some rings may meet state, a boundary, a face of another degree or a
 /// vertex of another valence. Without rings, boundaries and valences are not marked, since they show in the faces of a

@@ -5,9 +5,25 @@
 #include <kith/level/for_each.hpp>
 #include <kith/step/scheme.hpp>
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace kith {
+
+namespace detail {
+
+/// Throws mesh_error for a vertex between two faces only, by its number.
+[[noreturn, gnu::noinline, gnu::cold]] inline void refuse_two_faces(std::string_view scheme, std::size_t vertex,
+                                                                    bool are_triangles)
+{
+    throw mesh_error(std::string(scheme) + ": vertex " + std::to_string(vertex) +
+                     " lies between 2 faces only, the scheme needs three; " +
+                     (are_triangles ? "remove these triangles, which are back to back, or put a vertex into one of them"
+                                    : "merge its two edges into one first"));
+}
+
+} // namespace detail
 
 /// Throws mesh_error at inner vertices between two faces only. Schemes that make a face of every vertex would make one
 /// of two corners there; between two triangles, which are back to back then, those that split triangles would make two
@@ -24,10 +40,7 @@ void require_three_faces(const Level& coarse)
         if (not(first.across().next() == second)) // what lies clockwise and what lies counter-clockwise
             return;
         const bool triangles = first.f().degree() == 3 and second.f().degree() == 3;
-        throw mesh_error(std::string(scheme_name<Scheme>()) + ": vertex " + std::to_string(number_in_mesh(coarse, v)) +
-                         " lies between 2 faces only, the scheme needs three; " +
-                         (triangles ? "remove these triangles, which are back to back, or put a vertex into one of them"
-                                    : "merge its two edges into one first"));
+        detail::refuse_two_faces(scheme_name<Scheme>(), number_in_mesh(coarse, v), triangles);
     });
 }
 
