@@ -28,9 +28,9 @@ inline polynomial_pointer constant_polynomial(const control_row& row, int deriva
     return std::make_unique<const surface_polynomial>(std::move(made));
 }
 
-/// Returns the rows of the position of a vertex, and of its second and first tangent, as far as there are masks.
-template <class Scheme, level Level>
-std::vector<control_row> position_and_tangents(const vertex<Level>& v, const Level& level, const Scheme& scheme,
+/// Returns the rows of the limit of a vertex or face, and of its second and first tangent, as far as there are masks.
+template <class Scheme, level Level, template <class> class Element>
+std::vector<control_row> position_and_tangents(const Element<Level>& v, const Level& level, const Scheme& scheme,
                                                std::size_t inputs)
 {
     [[maybe_unused]] const auto& rules = limit_rules<Scheme>::on(scheme, level);
@@ -41,9 +41,9 @@ std::vector<control_row> position_and_tangents(const vertex<Level>& v, const Lev
         return std::ranges::all_of(row, [](double weight) { return std::isfinite(weight); });
     };
     std::vector<control_row> result;
-    if constexpr (has_limit_positions<Scheme, vertex<Level>, Level>)
+    if constexpr (has_limit_positions<Scheme, Element<Level>, Level>)
         limit_rules<Scheme>::position(rules, v, [&](const auto& mask) { result.assign(1, value(mask)); });
-    if constexpr (has_limit_tangents<Scheme, vertex<Level>, Level>)
+    if constexpr (has_limit_tangents<Scheme, Element<Level>, Level>)
         if (not result.empty())
             limit_rules<Scheme>::tangents(rules, v, [&](const auto& first, const auto& second) {
                 const auto a = value(first), b = value(second);
@@ -55,13 +55,14 @@ std::vector<control_row> position_and_tangents(const vertex<Level>& v, const Lev
     return result;
 }
 
-/// Returns the limit of a vertex by closed masks, with tangents if there are masks for them; nothing if there is none.
-/// Precondition: the points of the mesh are unit rows.
-template <std::unsigned_integral Index, class Scheme>
-polynomial_pointer limit_at_vertex(const basic_mesh<stencil_row, Index>& mesh, const Scheme& scheme, Index number)
+/// Returns a limit by closed masks, with tangents if there are masks for them; nothing if there is none. It is that of
+/// element `number` of elements(level). Precondition: the points of the mesh are unit rows.
+template <std::unsigned_integral Index, class Scheme, class Elements>
+polynomial_pointer limit_of_element(const basic_mesh<stencil_row, Index>& mesh, const Scheme& scheme, Index number,
+                                    const Elements& elements)
 {
     const auto coefficients = with_native_level<Scheme>(mesh, [&](const auto& level) {
-        return position_and_tangents(level.vertices()[number], level, scheme, mesh.vertex_count());
+        return position_and_tangents(elements(level)[number], level, scheme, mesh.vertex_count());
     });
     if (coefficients.empty())
         return {};
@@ -70,6 +71,19 @@ polynomial_pointer limit_at_vertex(const basic_mesh<stencil_row, Index>& mesh, c
     auto made = polynomial_of(1, false, coefficients);
     made.derivatives = 1;
     return std::make_unique<const surface_polynomial>(std::move(made));
+}
+
+/// Returns the limit of a vertex.
+template <std::unsigned_integral Index, class Scheme>
+polynomial_pointer limit_at_vertex(const basic_mesh<stencil_row, Index>& mesh, const Scheme& scheme, Index number)
+{
+    return limit_of_element(mesh, scheme, number, [](const auto& level) { return level.vertices(); });
+}
+/// Returns the limit of the centre of a face.
+template <std::unsigned_integral Index, class Scheme>
+polynomial_pointer limit_at_centre(const basic_mesh<stencil_row, Index>& mesh, const Scheme& scheme, Index number)
+{
+    return limit_of_element(mesh, scheme, number, [](const auto& level) { return level.faces(); });
 }
 
 } // namespace kith::detail

@@ -16,9 +16,6 @@
 
 namespace kith::detail {
 
-// Nets shrink by .66 or less in a step, so that after 100 steps they are points but for rounding.
-inline constexpr int most_steps = 100;
-
 /// Finds the polynomials of shapes. No scheme says that it is a spline: the surface over a face is a polynomial if the
 /// one through some of its points agrees with the polynomials over the children of the face.
 template <class Shape>
@@ -60,7 +57,7 @@ public:
             for (const auto& own : here->polynomials)
                 lead_to_polynomials = lead_to_polynomials or own != nullptr;
             for (const auto& child : here->children)
-                lead_to_polynomials = lead_to_polynomials or child.of->leads_to_polynomials;
+                lead_to_polynomials = lead_to_polynomials or (child.of != nullptr and child.of->leads_to_polynomials);
         }
         for (Shape* const here : shapes) {
             here->leads_to_polynomials = lead_to_polynomials;
@@ -78,7 +75,7 @@ private:
         bool may_have_one = here.has_key;
         for (const auto& [s, t] : points_) {
             const sample& at = samples.emplace_back(here, cell, s, t);
-            may_have_one = may_have_one and (not at.child().of->is_decided or at.polynomial_of_child() != nullptr);
+            may_have_one = may_have_one and at.child_may_have_polynomial();
         }
         if (not may_have_one)
             return;
@@ -100,9 +97,11 @@ private:
     static control_row limit_at(const sample& at, int depth)
     {
         const auto& child = at.child();
+        if (child.of == nullptr) // the cell is no polynomial
+            return corner_row(*at.of, 0);
         if (child.of->is_decided and at.polynomial_of_child() != nullptr)
             return composed(at.polynomial_of_child()->at(at.in_child.s, at.in_child.t), child.rows);
-        if (depth == most_steps or child.of->children.empty())
+        if (depth == domain::most_steps or child.of->children.empty())
             return composed(corner_row(*child.of, 0), child.rows);
         return composed(limit_at({*child.of, at.next.cell, at.in_child.s, at.in_child.t}, depth + 1), child.rows);
     }
@@ -119,7 +118,7 @@ private:
         bool result = true;
         for (std::size_t cell = 0; cell < here.polynomials.size(); ++cell)
             for (const auto& at : domain::corners)
-                if (domain::corner_at(cell, at) == corner)
+                if (domain::corner_at(here.in_domain, cell, at) == corner)
                     result = result and sample(here, cell, at[0], at[1]).polynomial_of_child() != nullptr;
         return result;
     }
@@ -129,6 +128,12 @@ private:
         const std::span<const polynomial_pointer> own(here.polynomials);
         if (std::ranges::all_of(own, [](const auto& polynomial) { return polynomial != nullptr; }))
             return;
+        if constexpr (Shape::has_points)
+            if (here.in_domain.degree != domain::sides and not domain::has_vertices_at_corners(here.in_domain) and
+                is_settled(here.scheme)) {
+                here.at_corners[0] = limit_at_centre(here.mesh, here.scheme, here.face);
+                here.has_corner_limits = here.at_corners[0] != nullptr;
+            }
         std::vector<control_row> corners; // in the order of the lattice: (0, 0), (0, 1), (1, 0), (1, 1)
         for (const auto& [s, t] : lattice_points(1, domain::is_tensor)) {
             const auto k = std::size_t(std::ranges::find(domain::corners, std::array{s, t}) - domain::corners.begin());
