@@ -242,6 +242,42 @@ TEST(surface, keeps_creases_and_corners)
         }
 }
 
+/// At vertices of creases each face has the tangents of its side, to which those nearby converge. Corners have none if
+/// their surface has no plane: of Catmull-Clark between creases with two faces or more.
+TEST(surface, has_tangents_on_each_side_of_creases)
+{
+    const auto test = [](const mesh3d& mesh, auto scheme, std::size_t every, double nearby, std::size_t without) {
+        constexpr std::size_t sides = kith::detail::has_quad_parameters<decltype(scheme)> ? 4 : 3;
+        for (std::size_t e = 0; e < mesh.edge_count(); e += every)
+            scheme.sharpness.sharpen_edge(e, kith::infinitely_sharp);
+        const auto expected = normals_of_corners(mesh, limit_surface_of(mesh, scheme));
+        kith::surface_locator surface(mesh, scheme);
+        for (std::uint32_t c = 0; c < mesh.corner_count(); ++c) {
+            const auto here = place_on_side(mesh, c, 0, sides);
+            const auto next = place_on_side(mesh, mesh.topology().next(c), 0, sides);
+            const auto before = place_on_side(mesh, mesh.topology().prev(c), 0, sides);
+            std::vector<surface_place> places{here};
+            for (const auto& [x, y] : {parameters{.5, .3}, {.9, .02}, {.02, .9}})
+                places.push_back({here.face,
+                                  here.u + 0x1p-11 * (x * (next.u - here.u) + y * (before.u - here.u)),
+                                  here.v + 0x1p-11 * (x * (next.v - here.v) + y * (before.v - here.v)),
+                                  0});
+            const auto normals = normals_of(surface.locate(places).evaluate(mesh.points(), derivatives::first));
+            if (normals[0] == kith::normal_vector{}) {
+                --without;
+                continue;
+            }
+            EXPECT_LT(distance(normals[0], expected[c]), 1e-13) << "corner " << c;
+            for (std::size_t i = 1; i < places.size(); ++i)
+                EXPECT_LT(distance(normals[0], normals[i]), nearby) << "corner " << c;
+        }
+        EXPECT_EQ(without, 0U);
+    };
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::catmull_clark{}, 7, .02, 0);
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::catmull_clark{}, 3, .3, 6);
+    test(native(shapes::shaken(shapes::triangulated(shapes::grid(4, 5)))), kith::loop{}, 7, .02, 0);
+}
+
 TEST(surface, has_the_slopes_of_its_points)
 {
     const auto test = [](const mesh3d& mesh, const auto& scheme) {

@@ -42,8 +42,10 @@ class surface_lattices;
 /// The polynomial is the spline of the scheme in regular parts of the mesh, also beside boundaries and creases there.
 /// Elsewhere the locator refines what lies around a face by the scheme's own text, until the place lies in a regular
 /// part. So points are exact but for rounding: about 1e-15 of the control net. At an irregular vertex itself the point
-/// and the tangent plane come from the limit masks. There du and dv are two tangents, counter-clockwise; their lengths
-/// have no meaning, for the derivatives by u and v are zero or infinite, and second derivatives are no numbers.
+/// and the tangent plane come from limit masks or from repeated steps. There du and dv are two tangents,
+/// counter-clockwise; their lengths have no meaning, for the derivatives by u and v are zero or infinite, and second
+/// derivatives are no numbers. On creases tangents are those of the side of the face; where creases meet some sides
+/// have none.
 ///
 /// Takes all schemes of the library, with all creases, and a user's own of such a split. Doo-Sabin and mid-edge have a
 /// surface in parts of the faces at a boundary, docs/how/surface.md. The degree of unified is at most 5. Of a scheme
