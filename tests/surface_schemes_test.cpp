@@ -301,6 +301,30 @@ TEST(surface_schemes, have_the_slopes_of_their_points)
     test(native(shapes::shaken(shapes::triangulated(shapes::cube()))), kith::interpolatory_sqrt3{}, false);
 }
 
+/// No mask tells the tangents of unified at irregular places. They come from steps, and those nearby converge to them.
+TEST(surface_schemes, have_tangents_at_irregular_places)
+{
+    for (const auto& shape : {shapes::tetrahedron(), shapes::house()})
+        for (const int degree : {2, 3, 4, 5}) {
+            SCOPED_TRACE(degree);
+            const auto mesh = native(shapes::shaken(shape));
+            std::vector<surface_place> places;
+            for (std::size_t f = 0; f < mesh.face_count(); ++f)
+                for (std::size_t k = 0; k < mesh.face(f).size(); ++k) {
+                    places.push_back(place_of_corner<kith::unified>(mesh, f, k));
+                    places.push_back(places.back());
+                    auto& [face, u, v, corner] = places.back();
+                    u += u < .5 ? 0x1p-14 : -0x1p-14;
+                    v += v < .5 ? 0x1.5p-15 : -0x1.5p-15;
+                }
+            const auto normals = normals_of(kith::surface_locator(mesh, kith::unified{.degree = degree})
+                                                .locate(places)
+                                                .evaluate(mesh.points(), derivatives::first));
+            for (std::size_t i = 0; i < places.size(); i += 2)
+                EXPECT_LT(distance(normals[i], normals[i + 1]), 6e-3) << i;
+        }
+}
+
 /// Linear values at corners stay linear in faces, also where parts are closed.
 TEST(surface_schemes, have_values_at_corners)
 {

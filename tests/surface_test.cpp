@@ -4,6 +4,7 @@
 #include "error_text.hpp"
 #include "every_scheme.hpp"
 #include "own_state.hpp"
+#include "surface_places.hpp"
 #include "thread_count.hpp"
 
 #include <kith/face_varying.hpp>
@@ -29,8 +30,6 @@ namespace {
 
 using kith::derivatives;
 using kith::surface_place;
-using parameters = std::array<double, 2>;
-using point = std::array<double, 3>;
 
 /// A face of a level as a part of a face of the control mesh.
 struct part_of_face {
@@ -92,11 +91,6 @@ std::vector<surface_place> places_of_level(const mesh3d& control, int level)
         for (const auto& [u, v] : corners)
             result.push_back({face, u, v, corner});
     return result;
-}
-
-double distance(const std::array<double, 3>& a, const std::array<double, 3>& b)
-{
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 /// Expects the places of the vertices of a level to have the limits that are found by refining, with their normals.
@@ -162,21 +156,6 @@ void expect_limits_of_first_level(const mesh3d& control, const Scheme& scheme, c
         ASSERT_LT(distance(made.points[v], expected.positions[v]), 1e-12) << "vertex " << v;
 }
 
-/// Returns the place at t, 0 to 1, on the side of a face after a corner.
-surface_place place_on_side(const mesh3d& mesh, std::size_t corner, double t, std::size_t sides)
-{
-    const auto& topology = mesh.topology();
-    const std::size_t f = topology.face_of(std::uint32_t(corner)), k = corner - topology.first_corner(f);
-    if (mesh.face(f).size() != sides)
-        return t <= .5 ? surface_place{f, 2 * t, 0, k} : surface_place{f, 0, 2 - 2 * t, (k + 1) % mesh.face(f).size()};
-    const parameters quad = k == 0   ? parameters{t, 0}
-                            : k == 1 ? parameters{1, t}
-                            : k == 2 ? parameters{1 - t, 1}
-                                     : parameters{0, 1 - t};
-    const parameters triangle = k == 0 ? parameters{t, 0} : k == 1 ? parameters{1 - t, t} : parameters{0, 1 - t};
-    return sides == 4 ? surface_place{f, quad[0], quad[1], 0} : surface_place{f, triangle[0], triangle[1], 0};
-}
-
 TEST(surface, has_a_ternary_split)
 {
     for (const auto& [name, shape] : shapes::all_shapes()) {
@@ -218,12 +197,6 @@ TEST(surface, has_dual_splits)
         expect_limits_of_first_level(mesh, kith::doo_sabin{.weights = kith::doo_sabin_weights::averaging}, at_corners);
         expect_limits_of_first_level(mesh, kith::mid_edge{}, at_edges);
     }
-    EXPECT_EQ(error_text<kith::mesh_error>([] {
-                  kith::surface_locator surface(native(shapes::grid(3, 3)), kith::doo_sabin{});
-                  static_cast<void>(surface.locate(std::vector{surface_place{4, .5, .5}, surface_place{3, .5, .5}}));
-              }),
-              "place 1: face 3 touches the boundary, where doo-sabin has no parameters; take places in faces further "
-              "inside");
 }
 
 TEST(surface, has_a_sqrt3_split)
@@ -267,6 +240,42 @@ TEST(surface, keeps_creases_and_corners)
             loop.sharpness.method = method;
             expect_limits_of_level(triangles, with_creases(loop, triangles, sharpness), 3);
         }
+}
+
+/// At vertices of creases each face has the tangents of its side, to which those nearby converge. Corners have none if
+/// their surface has no plane: of Catmull-Clark between creases with two faces or more.
+TEST(surface, has_tangents_on_each_side_of_creases)
+{
+    const auto test = [](const mesh3d& mesh, auto scheme, std::size_t every, double nearby, std::size_t without) {
+        constexpr std::size_t sides = kith::detail::has_quad_parameters<decltype(scheme)> ? 4 : 3;
+        for (std::size_t e = 0; e < mesh.edge_count(); e += every)
+            scheme.sharpness.sharpen_edge(e, kith::infinitely_sharp);
+        const auto expected = normals_of_corners(mesh, limit_surface_of(mesh, scheme));
+        kith::surface_locator surface(mesh, scheme);
+        for (std::uint32_t c = 0; c < mesh.corner_count(); ++c) {
+            const auto here = place_on_side(mesh, c, 0, sides);
+            const auto next = place_on_side(mesh, mesh.topology().next(c), 0, sides);
+            const auto before = place_on_side(mesh, mesh.topology().prev(c), 0, sides);
+            std::vector<surface_place> places{here};
+            for (const auto& [x, y] : {parameters{.5, .3}, {.9, .02}, {.02, .9}})
+                places.push_back({here.face,
+                                  here.u + 0x1p-11 * (x * (next.u - here.u) + y * (before.u - here.u)),
+                                  here.v + 0x1p-11 * (x * (next.v - here.v) + y * (before.v - here.v)),
+                                  0});
+            const auto normals = normals_of(surface.locate(places).evaluate(mesh.points(), derivatives::first));
+            if (normals[0] == kith::normal_vector{}) {
+                --without;
+                continue;
+            }
+            EXPECT_LT(distance(normals[0], expected[c]), 1e-13) << "corner " << c;
+            for (std::size_t i = 1; i < places.size(); ++i)
+                EXPECT_LT(distance(normals[0], normals[i]), nearby) << "corner " << c;
+        }
+        EXPECT_EQ(without, 0U);
+    };
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::catmull_clark{}, 7, .02, 0);
+    test(native(shapes::shaken(shapes::torus(5, 6))), kith::catmull_clark{}, 3, .3, 6);
+    test(native(shapes::shaken(shapes::triangulated(shapes::grid(4, 5)))), kith::loop{}, 7, .02, 0);
 }
 
 TEST(surface, has_the_slopes_of_its_points)
@@ -413,8 +422,8 @@ TEST(surface, says_what_is_known_at_irregular_vertices)
     EXPECT_TRUE(std::isfinite(curvatures_of(made)[4].mean));
     EXPECT_EQ(
         error_text<kith::mesh_error>([&] { static_cast<void>(at.weights(derivatives::second)); }),
-        "place 0 is an irregular vertex, at which such derivatives have no finite value; ask for fewer derivatives "
-        "or move the place");
+        "place 0 is an irregular vertex or lies on a boundary, where such derivatives have no finite value; ask for "
+        "fewer derivatives or move the place");
 }
 
 /// Near irregular vertices, and as near as doubles tell, points go to the limit.

@@ -56,7 +56,7 @@ TEST(tessellate, fits_together_on_all_shapes)
     const auto test = [](const auto& scheme, const mesh3d& mesh) {
         if constexpr (kith::parametric_scheme<std::remove_cvref_t<decltype(scheme)>>) {
             using domain = kith::detail::domain_of<std::remove_cvref_t<decltype(scheme)>>;
-            if (not domain::takes_boundaries and not mesh.topology().is_closed())
+            if (domain::is_cut_off_by_boundaries and not mesh.topology().is_closed())
                 return;
             for (const auto& options : {tessellation_options{.segments = 1},
                                         tessellation_options{.segments = 3},

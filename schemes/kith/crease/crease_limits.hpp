@@ -27,6 +27,7 @@ struct creased_scheme {
 ///   across(sector, r)        the row across a curve whose vertex rule is r, 1 - 2r, r; for two faces or more
 ///   between(sector)          the row from a corner of the surface to the middle of a sector
 ///   across_one(sector, r)    the row into the only face of a sector
+///   most_faces_of_planes     of sectors at corners that have a tangent plane
 ///   darts(scheme, n)         the weights of dart_matrix, or null; has_opposites says which points it has
 ///
 /// These functions are out of line: few vertices lie on creases, and inlining all of them takes minutes.

@@ -56,6 +56,7 @@ struct limit_rules<catmull_clark> : crease_limits {
 
     // What crease_limits asks for.
     static constexpr bool has_opposites = true;
+    static constexpr std::size_t most_faces_of_planes = 1;
     template <corner_element Corner, class Use>
     static void use_ring(const Corner& first, std::int64_t n, const Use& use)
     {

@@ -41,7 +41,7 @@ struct face_domain<decltype(bisection_split::columns())> : domain_of_triangles {
     }
     static std::size_t cells(const domain_face&) { return 2; }
     static std::size_t enter(const domain_face&, std::size_t, face_parameters& at) { return halve(at); }
-    static std::size_t corner_at(std::size_t cell, const std::array<double, 2>& at)
+    static std::size_t corner_at(const domain_face&, std::size_t cell, const std::array<double, 2>& at)
     {
         if (at == corners[0])
             return cell == 0 ? 2 : 1;

@@ -16,22 +16,29 @@ namespace kith::detail {
 
 /// Parameters of splits that make faces of vertices. The limits of vertices of the control mesh lie inside their faces:
 /// the corners of parameters are the centres of the faces that vertices become. All faces consist of sub-faces, also
-/// quads, whose own parameters are those of their four quarters. Faces at boundaries are not taken.
+/// quads, whose own parameters are those of their four quarters. At a boundary steps make no faces of edges, nor of
+/// some vertices, so that parts of faces have no surface. The boundary lies inside of faces, too.
 struct domain_of_dual_faces : domain_of_rings {
     static constexpr std::size_t sides = 4;
     static constexpr std::size_t fineness = 2;
-    static constexpr bool takes_boundaries = false;
+    static constexpr bool is_cut_off_by_boundaries = true;
     static constexpr bool has_polynomials_at_boundaries = false;
     static constexpr auto corners = domain_of_quads::corners;
 
     static constexpr std::size_t degree = 2; ///< of the splines that are looked for
     static bool has_vertices_at_corners(const domain_face&) { return false; }
-    static std::size_t corner_at(std::size_t, const std::array<double, 2>&) { return sides; }
 
-    /// Returns the sub-face that a place lies in, and makes its parameters those of the sub-face.
+    /// Returns the sub-face that a place lies in, and makes its parameters those of the sub-face. Between two sub-faces
+    /// that is the one further from walls, which has a surface.
     static std::size_t enter_sub_face(const domain_face& face, std::size_t corner, face_parameters& at)
     {
-        return face.degree == sides ? face_domain<decltype(quad_split::columns())>::descend(face, 0, at).child : corner;
+        if (face.degree != sides)
+            return corner;
+        const bool is_far_in_s = at.s > .5 or (at.s == .5 and not face.is_wall[1]);
+        const bool is_far_in_t = at.t > .5 or (at.t == .5 and not face.is_wall[2]);
+        const std::size_t quarter = is_far_in_t ? is_far_in_s ? 2 : 3 : is_far_in_s ? 1 : 0;
+        face_domain<decltype(quad_split::columns())>::move_to_quarter(quarter, at);
+        return quarter;
     }
 };
 
@@ -40,7 +47,12 @@ template <>
 struct face_domain<decltype(dual_split().columns())> : domain_of_dual_faces {
     static constexpr bool is_tensor = true;
     static constexpr int steps = 27;
+    static constexpr int most_steps = 130; // strips along boundaries shrink by 3/4
 
+    static std::size_t corner_at(const domain_face&, std::size_t, const std::array<double, 2>& at)
+    {
+        return at == std::array{1., 1.} ? 0 : sides;
+    }
     static std::size_t cells(const domain_face& face) { return face.degree; }
     static std::size_t enter(const domain_face& face, std::size_t corner, face_parameters& at)
     {
@@ -95,8 +107,13 @@ template <>
 struct face_domain<decltype(mid_edge_split::columns())> : domain_of_dual_faces {
     static constexpr bool is_tensor = false;
     static constexpr int steps = 54;
-    static constexpr int rings = 2; // as many around a child follow from two around a face
+    static constexpr int most_steps = 260; // two are one of the dual split
+    static constexpr int rings = 2;        // as many around a child follow from two around a face
 
+    static std::size_t corner_at(const domain_face&, std::size_t, const std::array<double, 2>& at)
+    {
+        return at == std::array{0., 1.} ? 0 : sides;
+    }
     static std::size_t cells(const domain_face& face) { return 2 * face.degree; }
     static std::size_t enter(const domain_face& face, std::size_t corner, face_parameters& at)
     {
@@ -151,7 +168,7 @@ struct face_domain<decltype(unified{}.columns())> : domain_of_rings {
     static constexpr bool is_tensor = true;
     static constexpr std::size_t fineness = 2;
     static constexpr int steps = 27;
-    static constexpr bool takes_boundaries = true; // which closed meshes do not have
+    static constexpr bool is_cut_off_by_boundaries = false; // which closed meshes do not have
     static constexpr bool has_polynomials_at_boundaries = true;
     static constexpr auto corners = domain_of_quads::corners;
 
@@ -166,9 +183,9 @@ struct face_domain<decltype(unified{}.columns())> : domain_of_rings {
         return std::size_t(scheme.degree);
     }
     static bool has_vertices_at_corners(const domain_face& face) { return not face.is_dual; }
-    static std::size_t corner_at(std::size_t cell, const std::array<double, 2>& at)
+    static std::size_t corner_at(const domain_face& face, std::size_t cell, const std::array<double, 2>& at)
     {
-        return primal::corner_at(cell, at);
+        return face.is_dual ? dual::corner_at(face, cell, at) : primal::corner_at(face, cell, at);
     }
     static std::size_t cells(const domain_face& face) { return face.is_dual ? dual::cells(face) : primal::cells(face); }
     static std::size_t enter(const domain_face& face, std::size_t corner, face_parameters& at)

@@ -30,7 +30,7 @@ struct child_cell {
 struct domain_face {
     std::size_t number; ///< of the face in its mesh
     std::size_t degree;
-    std::array<bool, 3> is_wall{}; ///< the first three sides, if they lie at the boundary
+    std::array<bool, 4> is_wall{}; ///< the first four sides, if they lie at the boundary
     bool is_odd = false;           ///< the generation of the mesh
     bool is_dual = false;          ///< a scheme of both kinds makes faces of vertices
 };
@@ -43,7 +43,7 @@ domain_face look_at(const connectivity<Index>& mesh, const Scheme& scheme, int g
     domain_face result{face, degree, {}, sqrt3_split::is_odd(generation)};
     if constexpr (requires { scheme.is_primal(); })
         result.is_dual = not scheme.is_primal();
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < std::min(degree, result.is_wall.size()); ++k)
         result.is_wall[k] = mesh.across(Index(first + k)) == mesh.none;
     return result;
 }
@@ -54,6 +54,7 @@ struct domain_of_rings {
     static constexpr bool keeps_first_corners = false;
     static constexpr int steps_at_once = 1;
     static constexpr int rings = 0; // those of the scheme
+    static constexpr int most_steps = 100;
 
     /// Returns the faces within so many rings of a face.
     template <class Cutter, std::unsigned_integral Index>
@@ -76,13 +77,13 @@ inline constexpr auto corners_of_faces = [] {
 template <std::size_t Sides>
 struct domain_at_vertices : domain_of_rings {
     static constexpr std::size_t sides = Sides;
-    static constexpr bool takes_boundaries = true;
+    static constexpr bool is_cut_off_by_boundaries = false;
     static constexpr bool has_polynomials_at_boundaries = true;
 
     static bool has_vertices_at_corners(const domain_face&) { return true; }
     static std::size_t cells(const domain_face& face) { return face.degree == sides ? 1 : face.degree; }
     static std::size_t enter(const domain_face&, std::size_t corner, face_parameters&) { return corner; }
-    static std::size_t corner_at(std::size_t, const std::array<double, 2>& at)
+    static std::size_t corner_at(const domain_face&, std::size_t, const std::array<double, 2>& at)
     {
         return std::size_t(std::ranges::find(corners_of_faces<Sides>, at) - corners_of_faces<Sides>.begin());
     }
@@ -110,10 +111,12 @@ struct domain_of_quads : domain_at_vertices<4> {
 ///   sides, corners                            of a face with parameters of its own
 ///   cells(face)                               the number of cells of a domain_face
 ///   enter(face, corner, parameters)           the cell of a place; makes its parameters those in the cell
-///   corner_at(cell, parameters)               the corner of the face at a corner of a cell; `sides` if there is none
+///   corner_at(face, cell, parameters)         the corner of the face at a corner of a cell; `sides` if there is none.
+///                                             0 for the centre of the face if its corners are no vertices
 ///   is_tensor, degree                         of the splines that are looked for in cells
 ///   fineness                                  of a lattice of which all children have points
 ///   steps                                     after which a net is small
+///   most_steps                                after which it is a point but for rounding
 ///   rings                                     around a face that its surface follows from; 0 for those of the scheme
 ///   faces_around(cutter, mesh, f, rings)      the faces within these rings
 ///   steps_at_once                             from a face to its children
@@ -123,7 +126,7 @@ struct domain_of_quads : domain_at_vertices<4> {
 ///   descend(face, cell, parameters)           the child_cell that a place lies in; makes its parameters those in it
 ///   cell_of_child(child, first, cell)         the number of that cell; `first` is the corner of vertex_of_child
 ///   keeps_first_corners                       the first corners of faces have a meaning
-///   has_vertices_at_corners(face), splits_in_four, takes_boundaries, has_polynomials_at_boundaries
+///   has_vertices_at_corners(face), splits_in_four, is_cut_off_by_boundaries, has_polynomials_at_boundaries
 template <class Columns>
 struct face_domain;
 
@@ -143,15 +146,20 @@ struct face_domain<decltype(quad_split::columns())> : domain_of_quads {
     {
         if (face.degree != sides)
             return {cell, 0};
+        const std::size_t corner = at.t < .5 ? at.s < .5 ? 0 : 1 : at.s < .5 ? 3 : 2;
+        move_to_quarter(corner, at);
+        return {corner, 0};
+    }
+    /// Makes parameters of a quad those of the quarter at a corner.
+    static void move_to_quarter(std::size_t corner, face_parameters& at)
+    {
         const double s = at.s, t = at.t;
-        const std::size_t corner = t < .5 ? s < .5 ? 0 : 1 : s < .5 ? 3 : 2;
         switch (corner) {
         case 0: at.replace(2 * s, 2, 0, 2 * t, 0, 2); break;
         case 1: at.replace(2 * t, 0, 2, 2 * (1 - s), -2, 0); break;
         case 2: at.replace(2 * (1 - s), -2, 0, 2 * (1 - t), 0, -2); break;
         default: at.replace(2 * (1 - t), 0, -2, 2 * s, 2, 0); break;
         }
-        return {corner, 0};
     }
 };
 

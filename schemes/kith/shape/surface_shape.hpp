@@ -46,7 +46,7 @@ struct surface_shape {
     using corner_values = values_at_corners<Index, Rule>;
 
     struct child {
-        surface_shape* of;
+        surface_shape* of; ///< nullptr where a boundary cuts off this part of the face
         subdivision_matrix rows;
         std::size_t first; ///< the corner of its face from which cells are counted
     };
@@ -75,21 +75,24 @@ struct surface_shape {
     std::atomic<bool> is_decided = false; ///< all members below are final
     std::vector<child> children{};
     std::vector<polynomial_pointer> polynomials; ///< of the cells of the face that have one
-    std::vector<polynomial_pointer> at_corners;  ///< of corners where the surface has no polynomial but limit masks
+    std::vector<polynomial_pointer> at_corners;  ///< of corners where the surface has no polynomial but limit masks,
+                                                 ///< or of the centre of the face
     bool has_corner_limits = false;              ///< there is one at some corner
     polynomial_pointer at_end{};                 ///< of the face after many steps, between the limits of its corners
     bool leads_to_polynomials = false;           ///< it has one, or a shape that steps make of it
     std::size_t number = 0, oldest = 0;          ///< of a search for shapes that lead to one another
 };
 
-/// Returns the cell of a child that a place in a cell of a shape lies in. Makes its parameters those in it.
+/// Returns the cell of a child that a place in a cell of a shape lies in. Makes its parameters those in it. The cell
+/// has no meaning if the child is not there.
 template <class Shape>
 child_cell descend(const Shape& shape, std::size_t cell, face_parameters& at)
 {
     using domain = typename Shape::domain;
     child_cell next = domain::descend(shape.in_domain, cell, at);
     const auto& child = shape.children[next.child];
-    next.cell = domain::cell_of_child(child.of->in_domain, child.first, next.cell);
+    if (child.of != nullptr)
+        next.cell = domain::cell_of_child(child.of->in_domain, child.first, next.cell);
     return next;
 }
 
@@ -105,7 +108,12 @@ struct shape_sample {
     [[nodiscard]] const typename Shape::child& child() const { return of->children[next.child]; }
     [[nodiscard]] const surface_polynomial* polynomial_of_child() const
     {
-        return child().of->polynomials[next.cell].get();
+        return child().of == nullptr ? nullptr : child().of->polynomials[next.cell].get();
+    }
+    /// Returns true if the child can still get a polynomial, or has one.
+    [[nodiscard]] bool child_may_have_polynomial() const
+    {
+        return child().of != nullptr and (not child().of->is_decided or polynomial_of_child() != nullptr);
     }
 
     Shape* of;

@@ -75,8 +75,8 @@ public:
     }
 
     /// Follows a place down to the piece of the surface that it lies in: calls descend(k) for each child on the way.
-    /// Returns the polynomial over the inputs of the last shape. `corner` is the sub-face of the place if the face has
-    /// sub-faces, and `at` becomes the parameters in the piece.
+    /// Returns the polynomial over the inputs of the last shape, or nullptr where a boundary cuts off the place.
+    /// `corner` is the sub-face of the place if the face has sub-faces, and `at` becomes the parameters in the piece.
     /// Cost: O(depth); a shape that is met for the first time costs a step.
     template <class Descend>
     const surface_polynomial* find(shape& root, std::size_t corner, face_parameters& at, const Descend& descend)
@@ -94,11 +94,13 @@ public:
                     return limit;
                 }
             steps_without += here->leads_to_polynomials ? 0 : 1;
-            if (depth == most_steps or steps_without > domain::steps)
+            if (depth == domain::most_steps or steps_without > domain::steps)
                 return here->at_end.get();
             const child_cell next = detail::descend(*here, cell, at);
-            descend(next.child);
             here = here->children[next.child].of;
+            if (here == nullptr)
+                return nullptr;
+            descend(next.child);
             cell = next.cell;
         }
     }
@@ -110,7 +112,7 @@ private:
     /// Returns the limit at a corner of the face, if a place is there and has one.
     static const surface_polynomial* limit_at_corner(const shape& here, std::size_t cell, const face_parameters& at)
     {
-        const std::size_t corner = domain::corner_at(cell, {at.s, at.t});
+        const std::size_t corner = domain::corner_at(here.in_domain, cell, {at.s, at.t});
         return corner == domain::sides ? nullptr : here.at_corners[corner].get();
     }
     std::pair<shape*, std::vector<Index>> add_part(const part& around)
@@ -193,6 +195,8 @@ private:
         open_.push_back(&here);
         if (here.has_key) // the children of all others are new ones for ever
             for (const auto& child : here.children) {
+                if (child.of == nullptr)
+                    continue;
                 if (child.of->number == 0)
                     decide(*child.of);
                 if (not child.of->is_decided)
@@ -225,6 +229,8 @@ private:
                                      std::size_t k)
     {
         const Index f = fine.faces[k];
+        if (f == connectivity<Index>::none)
+            return {nullptr, {}, 0};
         const auto cut = cutter.cut(domain::faces_around(cutter, fine.mesh.topology(), f, rings_));
         Scheme of_part = fine.scheme;
         take_part(of_part, fine.scheme, cut.numbers());

@@ -3,6 +3,7 @@
 
 #include "placed_pieces.hpp"
 
+#include <kith/base/error.hpp>
 #include <kith/neighbourhood/element_finder.hpp>
 #include <kith/neighbourhood/face_walk.hpp>
 #include <kith/shape/surface_shapes.hpp>
@@ -11,6 +12,7 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kith::detail {
@@ -35,7 +37,8 @@ public:
     face_search(const connectivity<Index>& mesh, Shapes& all) : shapes_(&all), finder_(mesh) {}
 
     /// Locates places of one face, those with these numbers. Writes them to `found`, and appends nets and pieces to
-    /// `result`. `end` is the number of places up to the last one of the face.
+    /// `result`. `end` is the number of places up to the last one of the face. Errors: mesh_error for a place that a
+    /// boundary cuts off.
     void locate(const neighbourhood& here, Index face, std::span<const surface_place> places,
                 std::span<const std::size_t> numbers, std::span<placed_parameters> found, std::size_t end,
                 placed_pieces& result)
@@ -61,6 +64,9 @@ public:
                 net = nets_[net].children[child];
             };
             const auto* polynomial = shapes_->find(*here.around, place.corner, at, descend);
+            if (polynomial == nullptr)
+                throw mesh_error("place " + std::to_string(numbers[i]) + ": the boundary cuts off this part of face " +
+                                 std::to_string(face) + ", which has no surface; take places nearer to inner vertices");
             const surface_piece piece{polynomial, net, at.s_u, at.s_v, at.t_u, at.t_v};
             const auto known = std::find(result.pieces.begin() + first_piece, result.pieces.end(), piece);
             found[i] = {at.s, at.t, std::size_t(known - result.pieces.begin() - first_piece), numbers[i]};

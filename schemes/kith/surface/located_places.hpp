@@ -96,8 +96,8 @@ public:
             for (const auto& place : places_of(group))
                 if (pieces_of(group)[place.piece].polynomial->derivatives < int(wanted))
                     throw mesh_error("place " + std::to_string(place.number) +
-                                     " is an irregular vertex, at which such derivatives have no finite value; ask for "
-                                     "fewer derivatives or move the place");
+                                     " is an irregular vertex or lies on a boundary, where such derivatives have no "
+                                     "finite value; ask for fewer derivatives or move the place");
         return evaluate(unit_rows(all_.values), wanted);
     }
 

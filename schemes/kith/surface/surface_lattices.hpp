@@ -121,10 +121,11 @@ private:
     }
     const neighbourhood& neighbourhood_of(std::size_t face)
     {
-        if constexpr (not domain_of<Scheme>::takes_boundaries)
+        if constexpr (domain_of<Scheme>::is_cut_off_by_boundaries)
             if (touches_boundary(surface_->mesh_.topology(), face))
                 throw mesh_error("face " + std::to_string(face) + " touches the boundary, where " +
-                                 std::string(scheme_name<Scheme>()) + " has no parameters; close the mesh");
+                                 std::string(scheme_name<Scheme>()) +
+                                 " has a surface in parts of faces only; close the mesh");
         return surface_->neighbourhood_of(Index(face));
     }
 

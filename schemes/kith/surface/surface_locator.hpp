@@ -42,13 +42,16 @@ class surface_lattices;
 /// The polynomial is the spline of the scheme in regular parts of the mesh, also beside boundaries and creases there.
 /// Elsewhere the locator refines what lies around a face by the scheme's own text, until the place lies in a regular
 /// part. So points are exact but for rounding: about 1e-15 of the control net. At an irregular vertex itself the point
-/// and the tangent plane come from the limit masks. There du and dv are two tangents, counter-clockwise; their lengths
-/// have no meaning, for the derivatives by u and v are zero or infinite, and second derivatives are no numbers.
+/// and the tangent plane come from limit masks or from repeated steps. There du and dv are two tangents,
+/// counter-clockwise; their lengths have no meaning, for the derivatives by u and v are zero or infinite, and second
+/// derivatives are no numbers. On creases tangents are those of the side of the face; where creases meet some sides
+/// have none.
 ///
-/// Takes all schemes of the library, with all creases, and a user's own of such a split. Faces of Doo-Sabin and
-/// mid-edge must not touch a boundary; the degree of unified is at most 5. Of a scheme that is no spline among regular
-/// faces (Butterfly, Kobbelt, both sqrt3) places come from many steps; first derivatives have about seven digits, and
-/// second ones are no numbers. On boundaries of 4-8 no derivatives are numbers.
+/// Takes all schemes of the library, with all creases, and a user's own of such a split. Doo-Sabin and mid-edge have a
+/// surface in parts of the faces at a boundary, docs/how/surface.md. The degree of unified is at most 5. Of a scheme
+/// that is no spline among regular faces (Butterfly, Kobbelt, both sqrt3) places come from many steps; first
+/// derivatives have about seven digits, and second ones are no numbers. On boundaries of 4-8 and Doo-Sabin no
+/// derivatives are numbers.
 /// One thread at a time may use a locator. The mesh need not outlive it.
 template <parametric_scheme Scheme, std::unsigned_integral Index = std::uint32_t>
 class surface_locator {
@@ -69,9 +72,9 @@ public:
 
     /// Returns places in the numbers of the faces of the mesh, ready to be evaluated for values at its vertices.
     /// Runs on threads, to the same bits on any number of them.
-    /// Errors: mesh_error, with the number of the place, for a face or corner that does not exist and for parameters
-    /// outside of the face. Cost: O(places), and that of a few steps around a face for each kind of irregular face. Of
-    /// a polygon or fan of n corners that is O(n^2).
+    /// Errors: mesh_error, with the number of the place, for a face or corner that does not exist, for parameters
+    /// outside of the face, and for a part of the face that a boundary cuts off. Cost: O(places), and that of a few
+    /// steps around a face for each kind of irregular face. Of a polygon or fan of n corners that is O(n^2).
     [[nodiscard]] located_places locate(std::span<const surface_place> places);
     /// Same, but for values at the corners of faces, such as texture coordinates with seams:
     /// locate(places, on_corners(uv, face_varying{})). The seams are those of the field. Other values at corners can be
@@ -244,14 +247,8 @@ located_places surface_locator<Scheme, Index>::locate_with(const std::shared_ptr
     const detail::places_by_face by_face(mesh_.topology(), detail::domain_of<Scheme>::sides, places);
     std::vector<places_of_face> faces;
     for (std::size_t f = 0, begin = 0; f < mesh_.face_count(); begin = by_face.ends[f++])
-        if (by_face.ends[f] != begin) {
-            if constexpr (not detail::domain_of<Scheme>::takes_boundaries)
-                if (detail::touches_boundary(mesh_.topology(), f))
-                    throw mesh_error("place " + std::to_string(by_face.numbers[begin]) + ": face " + std::to_string(f) +
-                                     " touches the boundary, where " + std::string(scheme_name<Scheme>()) +
-                                     " has no parameters; take places in faces further inside");
+        if (by_face.ends[f] != begin)
             faces.push_back({Index(f), begin, neighbourhood_of_face(Index(f))});
-        }
     const std::size_t count = faces.size();
     faces.push_back({0, places.size(), nullptr});
 
