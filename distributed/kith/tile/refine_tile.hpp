@@ -5,7 +5,6 @@
 #include "refine_last.hpp"
 #include "tile_job.hpp"
 #include "tile_step.hpp"
-#include "untrimmed_step.hpp"
 #include "whole_levels.hpp"
 
 #include <kith/refine.hpp>
@@ -43,7 +42,7 @@ std::optional<tile<Point, Index>> last_in_patches_of_next(const tile<Point, Inde
     if constexpr (faces_descend_from_faces<Scheme, Index>)
         if (numbers_are_affine<Scheme>(false) and
             std::size_t(coarse.mesh.topology().degree) == numbering_of<Scheme, Index>::common_degree) {
-            const auto next = refine_untrimmed(coarse, scheme, level, whole);
+            const auto next = refine_untrimmed(coarse, scheme, whole.counts(level).as_counts());
             return last_in_patches(next, scheme, level + 1, whole, costs_in_tiles(next, level + 1, whole));
         }
     return {};
