@@ -22,20 +22,26 @@
 
 namespace kith {
 
-/// A scheme whose last steps on a tile may be made in patches: its new faces come from faces, and its numbers follow in
-/// one way from the first level on.
+/// A scheme whose last steps on a tile may be made in patches: its numbers follow in one way from the first level on.
 template <class Scheme, class Point, class Index>
-concept patchable_in_tiles = patchable_scheme<Scheme, Point, Index> and faces_descend_from_faces<Scheme, Index>;
+concept patchable_in_tiles = patchable_scheme<Scheme, Point, Index> and not has_numbers_by_marks<Scheme> and
+                             not detail::may_ask_state<Scheme>();
 
 namespace detail {
 
 /// Returns the plan of patches for the mesh of a tile, with the numbers of a closed mesh: what lies beyond its rim has
-/// numbers, too. Returns nothing where there are no patches. Cost: O(levels).
+/// numbers, too. Where faces have several degrees it is a mesh with as many corners as four per vertex, so that there
+/// are numbers for the corners of all new faces. Returns nothing where there are no patches. Cost: O(levels).
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<patch_plan> plan_for_tile(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
 {
     const auto& t = mesh.topology();
-    return plan_patches({t.vertices, t.edges(), t.faces}, t.degree, scheme, levels, mesh.generation());
+    counts closed{t.vertices, t.edges(), t.faces};
+    if constexpr (numbering_of<Scheme, Index>::common_degree == 0) {
+        closed.vertices = std::max(t.vertices, (t.edges() + 1) / 2);
+        closed.edges = 2 * closed.vertices;
+    }
+    return plan_patches(closed, t.degree, scheme, levels, mesh.generation());
 }
 
 #ifdef KITH_HAS_LANES
@@ -72,8 +78,7 @@ public:
         if (not rim.empty())
             take_points_of_rim(*ours, *patches_of(std::move(rim), classes, without_choice(costs)), points);
         number_vertices(*ours, result);
-        number_owned_faces<Point, Index>(
-            coarse_, ours->closure.faces, descents_of(tuple_kind::f, there_, degree), result);
+        number_faces(ours->closure.faces, result);
         result.mesh = basic_mesh<Point, Index>(std::move(points), std::move(faces), coarse_.mesh.generation() + steps_);
         return result;
     }
@@ -184,6 +189,29 @@ private:
         }
     }
 
+    /// Writes what the tile knows of the faces that descend from these, in their order.
+    void number_faces(const std::vector<Index>& owned, tile<Point, Index>& result) const
+    {
+        const auto there = descents_of(tuple_kind::f, there_, degree);
+        std::size_t each = 0;
+        for (const descent& way : there)
+            each += way.each;
+        const std::size_t size = each * owned.size();
+        result.face_ids = storage<global_id>(size);
+        result.root_of = storage<Index>(size);
+        result.face_marks = storage<unsigned char>(size);
+        std::ranges::fill(result.face_marks, owned_mark);
+        result.roots = coarse_.roots;
+        global_id* id = result.face_ids.data();
+        Index* root = result.root_of.data();
+        for (const descent& way : there)
+            for (const Index f : owned) {
+                std::iota(id, id + way.each, way.first + way.each * coarse_.face_ids[f]);
+                id += way.each;
+                root = std::fill_n(root, way.each, coarse_.root_of[f]);
+            }
+    }
+
     const tile<Point, Index>& coarse_;
     const Scheme& scheme_;
     int steps_;
@@ -233,27 +261,26 @@ std::optional<tile<Point, Index>> last_in_patches([[maybe_unused]] const tile<Po
         const auto& t = coarse.mesh.topology();
         const int generation = coarse.mesh.generation(), steps = whole.levels() - level;
         auto plan = detail::plan_for_tile(coarse.mesh, scheme, steps);
-        if (not plan or std::size_t(t.degree) != degree or
+        if (not plan or (degree != 0 and std::size_t(t.degree) != degree) or
+            (has_faces_by_valence<Scheme> and level == 0) or
             not numbers_are_affine<Scheme>(whole.counts(level).as_counts().boundary_edges == 0))
             return {};
         if (plan->begin != 0)
             plan->begin_at(0, scheme, generation);
-        if (degree * plan->last().faces >= connectivity<Index>::none)
+        if (plan->last().corners() >= connectivity<Index>::none)
             return {};
         std::vector<column_bases> there;
         for (int step = 0; step < steps; ++step)
             there.push_back(bases_of_columns(scheme, whole.counts(level + step).as_counts(), generation + step));
         face_classes<Index> classes(t, plan->rings, state_marks<Index>(t, scheme));
         const auto recorder = recorder_of<scalar_of<Point>, Index, Scheme>(scheme, *plan, generation, {});
-        if (numbers_are_affine<Scheme>(false) and recorder->children_of_faces(t, generation)) {
-            if (not plan->has_counts_of(t, scheme, generation))
-                return {};
-            return detail::owned_in_patches(coarse, scheme, *plan, there).make(classes, costs);
-        }
+        if constexpr (faces_descend_from_faces<Scheme, Index>)
+            if (numbers_are_affine<Scheme>(false) and recorder->children_of_faces(t, generation))
+                return detail::owned_in_patches(coarse, scheme, *plan, there).make(classes, costs);
         detail::tile_of_patches<Point, Index> made(
             coarse, plan->bases, there, plan->last(), whole.counts(whole.levels()).vertices, degree);
         classes.keep_marked(made.is_patched());
-        const auto patches = make_patches(coarse.mesh, classes, scheme, *plan, costs);
+        const auto patches = patched_level<Point, Index>::make(coarse.mesh, classes, recorder, *plan, costs, false);
         if (not patches)
             return {};
         patches->fill(coarse.mesh, made.make_room());

@@ -7,6 +7,7 @@
 #include <kith/step/submesh.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -50,6 +51,19 @@ std::vector<typename Tile::index_type> owned_faces_of(const Tile& part)
         if (part.owns_face(f))
             owned.push_back(index(f));
     return owned;
+}
+
+/// Returns 3 or 4 if degree_of(i) is that for each i below `faces`, else 0. Cost: O(faces).
+template <std::invocable<std::size_t> F>
+int degree_if_alike(std::size_t faces, const F& degree_of)
+{
+    const std::size_t first = faces == 0 ? 0 : degree_of(0);
+    if (first != 3 and first != 4)
+        return 0;
+    for (std::size_t i = 1; i < faces; ++i)
+        if (degree_of(i) != first)
+            return 0;
+    return int(first);
 }
 
 } // namespace detail

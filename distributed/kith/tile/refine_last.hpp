@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "numbered_tile.hpp"
 #include "whole_levels.hpp"
 
 #include <kith/number/new_elements.hpp>
@@ -47,7 +48,9 @@ tile<Point, Index> refine_last(const tile<Point, Index>& coarse, const Scheme& s
 
     connectivity<Index> t;
     t.vertices = vertices.size();
-    t.allocate_faces(faces.size(), fine.topology().degree, [&](std::size_t i) { return fine.face(faces[i]).size(); });
+    const auto degree_of = [&](std::size_t i) { return fine.face(faces[i]).size(); };
+    const int degree = fine.topology().degree;
+    t.allocate_faces(faces.size(), degree != 0 ? degree : detail::degree_if_alike(faces.size(), degree_of), degree_of);
     Index corner = 0;
     for (const Index f : faces)
         for (const Index v : fine.face(f))

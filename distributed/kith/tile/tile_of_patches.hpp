@@ -19,31 +19,6 @@
 
 namespace kith::detail {
 
-/// Writes what a tile knows of the faces that descend from its owned ones in an earlier level, in their order. `there`
-/// are the descents of faces in the whole mesh.
-template <class Point, std::unsigned_integral Index>
-void number_owned_faces(const tile<Point, Index>& coarse, std::span<const Index> owned, std::span<const descent> there,
-                        tile<Point, Index>& result)
-{
-    std::size_t each = 0;
-    for (const descent& way : there)
-        each += way.each;
-    const std::size_t size = each * owned.size();
-    result.face_ids = storage<global_id>(size);
-    result.root_of = storage<Index>(size);
-    result.face_marks = storage<unsigned char>(size);
-    std::ranges::fill(result.face_marks, owned_mark);
-    result.roots = coarse.roots;
-    global_id* id = result.face_ids.data();
-    Index* root = result.root_of.data();
-    for (const descent& way : there)
-        for (const Index f : owned) {
-            std::iota(id, id + way.each, way.first + way.each * coarse.face_ids[f]);
-            id += way.each;
-            root = std::fill_n(root, way.each, coarse.root_of[f]);
-        }
-}
-
 #ifdef KITH_HAS_LANES
 
 /// Makes the last level of a tile from what patches have made of it and of its rim. Its elements are known by their
@@ -52,7 +27,7 @@ template <class Point, std::unsigned_integral Index>
 class tile_of_patches {
 public:
     /// `here` and `there` are the columns of the steps in the mesh of the tile and in the whole mesh, which make `last`
-    /// and so many vertices; all faces have this degree. `coarse` must outlive this object.
+    /// and so many vertices; all faces have this degree, or several, 0. `coarse` must outlive this object.
     tile_of_patches(const tile<Point, Index>& coarse, std::span<const column_bases> here,
                     std::span<const column_bases> there, const counts& last, std::uint64_t vertices_there,
                     std::size_t degree)
@@ -63,20 +38,27 @@ public:
         , faces_(descents_of(tuple_kind::f, here, degree))
         , faces_there_(descents_of(tuple_kind::f, there, degree))
         , last_(last)
-        , owned_(owned_faces_of(coarse))
     {
+        for (const descent& way : faces_)
+            corners_.push_back(corners_of(way, here));
+        for (const descent& way : faces_there_)
+            corners_there_.push_back(corners_of(way, there));
         KITH_ASSERT(vertices_.size() == vertices_there_.size() and faces_.size() == faces_there_.size());
+        const auto& t = coarse.mesh.topology();
+        const auto owned = owned_faces_of(coarse);
         std::vector<unsigned char> is_near(coarse.mesh.vertex_count(), 0);
-        for (const Index f : owned_)
+        for (const Index f : owned)
             for (const Index v : coarse.mesh.face(f))
                 is_near[v] = 1;
-        is_patched_.assign(coarse.mesh.face_count(), 0);
+        is_patched_.assign(t.faces, 0);
         for (std::size_t f = 0; f < is_patched_.size(); ++f)
             is_patched_[f] = std::ranges::any_of(coarse.mesh.face(f), [&](Index v) { return is_near[v] != 0; });
-        for (std::size_t f = 0; f < is_patched_.size(); ++f)
-            if (is_patched_[f] != 0 and not coarse.owns_face(f))
-                rim_.push_back(Index(f));
-        is_whole_ = owned_.size() == coarse.mesh.face_count() and last.vertices == vertices_there;
+        is_whole_ = degree != 0 and owned.size() == t.faces and last.vertices == vertices_there;
+        if (degree != 0)
+            return;
+        for (std::size_t f = 0; f < t.faces; ++f)
+            for (std::size_t k = 0; k < coarse.mesh.face(f).size(); ++k)
+                corner_ids_.push_back(coarse.corner_id(f, k));
     }
 
     /// Returns marks of the faces of the coarse tile whose patches are needed: the owned ones and those around them.
@@ -85,7 +67,7 @@ public:
     [[nodiscard]] patch_output<Point, Index> make_room()
     {
         points_ = storage<Point>(last_.vertices);
-        corner_vertex_ = storage<Index>(degree_ * last_.faces);
+        corner_vertex_ = storage<Index>(last_.corners());
         return {.points = points_.data(), .corner_vertex = corner_vertex_.data()};
     }
 
@@ -95,8 +77,7 @@ public:
         tile<Point, Index> result;
         const auto marks = marks_of_vertices();
         number_vertices(marks, result);
-        number_owned_faces<Point, Index>(coarse_, owned_, faces_there_, result);
-        auto faces = taken_faces(result.face_ids.size());
+        auto faces = taken_faces(result);
         faces.vertices = result.vertex_ids.size();
         corner_vertex_ = {}; // before there are points twice
         result.mesh = basic_mesh<Point, Index>(taken_points(marks, faces.vertices), std::move(faces), generation);
@@ -106,18 +87,65 @@ public:
 private:
     enum : unsigned char { ours = 1, at_rim = 2, rim_comes_first = 4 };
 
-    /// Calls f(face, vertex) for the corners of all descendants of some faces, in the order of their numbers.
-    template <class F>
-    void for_each_corner(std::span<const Index> coarse_faces, const F& f) const
+    /// Faces of the last level that descend in one way from one element of the coarse tile.
+    struct face_run {
+        std::size_t way, element;
+        std::uint64_t first, corner, degree; ///< the first face, its first corner, and the degree of all of them
+    };
+
+    [[nodiscard]] std::span<const global_id> ids(tuple_kind kind) const
     {
-        for (const descent& way : faces_)
-            for (const Index coarse_face : coarse_faces) {
-                const std::size_t first = way.first + way.each * coarse_face;
-                const Index* vertex = corner_vertex_.data() + first * degree_;
-                for (std::size_t face = first; face < first + way.each; ++face)
-                    for (std::size_t k = 0; k < degree_; ++k)
-                        f(Index(face), *vertex++);
+        return kind == tuple_kind::vf ? std::span<const global_id>(corner_ids_) : ids_of(coarse_, parent_kind(kind));
+    }
+    [[nodiscard]] bool is_owned(tuple_kind kind, std::size_t x) const
+    {
+        switch (kind) {
+        case tuple_kind::v: return coarse_.owns_vertex(x);
+        case tuple_kind::e: return coarse_.owns_edge(x);
+        case tuple_kind::f: return coarse_.owns_face(x);
+        default: return coarse_.owns_face(coarse_.mesh.topology().face_of(Index(x)));
+        }
+    }
+    /// Returns the face in whose patch the descendants of an element lie.
+    [[nodiscard]] std::size_t maker_of(tuple_kind kind, std::size_t x) const
+    {
+        const auto& t = coarse_.mesh.topology();
+        switch (kind) {
+        case tuple_kind::v: return t.face_of(t.vertex_corner[x]);
+        case tuple_kind::e: return t.face_of(t.halfedge_corner[2 * x]);
+        case tuple_kind::f: return x;
+        default: return t.face_of(Index(x));
+        }
+    }
+    /// Calls f(face_run) for the faces that descend from owned elements, or for the others that patches have made, in
+    /// the order of their numbers.
+    template <class F>
+    void for_each_run(bool owned, const F& f) const
+    {
+        for (std::size_t way = 0; way < faces_.size(); ++way) {
+            const tuple_kind from = faces_[way].from;
+            for (std::size_t x = 0; x < ids(from).size(); ++x) {
+                if (is_owned(from, x) != owned or is_patched_[maker_of(from, x)] == 0)
+                    continue;
+                const std::uint64_t first = faces_[way].first + faces_[way].each * x;
+                if (const auto [offset, degree] = corners_[way]; degree != 0)
+                    f(face_run{way, x, first, offset + degree * first, degree});
+                else
+                    f(face_run{
+                        way, x, first, offset + coarse_.mesh.topology().first_corner(x), coarse_.mesh.face(x).size()});
             }
+        }
+    }
+    /// Calls f(face, vertex) for the corners of these faces.
+    template <class F>
+    void for_each_corner(bool owned, const F& f) const
+    {
+        for_each_run(owned, [&](const face_run& run) {
+            const Index* vertex = corner_vertex_.data() + run.corner;
+            for (std::size_t face = run.first; face < run.first + faces_[run.way].each; ++face)
+                for (std::size_t k = 0; k < run.degree; ++k)
+                    f(Index(face), *vertex++);
+        });
     }
     /// Marks the vertices of owned faces, and of those at the rim whether the first face is there.
     [[nodiscard]] storage<unsigned char> marks_of_vertices() const
@@ -127,12 +155,12 @@ private:
         if (is_whole_)
             return marks;
         storage<Index> first_at_rim(points_.size()); // of the faces of a vertex, if it is marked
-        for_each_corner(rim_, [&](Index face, Index v) {
+        for_each_corner(false, [&](Index face, Index v) {
             if (marks[v] == 0)
                 first_at_rim[v] = face;
             marks[v] = at_rim;
         });
-        for_each_corner(owned_, [&](Index face, Index v) {
+        for_each_corner(true, [&](Index face, Index v) {
             if ((marks[v] & ours) == 0 and marks[v] != 0 and first_at_rim[v] < face)
                 marks[v] |= rim_comes_first;
             marks[v] |= ours;
@@ -151,11 +179,10 @@ private:
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const descent &way = vertices_[i], &there = vertices_there_[i];
             const bool of_faces = parent_kind(way.last) == element_kind::face;
-            const auto ids = ids_of(coarse_, parent_kind(way.from));
-            for (std::size_t x = 0; x < ids.size(); ++x) {
+            for (std::size_t x = 0; x < ids(way.from).size(); ++x) {
                 const std::size_t first = way.first + way.each * x;
-                const global_id first_there = there.first + there.each * ids[x];
-                const bool is_of_other = of_faces and not coarse_.owns_face(x);
+                const global_id first_there = there.first + there.each * ids(way.from)[x];
+                const bool is_of_other = of_faces and not is_owned(way.from, x);
                 for (std::size_t which = 0; which < way.each; ++which) {
                     const std::size_t v = first + which;
                     if ((marks[v] & ours) == 0)
@@ -179,27 +206,82 @@ private:
                 points[number_[v]] = points_[v];
         return points;
     }
-    [[nodiscard]] connectivity<Index> taken_faces(std::size_t size)
+    /// Writes what the tile knows of owned faces, and returns them with their new vertices.
+    [[nodiscard]] connectivity<Index> taken_faces(tile<Point, Index>& result)
     {
+        std::vector<face_run> runs;
+        std::vector<std::size_t> degrees; // of each face, if there may be several
+        std::size_t size = 0;
+        for_each_run(true, [&](const face_run& run) {
+            runs.push_back(run);
+            size += faces_[run.way].each;
+            if (degree_ == 0)
+                degrees.insert(degrees.end(), faces_[run.way].each, run.degree);
+        });
+        number_faces(runs, size, result);
+        const auto degree_of = [&](std::size_t i) { return degree_ != 0 ? degree_ : degrees[i]; };
         connectivity<Index> faces;
-        faces.allocate_faces(size, int(degree_), [&](std::size_t) { return degree_; });
+        faces.allocate_faces(size, degree_ != 0 ? int(degree_) : degree_if_alike(size, degree_of), degree_of);
         if (is_whole_ and corner_vertex_.size() == faces.corner_vertex.size()) {
             faces.corner_vertex = std::move(corner_vertex_);
             return faces;
         }
         Index* to = faces.corner_vertex.data();
-        for_each_corner(owned_, [&](Index, Index v) { *to++ = number_[v]; });
+        for_each_corner(true, [&](Index, Index v) { *to++ = number_[v]; });
         return faces;
+    }
+    void number_faces(std::span<const face_run> runs, std::size_t size, tile<Point, Index>& result) const
+    {
+        result.face_ids = storage<global_id>(size);
+        result.root_of = storage<Index>(size);
+        result.face_marks = storage<unsigned char>(size);
+        std::ranges::fill(result.face_marks, owned_mark);
+        result.roots = coarse_.roots;
+        if (degree_ == 0)
+            result.first_corner_ids = storage<global_id>(size);
+        const auto first_of_vertex = first_faces(tuple_kind::v), first_of_edge = first_faces(tuple_kind::e);
+        std::size_t next = 0;
+        for (const face_run& run : runs) {
+            const descent& there = faces_there_[run.way];
+            const global_id first = there.first + there.each * ids(there.from)[run.element];
+            const std::size_t face = there.from == tuple_kind::v   ? first_of_vertex[run.element]
+                                     : there.from == tuple_kind::e ? first_of_edge[run.element]
+                                                                   : maker_of(there.from, run.element);
+            std::fill_n(result.root_of.begin() + next, there.each, coarse_.root_of[face]);
+            std::iota(result.face_ids.begin() + next, result.face_ids.begin() + next + there.each, first);
+            if (degree_ == 0) {
+                const auto [offset, degree] = corners_there_[run.way];
+                const global_id corner = offset + (degree != 0 ? degree * first : coarse_.corner_id(face, 0));
+                for (std::size_t which = 0; which < there.each; ++which)
+                    result.first_corner_ids[next + which] = corner + which * run.degree;
+            }
+            next += there.each;
+        }
+    }
+    /// Returns the first face at each vertex or edge, if faces descend from those.
+    [[nodiscard]] std::vector<Index> first_faces(tuple_kind kind) const
+    {
+        if (std::ranges::find(faces_, kind, &descent::from) == faces_.end())
+            return {};
+        const auto& t = coarse_.mesh.topology();
+        std::vector<Index> result(ids(kind).size(), t.none);
+        for (std::size_t f = 0; f < t.faces; ++f)
+            for (Index c = t.first_corner(f); c < t.first_corner(f + 1); ++c) {
+                Index& first = result[kind == tuple_kind::v ? t.corner_vertex[c] : t.corner_halfedge[c] / 2];
+                first = std::min(first, Index(f));
+            }
+        return result;
     }
 
     const tile<Point, Index>& coarse_;
-    std::size_t degree_; // of the faces
+    std::size_t degree_; // of the faces; 0: they may have several
     std::vector<descent> vertices_, vertices_there_, faces_, faces_there_;
+    std::vector<descent_of_corners> corners_, corners_there_; // of these faces
     counts last_;
-    storage<Point> points_; // of the refined mesh of the tile, as far as patches have written it
+    std::vector<global_id> corner_ids_; // of the coarse tile, if faces may have several degrees
+    storage<Point> points_;             // of the refined mesh of the tile, as far as patches have written it
     storage<Index> corner_vertex_;
-    storage<Index> number_;          // of each of its vertices that is taken
-    std::vector<Index> owned_, rim_; // faces of the coarse tile; the rim is around the owned ones
+    storage<Index> number_; // of each of its vertices that is taken
     std::vector<unsigned char> is_patched_;
     bool is_whole_; // all vertices are taken, with their numbers
 };

@@ -7,6 +7,7 @@
 #include <kith/step/children.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,13 +39,14 @@ concept faces_descend_from_faces = has_affine_numbers<Scheme> and not has_number
 /// A way of descent: elements of a later level that come by the same columns from those of an earlier one. The
 /// descendants of element x are `each` in number, from first + each * x on.
 struct descent {
-    tuple_kind from;           ///< elements of the earlier level: v, e or f
+    tuple_kind from;           ///< elements of the earlier level: v, e, f or vf
     tuple_kind last;           ///< tuples that gave birth to the elements of the later level
     std::uint64_t first, each; ///< see above
 };
 
-/// Returns the descents of all vertices, edges or faces (v, e, f) that some steps make, in the order of their numbers.
-/// `steps` are at least one, and all faces before and after each of them have this degree. Cost: O(result).
+/// Returns the descents of all vertices, edges, faces or corners (v, e, f, vf) that some steps make, in the order of
+/// their numbers. `steps` are at least one. All faces before and after each of them have this degree; with several, 0,
+/// elements may descend from corners, vf. Cost: O(result).
 inline std::vector<descent> descents_of(tuple_kind made, std::span<const column_bases> steps, std::size_t degree)
 {
     const column_bases& last = steps.back();
@@ -57,7 +59,8 @@ inline std::vector<descent> descents_of(tuple_kind made, std::span<const column_
     for (const std::size_t column : columns) {
         const auto kind = tuple_kind(column);
         const std::uint64_t base = last.base(made, kind), each = last.of_each(made, kind);
-        const tuple_kind parent = numbered_elements(kind, degree);
+        const bool of_corners = made == tuple_kind::vf and last.has_corners_of_face(kind);
+        const tuple_kind parent = of_corners ? tuple_kind::vf : numbered_elements(kind, degree);
         if (steps.size() == 1)
             result.push_back({parent, kind, base, each});
         else
@@ -65,6 +68,31 @@ inline std::vector<descent> descents_of(tuple_kind made, std::span<const column_
                 result.push_back({before.from, kind, base + each * before.first, each * before.each});
     }
     return result;
+}
+
+/// The corners of faces that descend in one way: face number f has those from offset + degree * f on. Where all steps
+/// keep the corners of faces they are from offset + c on, c being the first corner of the face before the steps.
+struct descent_of_corners {
+    std::uint64_t offset, degree; ///< offset modulo 2^64; degree 0: that of the face before the steps
+};
+
+/// Returns that of a way of descent of faces. Cost: O(steps).
+inline descent_of_corners corners_of(const descent& way, std::span<const column_bases> steps)
+{
+    std::uint64_t kept = 0, face = way.first;
+    for (std::size_t step = steps.size(); step > 0; --step) {
+        const column_bases& columns = steps[step - 1];
+        std::size_t kind = columns.faces.size();
+        for (std::size_t k = 0; k < columns.faces.size(); ++k)
+            if (columns.face_counts[k] != 0 and columns.faces[k] <= face and
+                (kind == columns.faces.size() or columns.faces[k] > columns.faces[kind]))
+                kind = k;
+        face -= columns.faces[kind];
+        kept += columns.corners[kind];
+        if (const std::uint64_t degree = columns.degrees[kind]; degree != 0)
+            return {kept + degree * (face - way.first), degree};
+    }
+    return {kept, 0};
 }
 
 } // namespace kith
