@@ -117,6 +117,17 @@ TEST(refine_tile, makes_the_last_steps_in_patches_beside_creases_and_irregular_v
     EXPECT_GT(compare_last_in_patches(triangles, kith::sqrt3{}, levels, partitions::grown(triangles, 3, 2), 3), 0U);
 }
 
+TEST(refine_tile, makes_the_last_steps_in_patches_where_faces_have_several_degrees)
+{
+    const auto triangles = native(shapes::shaken(shapes::torus_of_all_valences()));
+    const auto open = native(shapes::shaken(shapes::grid(7, 9)));
+    const int levels = under_sanitizers ? 2 : 3;
+    const auto parts = partitions::grown(triangles, 4, 2);
+    EXPECT_GT(compare_last_in_patches(triangles, kith::doo_sabin{}, levels, parts, 4), 0U);
+    EXPECT_GT(compare_last_in_patches(triangles, kith::mid_edge{}, levels + 1, parts, 4), 0U);
+    EXPECT_GT(compare_last_in_patches(open, kith::nasri_hasbini{}, levels - 1, partitions::grown(open, 4, 2), 4), 0U);
+}
+
 TEST(refine_tile, equals_the_whole_mesh_bit_for_bit)
 {
     for_each_reaching_scheme_and_shape([](const auto& scheme, const mesh3d& mesh) {

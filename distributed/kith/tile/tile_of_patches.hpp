@@ -68,6 +68,8 @@ public:
     {
         points_ = storage<Point>(last_.vertices);
         corner_vertex_ = storage<Index>(last_.corners());
+        if (degree_ == 0) // at a cut some faces are not made, and others have fewer corners
+            std::ranges::fill(corner_vertex_, connectivity<Index>::none);
         return {.points = points_.data(), .corner_vertex = corner_vertex_.data()};
     }
 
@@ -136,15 +138,16 @@ private:
             }
         }
     }
-    /// Calls f(face, vertex) for the corners of these faces.
+    /// Calls f(face, vertex) for the corners of these faces that patches have made.
     template <class F>
     void for_each_corner(bool owned, const F& f) const
     {
         for_each_run(owned, [&](const face_run& run) {
             const Index* vertex = corner_vertex_.data() + run.corner;
             for (std::size_t face = run.first; face < run.first + faces_[run.way].each; ++face)
-                for (std::size_t k = 0; k < run.degree; ++k)
-                    f(Index(face), *vertex++);
+                for (std::size_t k = 0; k < run.degree; ++k, ++vertex)
+                    if (*vertex != connectivity<Index>::none)
+                        f(Index(face), *vertex);
         });
     }
     /// Marks the vertices of owned faces, and of those at the rim whether the first face is there.
