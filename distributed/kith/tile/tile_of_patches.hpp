@@ -9,6 +9,7 @@
 #include <kith/patch/patch_writer.hpp>
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -54,11 +55,15 @@ public:
         for (std::size_t f = 0; f < is_patched_.size(); ++f)
             is_patched_[f] = std::ranges::any_of(coarse.mesh.face(f), [&](Index v) { return is_near[v] != 0; });
         is_whole_ = degree != 0 and owned.size() == t.faces and last.vertices == vertices_there;
-        if (degree != 0)
-            return;
-        for (std::size_t f = 0; f < t.faces; ++f)
-            for (std::size_t k = 0; k < coarse.mesh.face(f).size(); ++k)
-                corner_ids_.push_back(coarse.corner_id(f, k));
+        if (degree == 0)
+            for (std::size_t f = 0; f < t.faces; ++f)
+                for (std::size_t k = 0; k < coarse.mesh.face(f).size(); ++k)
+                    corner_ids_.push_back(coarse.corner_id(f, k));
+        for (const tuple_kind kind : {tuple_kind::v, tuple_kind::e, tuple_kind::f, tuple_kind::vf}) {
+            auto& places = places_[std::size_t(kind)];
+            for (std::size_t x = 0; x < ids(kind).size(); ++x)
+                places.push_back(is_owned(kind, x) ? ours : is_patched_[maker_of(kind, x)] != 0 ? at_rim : elsewhere);
+        }
     }
 
     /// Returns marks of the faces of the coarse tile whose patches are needed: the owned ones and those around them.
@@ -87,7 +92,7 @@ public:
     }
 
 private:
-    enum : unsigned char { ours = 1, at_rim = 2, rim_comes_first = 4 };
+    enum : unsigned char { elsewhere = 0, ours = 1, at_rim = 2, rim_comes_first = 4 };
 
     /// Faces of the last level that descend in one way from one element of the coarse tile.
     struct face_run {
@@ -104,8 +109,7 @@ private:
         switch (kind) {
         case tuple_kind::v: return coarse_.owns_vertex(x);
         case tuple_kind::e: return coarse_.owns_edge(x);
-        case tuple_kind::f: return coarse_.owns_face(x);
-        default: return coarse_.owns_face(coarse_.mesh.topology().face_of(Index(x)));
+        default: return coarse_.owns_face(maker_of(kind, x));
         }
     }
     /// Returns the face in whose patch the descendants of an element lie.
@@ -119,30 +123,28 @@ private:
         default: return t.face_of(Index(x));
         }
     }
-    /// Calls f(face_run) for the faces that descend from owned elements, or for the others that patches have made, in
-    /// the order of their numbers.
+    /// Calls f(face_run) for the faces that descend from elements that are `ours` or `at_rim`, in the order of their
+    /// numbers.
     template <class F>
-    void for_each_run(bool owned, const F& f) const
+    void for_each_run(unsigned char place, const F& f) const
     {
         for (std::size_t way = 0; way < faces_.size(); ++way) {
-            const tuple_kind from = faces_[way].from;
-            for (std::size_t x = 0; x < ids(from).size(); ++x) {
-                if (is_owned(from, x) != owned or is_patched_[maker_of(from, x)] == 0)
+            const auto& places = places_[std::size_t(faces_[way].from)];
+            const auto [offset, degree] = corners_[way];
+            for (std::size_t x = 0; x < places.size(); ++x) {
+                if (places[x] != place)
                     continue;
                 const std::uint64_t first = faces_[way].first + faces_[way].each * x;
-                if (const auto [offset, degree] = corners_[way]; degree != 0)
-                    f(face_run{way, x, first, offset + degree * first, degree});
-                else
-                    f(face_run{
-                        way, x, first, offset + coarse_.mesh.topology().first_corner(x), coarse_.mesh.face(x).size()});
+                const std::uint64_t before = degree != 0 ? degree * first : coarse_.mesh.topology().first_corner(x);
+                f(face_run{way, x, first, offset + before, degree != 0 ? degree : coarse_.mesh.face(x).size()});
             }
         }
     }
     /// Calls f(face, vertex) for the corners of these faces that patches have made.
     template <class F>
-    void for_each_corner(bool owned, const F& f) const
+    void for_each_corner(unsigned char place, F f) const
     {
-        for_each_run(owned, [&](const face_run& run) {
+        for_each_run(place, [&](const face_run& run) {
             const Index* vertex = corner_vertex_.data() + run.corner;
             for (std::size_t face = run.first; face < run.first + faces_[run.way].each; ++face)
                 for (std::size_t k = 0; k < run.degree; ++k, ++vertex)
@@ -158,12 +160,12 @@ private:
         if (is_whole_)
             return marks;
         storage<Index> first_at_rim(points_.size()); // of the faces of a vertex, if it is marked
-        for_each_corner(false, [&](Index face, Index v) {
+        for_each_corner(at_rim, [&](Index face, Index v) {
             if (marks[v] == 0)
                 first_at_rim[v] = face;
             marks[v] = at_rim;
         });
-        for_each_corner(true, [&](Index face, Index v) {
+        for_each_corner(ours, [&](Index face, Index v) {
             if ((marks[v] & ours) == 0 and marks[v] != 0 and first_at_rim[v] < face)
                 marks[v] |= rim_comes_first;
             marks[v] |= ours;
@@ -182,15 +184,16 @@ private:
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             const descent &way = vertices_[i], &there = vertices_there_[i];
             const bool of_faces = parent_kind(way.last) == element_kind::face;
-            for (std::size_t x = 0; x < ids(way.from).size(); ++x) {
+            const auto parents = ids(way.from);
+            const auto& places = places_[std::size_t(way.from)];
+            for (std::size_t x = 0; x < parents.size(); ++x) {
                 const std::size_t first = way.first + way.each * x;
-                const global_id first_there = there.first + there.each * ids(way.from)[x];
-                const bool is_of_other = of_faces and not is_owned(way.from, x);
+                const global_id first_there = there.first + there.each * parents[x];
                 for (std::size_t which = 0; which < way.each; ++which) {
                     const std::size_t v = first + which;
                     if ((marks[v] & ours) == 0)
                         continue;
-                    const bool is_owned = of_faces ? not is_of_other : (marks[v] & rim_comes_first) == 0;
+                    const bool is_owned = of_faces ? places[x] == ours : (marks[v] & rim_comes_first) == 0;
                     number_[v] = Index(next);
                     result.vertex_ids[next] = first_there + which;
                     result.vertex_marks[next] = is_owned ? owned_mark : 0;
@@ -212,28 +215,30 @@ private:
     /// Writes what the tile knows of owned faces, and returns them with their new vertices.
     [[nodiscard]] connectivity<Index> taken_faces(tile<Point, Index>& result)
     {
-        std::vector<face_run> runs;
-        std::vector<std::size_t> degrees; // of each face, if there may be several
+        std::vector<std::size_t> degrees; // of the faces of each run
         std::size_t size = 0;
-        for_each_run(true, [&](const face_run& run) {
-            runs.push_back(run);
+        for_each_run(ours, [&](const face_run& run) {
             size += faces_[run.way].each;
-            if (degree_ == 0)
-                degrees.insert(degrees.end(), faces_[run.way].each, run.degree);
+            degrees.push_back(run.degree);
         });
-        number_faces(runs, size, result);
-        const auto degree_of = [&](std::size_t i) { return degree_ != 0 ? degree_ : degrees[i]; };
+        number_faces(size, result);
+        const auto degree_of_run = [&](std::size_t run) { return degrees[run]; };
+        const int degree = degree_ != 0 ? int(degree_) : degree_if_alike(degrees.size(), degree_of_run);
         connectivity<Index> faces;
-        faces.allocate_faces(size, degree_ != 0 ? int(degree_) : degree_if_alike(size, degree_of), degree_of);
-        if (is_whole_ and corner_vertex_.size() == faces.corner_vertex.size()) {
-            faces.corner_vertex = std::move(corner_vertex_);
-            return faces;
+        if (degree != 0) {
+            faces.allocate_faces(size, degree, [&](std::size_t) { return std::size_t(degree); });
+        } else {
+            std::vector<std::size_t> each;
+            for_each_run(ours, [&](const face_run& run) { each.insert(each.end(), faces_[run.way].each, run.degree); });
+            faces.allocate_faces(size, 0, [&](std::size_t face) { return each[face]; });
         }
-        Index* to = faces.corner_vertex.data();
-        for_each_corner(true, [&](Index, Index v) { *to++ = number_[v]; });
+        if (is_whole_ and corner_vertex_.size() == faces.corner_vertex.size())
+            faces.corner_vertex = std::move(corner_vertex_);
+        else
+            for_each_corner(ours, [&, to = faces.corner_vertex.data()](Index, Index v) mutable { *to++ = number_[v]; });
         return faces;
     }
-    void number_faces(std::span<const face_run> runs, std::size_t size, tile<Point, Index>& result) const
+    void number_faces(std::size_t size, tile<Point, Index>& result) const
     {
         result.face_ids = storage<global_id>(size);
         result.root_of = storage<Index>(size);
@@ -244,7 +249,7 @@ private:
             result.first_corner_ids = storage<global_id>(size);
         const auto first_of_vertex = first_faces(tuple_kind::v), first_of_edge = first_faces(tuple_kind::e);
         std::size_t next = 0;
-        for (const face_run& run : runs) {
+        for_each_run(ours, [&](const face_run& run) {
             const descent& there = faces_there_[run.way];
             const global_id first = there.first + there.each * ids(there.from)[run.element];
             const std::size_t face = there.from == tuple_kind::v   ? first_of_vertex[run.element]
@@ -259,7 +264,7 @@ private:
                     result.first_corner_ids[next + which] = corner + which * run.degree;
             }
             next += there.each;
-        }
+        });
     }
     /// Returns the first face at each vertex or edge, if faces descend from those.
     [[nodiscard]] std::vector<Index> first_faces(tuple_kind kind) const
@@ -281,10 +286,10 @@ private:
     std::vector<descent> vertices_, vertices_there_, faces_, faces_there_;
     std::vector<descent_of_corners> corners_, corners_there_; // of these faces
     counts last_;
-    std::vector<global_id> corner_ids_; // of the coarse tile, if faces may have several degrees
-    storage<Point> points_;             // of the refined mesh of the tile, as far as patches have written it
-    storage<Index> corner_vertex_;
-    storage<Index> number_; // of each of its vertices that is taken
+    std::vector<global_id> corner_ids_;                // of the coarse tile, if faces may have several degrees
+    std::array<std::vector<unsigned char>, 7> places_; // by kind: where each element is
+    storage<Point> points_;                 // of the refined mesh of the tile, as far as patches have written it
+    storage<Index> corner_vertex_, number_; // number_: of each vertex that is taken
     std::vector<unsigned char> is_patched_;
     bool is_whole_; // all vertices are taken, with their numbers
 };
