@@ -117,8 +117,26 @@ TEST(refine_tile, makes_the_last_steps_in_patches_beside_creases_and_irregular_v
     EXPECT_GT(compare_last_in_patches(triangles, kith::sqrt3{}, levels, partitions::grown(triangles, 3, 2), 3), 0U);
 }
 
+namespace {
+
+/// A dual split whose faces of vertices come first: by these the owner of an edge of its ends would follow.
+struct vertices_first {
+    static constexpr auto columns()
+    {
+        return kith::columns(kith::new_vertices(kith::per_corner),
+                             kith::new_edges(kith::per_side, kith::per_end),
+                             kith::new_faces(kith::per_vertex.of_degree([](const auto& v) { return v.valence(); }),
+                                             kith::per_face.of_degree(kith::same_degree{}),
+                                             kith::quads(kith::per_edge)));
+    }
+};
+
+} // namespace
+
 TEST(refine_tile, makes_the_last_steps_in_patches_where_faces_have_several_degrees)
 {
+    static_assert(kith::owners_keep_descendants<kith::doo_sabin>);
+    static_assert(not kith::owners_keep_descendants<vertices_first>);
     const auto triangles = native(shapes::shaken(shapes::torus_of_all_valences()));
     const auto open = native(shapes::shaken(shapes::grid(7, 9)));
     const int levels = under_sanitizers ? 2 : 3;

@@ -4,7 +4,11 @@
 #include <kith/association/columns.hpp>
 #include <kith/association/numbering.hpp>
 #include <kith/neighbourhood/affine_columns.hpp>
+#include <kith/neighbourhood/descents.hpp>
 #include <kith/step/scheme.hpp>
+
+#include <algorithm>
+#include <tuple>
 
 namespace kith {
 
@@ -34,5 +38,50 @@ inline constexpr bool numbers_boundary = numbers_corners_at_vertices<Scheme> or
                                          detail::has_columns_at_boundary<decltype(columns_type<Scheme>::vertices)> or
                                          detail::has_columns_at_boundary<decltype(columns_type<Scheme>::edges)> or
                                          detail::has_columns_at_boundary<decltype(columns_type<Scheme>::faces)>;
+
+namespace detail {
+
+/// Returns what the elements of a column come from in closed meshes: 0 faces and corners, 1 edges, 2 vertices, -1
+/// nothing.
+template <class Column>
+constexpr int rank_of_parents()
+{
+    if constexpr (requires { decltype(Column::where)::inner; })
+        if constexpr (not decltype(Column::where)::inner)
+            return -1;
+    switch (parent_kind(Column::kind)) {
+    case element_kind::face: return 0;
+    case element_kind::edge: return 1;
+    default: return 2;
+    }
+}
+template <class... Columns>
+constexpr bool come_from_faces_first(const std::tuple<Columns...>*)
+{
+    int before = 0;
+    bool result = true;
+    for (const int rank : {rank_of_parents<Columns>()..., 2}) {
+        result = result and (rank < 0 or rank >= before);
+        before = std::max(before, rank);
+    }
+    return result;
+}
+template <class... Columns>
+constexpr bool come_from_no_vertices(const std::tuple<Columns...>*)
+{
+    return ((rank_of_parents<Columns>() != 2) and ...);
+}
+
+} // namespace detail
+
+/// A scheme by which in closed meshes who owns an element owns its descendants, and so the last level without those
+/// between. That is so if all new faces come from faces. Else new edges and vertices come from none, and faces that come
+/// from faces have the smallest numbers, then those from edges: the first face around each descends as it does.
+template <class Scheme>
+concept owners_keep_descendants =
+    detail::come_from_faces(static_cast<const decltype(columns_type<Scheme>::faces.list)*>(nullptr)) or
+    (detail::come_from_faces_first(static_cast<const decltype(columns_type<Scheme>::faces.list)*>(nullptr)) and
+     detail::come_from_no_vertices(static_cast<const decltype(columns_type<Scheme>::vertices.list)*>(nullptr)) and
+     detail::come_from_no_vertices(static_cast<const decltype(columns_type<Scheme>::edges.list)*>(nullptr)));
 
 } // namespace kith

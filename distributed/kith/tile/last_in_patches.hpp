@@ -6,6 +6,7 @@
 
 #include <kith/neighbourhood/affine_columns.hpp>
 #include <kith/neighbourhood/descents.hpp>
+#include <kith/number/column_facts.hpp>
 #include <kith/part/closure_of_faces.hpp>
 #include <kith/patch/patched_level.hpp>
 #include <kith/step/children.hpp>
@@ -25,7 +26,7 @@ namespace kith {
 /// A scheme whose last steps on a tile may be made in patches: its numbers follow in one way from the first level on.
 template <class Scheme, class Point, class Index>
 concept patchable_in_tiles = patchable_scheme<Scheme, Point, Index> and not has_numbers_by_marks<Scheme> and
-                             not detail::may_ask_state<Scheme>();
+                             not detail::may_ask_state<Scheme>() and owners_keep_descendants<Scheme>;
 
 namespace detail {
 
