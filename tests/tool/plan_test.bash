@@ -215,13 +215,13 @@ if test -x /usr/bin/time; then
             cube.off -s catmull-clark -n 8 --mesh $mesh -o out.ply --binary
     done
     planned "$base" cube.off -s catmull-clark -n 8 --limit -- cube.off -s catmull-clark -n 8 --limit -o out.ply --binary
-    # The same in tiles, where dual schemes go step by step.
+    # The same in tiles, step by step and in patches.
     planned "$base_of_tiles" control.ply -s doo-sabin -n 4 --ranks 1 -- \
-        control.ply -s doo-sabin -n 4 -o out.vtu --tiles 1 --threads 1
-    for tiles in 1 8; do
-        run plan control.ply -s catmull-clark -n 5 --ranks 1 --tiles-per-rank $tiles
+        control.ply -s doo-sabin -n 4 -o out.vtu --tiles 1 --threads 1 --way levels
+    for job in "catmull-clark -n 5 --tiles 1" "catmull-clark -n 5 --tiles 8" "doo-sabin -n 4 --tiles 1"; do
+        run plan control.ply -s ${job%--*} --ranks 1 --tiles-per-rank ${job##* }
         need=$(sed -n 's/^refining.* needs \([0-9]*\) bytes at once.*/\1/p' "$results/out")
-        peak control.ply -s catmull-clark -n 5 -o out.vtu --tiles $tiles --threads 1
+        peak control.ply -s $job -o out.vtu --threads 1
         check "patches should use less than 4/5 of the plan, which are $need bytes" \
             test $(((peak - base_of_tiles) * 1024)) -lt $((need * 4 / 5))
     done
