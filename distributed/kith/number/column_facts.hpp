@@ -74,9 +74,9 @@ constexpr bool come_from_no_vertices(const std::tuple<Columns...>*)
 
 } // namespace detail
 
-/// A scheme by which in closed meshes who owns an element owns its descendants, and so the last level without those
-/// between. That is so if all new faces come from faces. Else new edges and vertices come from none, and faces that come
-/// from faces have the smallest numbers, then those from edges: the first face around each descends as it does.
+/// A scheme by which, in closed meshes, who owns an element owns its descendants. That is so if all new faces come from
+/// faces. Else no new edges and vertices come from vertices. And faces that come from faces have the smallest numbers,
+/// then those from edges, so that the first face around an element descends as it does.
 template <class Scheme>
 concept owners_keep_descendants =
     detail::come_from_faces(static_cast<const decltype(columns_type<Scheme>::faces.list)*>(nullptr)) or

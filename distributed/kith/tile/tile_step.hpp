@@ -101,8 +101,8 @@ private:
 };
 
 /// Refines a tile of a whole mesh with these counts once and keeps all that the step makes, also what is wrong at the
-/// rim. The tile knows the numbers of its elements and which it owns, and says nothing of cuts. `scheme` becomes that of
-/// the next level.
+/// rim. The tile knows the numbers of its elements and which it owns, and says nothing of cuts. `scheme` becomes that
+/// of the next level.
 /// Preconditions: numbers are affine with and without a boundary, and all faces have the degree of refined ones.
 /// Errors: as `refine`. Cost: that of the step.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>

@@ -255,8 +255,8 @@ private:
     storage<point> slots_;   // the last number of each is not read
 };
 
-/// Makes the limits of all vertices of a level that are not marked as irregular, and closes these vertices, unless their
-/// fans show that they are irregular, too. Cost: O(corners).
+/// Makes the limits of all vertices of a level that are not marked as irregular, and closes these vertices, unless
+/// their fans show that they are irregular, too. Cost: O(corners).
 template <std::unsigned_integral Index>
 void fill_regular_limits(const basic_mesh<std::array<double, 3>, Index>& mesh, const regular_masks& masks,
                          const std::vector<unsigned char>& is_irregular, const limit_places& to)

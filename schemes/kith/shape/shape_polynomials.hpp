@@ -126,8 +126,8 @@ private:
                     result = result and sample(here, cell, at[0], at[1]).polynomial_of_child() != nullptr;
         return result;
     }
-    /// Keeps the limit at a corner of the face, or at its centre. Finds what masks do not tell by repeating the step, if
-    /// this makes the same shape there. Keeps none without tangents if steps lead to one with them.
+    /// Keeps the limit at a corner of the face, or at its centre. Finds what masks do not tell by repeating the step,
+    /// if this makes the same shape there. Keeps none without tangents if steps lead to one with them.
     static void keep_limit(Shape& here, std::size_t corner, polynomial_pointer limit)
     {
         if (not limit or limit->derivatives == 0) {
