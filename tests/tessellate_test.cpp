@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -28,27 +29,50 @@ std::array<long, 2> topology_of(const mesh3d& mesh)
     return {long(c.vertices) - long(c.edges) + long(c.faces), long(c.boundary_edges)};
 }
 
-/// Expects a conforming surface like that of the control mesh, whose vertices lie at their places.
+/// A control mesh with its surface, by which its tessellations are checked.
+template <class Scheme>
+class checked_surface {
+public:
+    checked_surface(const mesh3d& control, const Scheme& scheme)
+        : control_(control)
+        , scheme_(scheme)
+        , surface_(control, scheme)
+        , limits_(limit_surface_of(control, scheme).positions)
+    {
+    }
+
+    /// Expects a conforming surface like that of the control mesh, whose vertices lie at their places.
+    kith::tessellation<point> expect_conforming(const tessellation_options& options)
+    {
+        auto made = tessellate(control_, scheme_, options);
+        EXPECT_EQ(topology_of(made.mesh)[0], topology_of(control_)[0]);
+        EXPECT_EQ(topology_of(made.mesh)[1] != 0, topology_of(control_)[1] != 0);
+        const auto there = surface_.locate(made.places).evaluate(control_.points());
+        for (std::size_t v = 0; v < there.points.size(); ++v)
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_NEAR(made.mesh.point(v)[k], there.points[v][k], 1e-12);
+        EXPECT_TRUE(validate(made.mesh).ok());
+        EXPECT_EQ(made.faces.size(), made.mesh.face_count());
+        for (std::size_t v = 0; v < control_.vertex_count(); ++v) // these come first
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_NEAR(made.mesh.point(v)[k], limits_[v][k], 1e-12);
+        for (const auto& [x, y, z] : made.normals)
+            EXPECT_NEAR(x * x + y * y + z * z, 1, 1e-9);
+        return made;
+    }
+
+private:
+    const mesh3d& control_;
+    Scheme scheme_;
+    kith::surface_locator<Scheme, std::uint32_t> surface_;
+    kith::storage<point> limits_;
+};
+
 template <class Scheme>
 kith::tessellation<point> expect_conforming(const mesh3d& control, const Scheme& scheme,
                                             const tessellation_options& options)
 {
-    auto made = tessellate(control, scheme, options);
-    EXPECT_EQ(topology_of(made.mesh)[0], topology_of(control)[0]);
-    EXPECT_EQ(topology_of(made.mesh)[1] != 0, topology_of(control)[1] != 0);
-    const auto there = kith::surface_locator(control, scheme).locate(made.places).evaluate(control.points());
-    for (std::size_t v = 0; v < there.points.size(); ++v)
-        for (std::size_t k = 0; k < 3; ++k)
-            EXPECT_NEAR(made.mesh.point(v)[k], there.points[v][k], 1e-12);
-    EXPECT_TRUE(validate(made.mesh).ok());
-    EXPECT_EQ(made.faces.size(), made.mesh.face_count());
-    const auto limits = limit_surface_of(control, scheme);
-    for (std::size_t v = 0; v < control.vertex_count(); ++v) // these come first
-        for (std::size_t k = 0; k < 3; ++k)
-            EXPECT_NEAR(made.mesh.point(v)[k], limits.positions[v][k], 1e-12);
-    for (const auto& [x, y, z] : made.normals)
-        EXPECT_NEAR(x * x + y * y + z * z, 1, 1e-9);
-    return made;
+    return checked_surface(control, scheme).expect_conforming(options);
 }
 
 TEST(tessellate, fits_together_on_all_shapes)
@@ -58,12 +82,13 @@ TEST(tessellate, fits_together_on_all_shapes)
             using domain = kith::detail::domain_of<std::remove_cvref_t<decltype(scheme)>>;
             if (domain::is_cut_off_by_boundaries and not mesh.topology().is_closed())
                 return;
+            checked_surface surface(mesh, scheme);
             for (const auto& options : {tessellation_options{.segments = 1},
                                         tessellation_options{.segments = 3},
                                         tessellation_options{.chord_error = .02},
                                         tessellation_options{.longest_edge = .4},
                                         tessellation_options{.angle = .3}})
-                expect_conforming(mesh, scheme, options);
+                surface.expect_conforming(options);
         }
     };
     for_each_scheme_and_shape(test);
