@@ -27,12 +27,12 @@ constexpr fan_kind irregular_fan(std::size_t valence)
 
 namespace detail {
 
-/// Where a corner lies in a large fan, by the number of the corner.
+/// The place of a corner in a large fan.
 struct corner_of_large_fan {
     std::size_t corner;
     std::uint32_t fan, step;
 };
-/// The place of a large face among these, by its number.
+/// The place of a large face among these.
 struct large_face {
     std::size_t face, place;
 };
