@@ -175,8 +175,8 @@ private:
                   std::span<const value_bytes> values) const
     {
         joined_writes out(file);
-        const bool has_points_alone = bytes_of_vertex_ == 24,
-                   has_corners_alone = bytes_of_corner_ == 4 and bytes_of_face_ == corners_of_face_.bytes;
+        const bool has_points_alone = bytes_of_vertex_ == 24;
+        const bool has_corners_alone = bytes_of_corner_ == 4 and bytes_of_face_ == 1; // their number
         for_each_owned_run(part.vertex_ids, part.vertex_marks, [&](std::size_t first, global_id id, std::size_t run) {
             std::uint64_t at = head_.size() + bytes_of_vertex_ * id;
             if (has_points_alone)
@@ -192,17 +192,16 @@ private:
         const int degree = part.mesh.topology().degree;
         for_each_owned_run(part.face_ids, part.face_marks, [&](std::size_t first, global_id id, std::size_t run) {
             const std::uint64_t at = face_at(id, part.corner_id(first, 0));
-            if (has_corners_alone and degree == 3 and corners_of_face_.bytes == 1)
+            if (has_corners_alone and degree == 3)
                 put_alike_faces<3>(out, at, part, first, run);
-            else if (has_corners_alone and degree == 4 and corners_of_face_.bytes == 1)
+            else if (has_corners_alone and degree == 4)
                 put_alike_faces<4>(out, at, part, first, run);
             else
                 put_faces(out, at, part, first, run, values);
         });
         out.flush();
     }
-    /// Writes faces of this degree that have nothing but their vertices. Precondition: the length of the list is a
-    /// byte.
+    /// Writes faces of this degree that have nothing but their vertices, after their number in one byte.
     template <std::size_t Degree>
     static void put_alike_faces(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part,
                                 std::size_t first, std::size_t run)

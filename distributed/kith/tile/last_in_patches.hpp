@@ -125,11 +125,9 @@ private:
         return numbered_patches{std::move(closure), std::move(*plan), std::move(*made)};
     }
 
-    /// Returns the face in whose patch lie the descendants of a vertex or an edge.
     [[nodiscard]] Index maker_of(tuple_kind kind, std::size_t element) const
     {
-        const auto& t = coarse_.mesh.topology();
-        return t.face_of(kind == tuple_kind::e ? t.halfedge_corner[2 * element] : t.vertex_corner[element]);
+        return face_of_patch(coarse_.mesh.topology(), kind, element);
     }
     /// Returns the other faces whose patches make points of owned ones, increasing.
     [[nodiscard]] std::vector<Index> makers_of(const closure_of_faces<Index>& owned) const

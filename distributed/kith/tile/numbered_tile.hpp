@@ -53,6 +53,19 @@ std::vector<typename Tile::index_type> owned_faces_of(const Tile& part)
     return owned;
 }
 
+/// Returns the face in whose patch the descendants of an element lie: a vertex, an edge, a face or a corner (v, e, f,
+/// vf).
+template <std::unsigned_integral Index>
+Index face_of_patch(const connectivity<Index>& mesh, tuple_kind kind, std::size_t element)
+{
+    switch (kind) {
+    case tuple_kind::v: return mesh.face_of(mesh.vertex_corner[element]);
+    case tuple_kind::e: return mesh.face_of(mesh.halfedge_corner[2 * element]);
+    case tuple_kind::f: return Index(element);
+    default: return mesh.face_of(Index(element));
+    }
+}
+
 /// Returns 3 or 4 if degree_of(i) is that for each i below `faces`, else 0. Cost: O(faces).
 template <std::invocable<std::size_t> F>
 int degree_if_alike(std::size_t faces, const F& degree_of)

@@ -112,16 +112,9 @@ private:
         default: return coarse_.owns_face(maker_of(kind, x));
         }
     }
-    /// Returns the face in whose patch the descendants of an element lie.
     [[nodiscard]] std::size_t maker_of(tuple_kind kind, std::size_t x) const
     {
-        const auto& t = coarse_.mesh.topology();
-        switch (kind) {
-        case tuple_kind::v: return t.face_of(t.vertex_corner[x]);
-        case tuple_kind::e: return t.face_of(t.halfedge_corner[2 * x]);
-        case tuple_kind::f: return x;
-        default: return t.face_of(Index(x));
-        }
+        return face_of_patch(coarse_.mesh.topology(), kind, x);
     }
     /// Calls f(face_run) for the faces that descend from elements that are `ours` or `at_rim`, in the order of their
     /// numbers.
