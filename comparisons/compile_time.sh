@@ -30,7 +30,7 @@ sources() {
     tee -a "$alone" >>"$including" <<<'mesh copy(const mesh& m) { return m; }'
     echo 'mesh refined(const mesh& m) { return kith::refine(m, kith::loop{}, 3); }' >>"$headers"
     { echo '#define KITH_COMPILED_SCHEMES' && cat "$headers"; } >"$work/$1-schemes.cpp"
-    { echo "#define KITH_COMPILED_${1^^}" && cat "$work/$1-schemes.cpp"; } >"$work/$1-meshes.cpp"
+    { echo "#define KITH_COMPILED_${1^^}_MESHES" && cat "$work/$1-schemes.cpp"; } >"$work/$1-meshes.cpp"
 }
 sources CGAL cgal.hpp 'CGAL::Simple_cartesian<double>::Point_3' <<'LINES'
 #include <CGAL/Simple_cartesian.h>

@@ -175,7 +175,7 @@ private:
 
 } // namespace kith
 
-#ifdef KITH_COMPILED_CGAL // where kith::compiled_cgal is linked
+#ifdef KITH_COMPILED_CGAL_MESHES // where kith::compiled_cgal is linked
 
 namespace CGAL {
 

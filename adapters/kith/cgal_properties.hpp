@@ -104,4 +104,9 @@ struct property_access<M> {
         std::conditional_t<Which == standard_property::normal, CGAL::Vector_3<kernel>, CGAL::Point_2<kernel>>>;
 };
 
+#ifdef KITH_COMPILED_CGAL
+template <surface_mesh_or_derived M>
+inline constexpr bool detail::has_compiled_properties<M> = is_compiled_mesh<M>;
+#endif
+
 } // namespace kith

@@ -94,7 +94,7 @@ private:
     }
 };
 
-#ifdef KITH_COMPILED_OPENMESH // where kith::compiled_openmesh is linked
+#ifdef KITH_COMPILED_OPENMESH_MESHES // where kith::compiled_openmesh is linked
 /// Meshes of any traits with points of three floats or doubles.
 template <std::derived_from<OpenMesh::PolyConnectivity> M>
     requires(std::same_as<typename native_point<typename M::Point>::type, std::array<float, 3>> or

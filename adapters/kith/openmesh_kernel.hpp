@@ -220,7 +220,7 @@ struct mesh_traits<openmesh::kernel_view<Scalar>> : detail::openmesh_connectivit
     static const point& point_of(const mesh_type& m, vertex v) { return m.at(v); }
 };
 
-#ifdef KITH_COMPILED_OPENMESH // where kith::compiled_openmesh is linked
+#ifdef KITH_COMPILED_OPENMESH_MESHES // where kith::compiled_openmesh is linked
 template <>
 inline constexpr bool is_compiled_mesh<openmesh::kernel_view<float>> = true;
 template <>

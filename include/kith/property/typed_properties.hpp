@@ -127,9 +127,9 @@ private:
     }
 };
 
-/// True for bases whose properties of the usual types are compiled in a library, as `is_compiled_mesh` tells.
+/// True for bases whose properties of the usual types are compiled in a library, as their header tells.
 template <class Base>
-inline constexpr bool has_compiled_properties = is_compiled_mesh<Base>;
+inline constexpr bool has_compiled_properties = false;
 
 /// Same as typed_properties::read with the usual types, compiled in that library.
 template <class Handle, class Base>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_in_library.hpp"
+#include "properties_in_library.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -12,8 +12,6 @@ namespace kith {
 using cartesian_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using epick_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
-KITH_MESH_IN_LIBRARY(cartesian_mesh)
-KITH_MESH_IN_LIBRARY(epick_mesh)
 KITH_PROPERTIES_IN_LIBRARY(cartesian_mesh, cartesian_mesh)
 KITH_PROPERTIES_IN_LIBRARY(epick_mesh, epick_mesh)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_in_library.hpp"
 
-#include <kith/openmesh_properties.hpp>
+#include <kith/openmesh.hpp>
 
 namespace kith {
 
@@ -11,6 +11,5 @@ KITH_MESH_IN_LIBRARY(OpenMesh::PolyMesh_ArrayKernelT<>)
 KITH_MESH_IN_LIBRARY(OpenMesh::TriMesh_ArrayKernelT<>)
 KITH_MESH_IN_LIBRARY(OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>)
 KITH_MESH_IN_LIBRARY(OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>)
-KITH_PROPERTIES_IN_LIBRARY(openmesh::kernel_view<float>, OpenMesh::BaseKernel) // serves all meshes
 
 } // namespace kith
