@@ -4,10 +4,10 @@
 // Sample run: associations docs
 
 #include <kith/catmull_clark.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
-#include <kith/mesh/make_mesh.hpp>
 #include <kith/nasri_hasbini.hpp>
 #include <kith/refine_in_tiles.hpp>
 #include <kith/sqrt3.hpp>

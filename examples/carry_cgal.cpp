@@ -6,7 +6,7 @@
 
 #include <kith/catmull_clark.hpp>
 #include <kith/cgal_properties.hpp>
-#include <kith/crease/make_creases.hpp>
+#include <kith/make_creases.hpp>
 
 int main()
 {

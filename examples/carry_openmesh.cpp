@@ -5,7 +5,7 @@
 #include "dressed_cube_openmesh.hpp"
 
 #include <kith/catmull_clark.hpp>
-#include <kith/crease/make_creases.hpp>
+#include <kith/make_creases.hpp>
 #include <kith/openmesh_properties.hpp>
 
 int main()

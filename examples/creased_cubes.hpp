@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../tests/figures.hpp"
+#include "../tests/support/figures.hpp"
 
 #include <kith/catmull_clark.hpp>
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 
 #include <array>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // associations: factoring, splitting and tilting. For closed meshes.
 // Sample run: euler_encodings
 
-#include "../tests/figures.hpp"
+#include "../tests/support/figures.hpp"
 #include "same_faces.hpp"
 
 #include <kith/doo_sabin.hpp>

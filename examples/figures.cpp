@@ -2,7 +2,7 @@
 // Writes the control meshes of the thesis's figures as OBJ files, which `kith refine` reads with their creases.
 // Sample run: figures FOLDER
 
-#include "../tests/figures.hpp"
+#include "../tests/support/figures.hpp"
 
 #include <array>
 #include <cstdio>

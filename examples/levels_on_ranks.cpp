@@ -7,11 +7,11 @@
 #include <kith/catmull_clark.hpp>
 #include <kith/cgal_properties.hpp>
 #include <kith/convert.hpp>
-#include <kith/crease/make_creases.hpp>
-#include <kith/field/with_fields.hpp>
+#include <kith/fields/with_fields.hpp>
+#include <kith/make_creases.hpp>
 #include <kith/metis_partition.hpp>
-#include <kith/ranks/repartition.hpp>
-#include <kith/ranks/write_level.hpp>
+#include <kith/mpi/ranks/repartition.hpp>
+#include <kith/mpi/ranks/write_level.hpp>
 #include <kith/refine_on_ranks.hpp>
 
 #include <CGAL/Simple_cartesian.h>

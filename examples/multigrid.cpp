@@ -6,10 +6,10 @@
 
 #include "v_cycle.hpp"
 
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/eigen.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
-#include <kith/mesh/make_mesh.hpp>
 
 #include <Eigen/Sparse>
 

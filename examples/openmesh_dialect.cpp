@@ -3,7 +3,7 @@
 // texture coordinates and properties go along. docs/start/openmesh.md.
 // Sample run: openmesh_dialect
 
-#include <kith/crease/make_creases.hpp>
+#include <kith/make_creases.hpp>
 #include <kith/openmesh_subdivision.hpp>
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>

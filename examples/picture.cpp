@@ -2,7 +2,7 @@
 // The picture of the README: four schemes, levels 0 to 3, every face in the color of the face of level 0 it came from.
 // Sample run: picture > docs/picture.svg
 
-#include "../tests/figures.hpp"
+#include "../tests/support/figures.hpp"
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>

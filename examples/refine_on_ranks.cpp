@@ -3,13 +3,13 @@
 // place. The bounding box that is printed, and the checksum, are the same on any number of ranks.
 // Sample run: mpirun -n 4 refine_on_ranks
 
-#include "../tests/figures.hpp"
+#include "../tests/support/figures.hpp"
 
 #include <kith/catmull_clark.hpp>
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/metis_partition.hpp>
-#include <kith/part/checksum.hpp>
 #include <kith/refine_on_ranks.hpp>
+#include <kith/tiles/part/checksum.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/mesh/basic_mesh.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,10 +3,11 @@
 // step makes a new level, so that what is undone by weld and collapse elsewhere is the level before.
 // Sample run: stellar
 
-#include "../tests/figures.hpp"
+#include "../tests/support/figures.hpp"
 #include "same_faces.hpp"
 
 #include <kith/linear.hpp>
+#include <kith/mesh.hpp>
 #include <kith/refine.hpp>
 #include <kith/sqrt3.hpp>
 
@@ -133,16 +134,6 @@ struct flip_edges {
     }
 };
 
-/// The number of the edge between two vertices.
-std::size_t edge_between(const mesh& m, std::size_t a, std::size_t b)
-{
-    const kith::level_of<mesh> level(m);
-    for (const auto e : level.vertices()[a].edges())
-        if (e.org().index() + e.dst().index() == a + b and (e.org().index() == b or e.dst().index() == b))
-            return e.index();
-    return level.edge_count();
-}
-
 /// Faces split in three, then the old edges flipped.
 bool sqrt3_by_splits_and_flips(const mesh& control)
 {
@@ -163,8 +154,11 @@ bool triangle_split_by_splits_and_flips(const mesh& control)
     for (const auto e : level.edges())
         ends.emplace_back(e.org().index(), e.dst().index());
     mesh split = control;
-    for (const auto& [a, b] : ends)
-        split = kith::refine(split, split_edge{edge_between(split, a, b)}, 1);
+    for (const auto& [a, b] : ends) {
+        const kith::level_of<mesh> now(split);
+        const auto between = edge_between(now.vertices()[a], now.vertices()[b]);
+        split = kith::refine(split, split_edge{between->index()}, 1);
+    }
     const auto is_extra = [&](const auto& e) {
         const std::size_t v = std::min(e.org().index(), e.dst().index());
         const std::size_t middle = std::max(e.org().index(), e.dst().index());

@@ -8,9 +8,9 @@
 #include "v_cycle.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/eigen.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/mesh/make_mesh.hpp>
 #include <kith/surface/quadrature.hpp>
 #include <kith/surface/surface_locator.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/tags_of_creases.hpp>
 
-#include <kith/base/error.hpp>
+#include <kith/core/base/error.hpp>
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/text/file_bytes.hpp>
+#include <kith/io/text/file_bytes.hpp>
 
-#include <kith/text/file_error.hpp>
-#include <kith/format/mesh_format.hpp>
+#include <kith/io/format/mesh_format.hpp>
+#include <kith/io/text/file_error.hpp>
 
 #include <algorithm>
 #include <cerrno>

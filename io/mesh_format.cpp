@@ -1,13 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/format/mesh_format.hpp>
+#include "file_format.hpp"
 
-#include <kith/text/file_error.hpp>
+#include <kith/io/text/file_error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
-#include <optional>
+#include <string>
+#include <vector>
 
 namespace kith::io {
+
+extern const file_format off_format, obj_format, ply_format, stl_format, vtu_format, vtp_format;
+
+namespace {
+
+/// All formats, in the order of mesh_format.
+constexpr std::array formats{&off_format, &obj_format, &ply_format, &stl_format, &vtu_format, &vtp_format};
+
+/// ".off, .obj or .ply"
+std::string listed(const std::vector<std::string_view>& extensions)
+{
+    std::string result;
+    for (std::size_t i = 0; i < extensions.size(); ++i)
+        result.append(i == 0 ? "" : i + 1 == extensions.size() ? " or " : ", ").append(extensions[i]);
+    return result;
+}
+
+const file_format* find_format(const std::string& path)
+{
+    if (path == standard_stream)
+        return &off_format;
+    const std::string extension = extension_of(path);
+    const auto found = std::ranges::find_if(formats, [&](const file_format* format) {
+        return not extension.empty() and (extension == format->extension or extension == format->index);
+    });
+    return found == formats.end() ? nullptr : *found;
+}
+
+} // namespace
+
+const file_format& file_format_of(mesh_format format)
+{
+    const auto place = std::size_t(format);
+    if (place >= formats.size())
+        throw file_error("has an unknown format; choose one of mesh_format");
+    return *formats[place];
+}
+
+const format_contents& contents_of(mesh_format format)
+{
+    return file_format_of(format).contents;
+}
 
 std::string extension_of(const std::string& path)
 {
@@ -17,43 +61,31 @@ std::string extension_of(const std::string& path)
     return extension;
 }
 
-namespace {
-
-std::optional<mesh_format> find_format(const std::string& path)
-{
-    if (path == standard_stream)
-        return mesh_format::off;
-    const std::string extension = extension_of(path);
-    if (extension == ".off")
-        return mesh_format::off;
-    if (extension == ".obj")
-        return mesh_format::obj;
-    if (extension == ".ply")
-        return mesh_format::ply;
-    if (extension == ".stl")
-        return mesh_format::stl;
-    if (extension == ".vtu" or extension == ".vtp" or extension == ".pvtu" or extension == ".pvtp")
-        return mesh_format::vtu;
-    return std::nullopt;
-}
-
-} // namespace
-
 mesh_format format_of(const std::string& path)
 {
-    if (const auto format = find_format(path))
-        return *format;
-    throw file_error(path + ": the extension decides the format and must be .off, .obj, .ply, .stl, .vtu, .vtp, .pvtu "
-                            "or .pvtp");
+    if (const file_format* format = find_format(path))
+        return format->format;
+    std::vector<std::string_view> extensions;
+    for (const file_format* format : formats)
+        for (const std::string_view extension : {format->extension, format->index})
+            if (not extension.empty())
+                extensions.push_back(extension);
+    throw file_error(path + ": the extension decides the format and must be " + listed(extensions));
 }
 
 mesh_format output_format_of(const std::string& path)
 {
-    if (const auto format = find_format(path); format and *format != mesh_format::vtu)
-        return *format;
-    throw file_error(path +
-                     ": the extension decides the format and must be .off, .obj, .ply or .stl, or .vtu or .pvtu, which "
-                     "are written in tiles");
+    const file_format* found = find_format(path);
+    if (found != nullptr and found->write != nullptr and (found->index.empty() or extension_of(path) != found->index))
+        return found->format;
+    std::vector<std::string_view> whole, in_tiles;
+    for (const file_format* format : formats)
+        if (format->write != nullptr)
+            whole.push_back(format->extension);
+        else
+            in_tiles.insert(in_tiles.end(), {format->extension, format->index});
+    throw file_error(path + ": the extension decides the format and must be " + listed(whole) + ", or " +
+                     listed(in_tiles) + ", which are written in tiles");
 }
 
 } // namespace kith::io

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/format/obj_tag.hpp>
+#include <kith/io/format/obj_tag.hpp>
 
-#include <kith/text/counted.hpp>
-#include <kith/crease/creases.hpp>
+#include <kith/io/text/counted.hpp>
+#include <kith/schemes/crease/creases.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/output_file.hpp>
 
-#include <kith/text/file_error.hpp>
+#include <kith/io/text/file_error.hpp>
 
 #include <cerrno>
 #include <chrono>

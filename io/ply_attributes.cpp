@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/format/ply_attributes.hpp>
+#include <kith/io/format/ply_attributes.hpp>
 
-#include <kith/output/ply_words.hpp>
-#include <kith/text/text_cursor.hpp>
+#include <kith/io/text/text_cursor.hpp>
+#include <kith/tiles/output/ply_words.hpp>
 
 #include <algorithm>
 #include <string_view>

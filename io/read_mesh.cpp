@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/read_mesh.hpp>
 
-#include "read_vtu.hpp"
+#include "file_format.hpp"
 
-#include <kith/text/file_bytes.hpp>
-#include <kith/text/file_error.hpp>
-#include <kith/text/text_cursor.hpp>
+#include <kith/io/text/file_bytes.hpp>
+#include <kith/io/text/file_error.hpp>
+#include <kith/io/text/text_cursor.hpp>
 
 #include <filesystem>
 
@@ -17,14 +17,7 @@ polygon_soup read_mesh(mesh_format format, std::string_view bytes)
     if (bytes.find_first_not_of(" \t\r\n") == bytes.npos)
         throw file_error("the file is empty");
     file_work.begin(bytes.size());
-    switch (format) {
-    case mesh_format::off: return read_off(bytes);
-    case mesh_format::obj: return read_obj(bytes);
-    case mesh_format::ply: return read_ply(bytes);
-    case mesh_format::stl: return read_stl(bytes);
-    case mesh_format::vtu: return read_vtu(bytes);
-    }
-    throw file_error("has an unknown format; choose one of mesh_format");
+    return file_format_of(format).read(bytes);
 }
 
 polygon_soup read_mesh_file(const std::string& path)
@@ -32,8 +25,8 @@ polygon_soup read_mesh_file(const std::string& path)
     const mesh_format format = format_of(path);
     const file_bytes bytes(path);
     try {
-        if (format == mesh_format::vtu)
-            return read_vtu(bytes.view(), std::filesystem::path(path).parent_path().string());
+        if (const auto read = file_format_of(format).read_in_folder)
+            return read(bytes.view(), std::filesystem::path(path).parent_path().string());
         return read_mesh(format, bytes.view());
     } catch (const file_error& error) {
         throw file_error((path == standard_stream ? "standard input" : path) + ": " + error.what());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/text/counted.hpp>
-#include <kith/format/obj_tag.hpp>
+#include <kith/io/format/obj_tag.hpp>
+#include <kith/io/text/counted.hpp>
 #include <kith/read_mesh.hpp>
 
 #include <algorithm>

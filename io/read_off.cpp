@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/text/counted.hpp>
+#include <kith/io/text/counted.hpp>
+#include <kith/io/text/text_cursor.hpp>
 #include <kith/read_mesh.hpp>
-#include <kith/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "triangle_strip.hpp"
 
-#include <kith/format/ply_attributes.hpp>
+#include <kith/io/format/ply_attributes.hpp>
+#include <kith/io/text/text_cursor.hpp>
 #include <kith/read_mesh.hpp>
-#include <kith/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stl_shades.hpp"
 
-#include <kith/text/counted.hpp>
+#include <kith/io/text/counted.hpp>
+#include <kith/io/text/text_cursor.hpp>
 #include <kith/merge_points.hpp>
 #include <kith/read_mesh.hpp>
-#include <kith/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <array>

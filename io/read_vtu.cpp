@@ -2,11 +2,12 @@
 #include "read_vtu.hpp"
 
 #include "vtu_piece.hpp"
+#include "written_parts.hpp"
 
+#include <kith/io/text/counted.hpp>
+#include <kith/io/text/file_bytes.hpp>
+#include <kith/io/text/text_cursor.hpp>
 #include <kith/read_mesh.hpp>
-#include <kith/text/counted.hpp>
-#include <kith/text/file_bytes.hpp>
-#include <kith/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <array>
@@ -184,5 +185,22 @@ polygon_soup read_vtu(std::string_view bytes, const std::string& directory)
 {
     return read_vtu(bytes, &directory);
 }
+
+namespace {
+
+element_attributes zeros_in_vtu(const mesh_attributes& all, const held_attributes&)
+{
+    const auto is_whole = [](const attribute& a) { return not a.type.floating; };
+    return {held_if(all.vertices, is_whole), held_if(all.faces, is_whole)};
+}
+
+} // namespace
+
+extern const file_format vtu_format{.format = mesh_format::vtu,
+                                    .extension = ".vtu",
+                                    .index = ".pvtu",
+                                    .read = read_vtu,
+                                    .read_in_folder = read_vtu,
+                                    .zeros = zeros_in_vtu};
 
 } // namespace kith::io

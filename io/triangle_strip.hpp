@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/mesh/make_mesh.hpp>
-#include <kith/text/counted.hpp>
-#include <kith/text/file_error.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
+#include <kith/io/text/counted.hpp>
+#include <kith/io/text/file_error.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtu_numbers.hpp"
 
-#include <kith/text/text_cursor.hpp>
+#include <kith/io/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <array>

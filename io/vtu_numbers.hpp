@@ -3,7 +3,7 @@
 
 #include "xml_tags.hpp"
 
-#include <kith/format/mesh_attributes.hpp>
+#include <kith/io/format/mesh_attributes.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,8 +3,8 @@
 
 #include "triangle_strip.hpp"
 
-#include <kith/text/counted.hpp>
-#include <kith/text/text_cursor.hpp>
+#include <kith/io/text/counted.hpp>
+#include <kith/io/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <array>

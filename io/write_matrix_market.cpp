@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <kith/io/text/text_writer.hpp>
 #include <kith/matrix_market.hpp>
-#include <kith/text/text_writer.hpp>
 
 #include <cstddef>
 #include <ostream>

@@ -3,15 +3,13 @@
 
 #include "written_parts.hpp"
 
+#include <kith/io/text/file_error.hpp>
+#include <kith/io/text/text_cursor.hpp>
 #include <kith/output_file.hpp>
-#include <kith/text/file_error.hpp>
-#include <kith/text/text_cursor.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iostream>
-#include <limits>
 #include <string>
 
 namespace kith::io {
@@ -25,78 +23,59 @@ bool is_finite(const point& p)
     return std::isfinite(p[0]) and std::isfinite(p[1]) and std::isfinite(p[2]);
 }
 
-bool fits_float(const point& p)
+/// Returns a format that is written here. Errors: file_error.
+const file_format& written_format(mesh_format format)
 {
-    return std::ranges::all_of(p, [](double x) { return std::isfinite(float(x)); });
-}
-
-[[noreturn]] void refuse_vtu()
-{
-    throw file_error("files of VTK are written in tiles, by kith::vtu_file; choose .off, .obj, .ply or .stl");
+    const file_format& result = file_format_of(format);
+    if (result.write == nullptr)
+        throw file_error("VTU is written in tiles, by kith::vtu_file; choose .vtp or another format");
+    return result;
 }
 
 } // namespace
 
+void require_finite_normals(const written_mesh& what)
+{
+    for (std::size_t v = 0; v < what.normals.size(); ++v)
+        if (not is_finite(what.normals[v]))
+            throw file_error("vertex " + std::to_string(v) +
+                             " would have no finite normal; the coordinates of the input are too large");
+}
+
+void require_finite_corner_normals(const written_mesh& what)
+{
+    for (std::size_t c = 0; c < what.corner_normals.size(); ++c)
+        if (not is_finite(what.corner_normals[c]))
+            throw file_error("vertex " + std::to_string(what.mesh.topology().corner_vertex[c]) +
+                             " would have no finite normal; the coordinates of the input are too large");
+}
+
+void require_finite_values(mesh_format format, const written_mesh& what)
+{
+    const held_attributes held = held_by(format, what);
+    for (const auto* list :
+         {&held.colors, &held.normals, &held.textures, &held.face_colors, &held.corner_normals, &held.corner_textures})
+        for (const attribute* a : *list)
+            if (std::ranges::any_of(a->values, [](double x) { return std::isinf(x); }))
+                throw file_error("a value of '" + shown(a->name) +
+                                 "' would not be finite; the values of the input are too large, or choose .ply");
+}
+
 void require_writable(mesh_format format, const written_mesh& what)
 {
-    if (format == mesh_format::vtu)
-        refuse_vtu();
-    const basic_mesh<>& mesh = what.mesh;
-    const bool in_floats = format == mesh_format::stl and what.binary;
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-        if (not is_finite(mesh.point(v)))
+    const file_format& written = written_format(format);
+    for (std::size_t v = 0; v < what.mesh.vertex_count(); ++v)
+        if (not is_finite(what.mesh.point(v)))
             throw file_error("vertex " + std::to_string(v) +
                              " would not have finite coordinates; the coordinates of the input are too large");
-        if (in_floats and not fits_float(mesh.point(v)))
-            throw file_error("vertex " + std::to_string(v) +
-                             " is too far away for the floats of binary STL; write text, or .off, .obj or .ply");
-    }
-    if (format != mesh_format::stl)
-        for (std::size_t v = 0; v < what.normals.size(); ++v)
-            if (not is_finite(what.normals[v]))
-                throw file_error("vertex " + std::to_string(v) +
-                                 " would have no finite normal; the coordinates of the input are too large");
-    if (format == mesh_format::obj or format == mesh_format::ply)
-        for (std::size_t c = 0; c < what.corner_normals.size(); ++c)
-            if (not is_finite(what.corner_normals[c]))
-                throw file_error("vertex " + std::to_string(mesh.topology().corner_vertex[c]) +
-                                 " would have no finite normal; the coordinates of the input are too large");
-    if (format == mesh_format::off or format == mesh_format::obj) {
-        const held_attributes held = held_by(format, what);
-        for (const auto* list : {&held.colors,
-                                 &held.normals,
-                                 &held.textures,
-                                 &held.face_colors,
-                                 &held.corner_normals,
-                                 &held.corner_textures})
-            for (const attribute* a : *list)
-                if (std::ranges::any_of(a->values, [](double x) { return std::isinf(x); }))
-                    throw file_error("a value of '" + shown(a->name) +
-                                     "' would not be finite; the values of the input are too large, or choose .ply");
-    }
-    for (std::size_t f = 0; format == mesh_format::stl and f < mesh.face_count(); ++f)
-        if (mesh.face(f).size() > 3)
-            throw file_error("face " + std::to_string(f) + " has " + std::to_string(mesh.face(f).size()) +
-                             " corners, this format holds 3 at most; choose .off, .obj or .ply");
-    if (in_floats)
-        require_readable_floats(what);
-    constexpr std::size_t most_in_ply = std::numeric_limits<std::int32_t>::max();
-    if (format == mesh_format::ply and vertices_of(what) > most_in_ply)
-        throw file_error("the mesh has " + std::to_string(vertices_of(what)) +
-                         " vertices, the 32-bit indices of a PLY file count " + std::to_string(most_in_ply) +
-                         " at most; choose .off or .obj");
+    written.require(what);
 }
 
 void write_mesh(std::ostream& out, mesh_format format, const written_mesh& what)
 {
+    const file_format& written = written_format(format);
     file_work.begin(vertices_of(what) + what.mesh.face_count());
-    switch (format) {
-    case mesh_format::off: write_off(out, what); break;
-    case mesh_format::obj: write_obj(out, what); break;
-    case mesh_format::ply: write_ply(out, what); break;
-    case mesh_format::stl: write_stl(out, what); break;
-    case mesh_format::vtu: refuse_vtu();
-    }
+    written.write(out, what);
 }
 
 void write_mesh_file(const std::string& path, const written_mesh& what)

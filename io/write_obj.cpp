@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "written_parts.hpp"
 
-#include <kith/format/obj_tag.hpp>
-#include <kith/output/ply_words.hpp>
-#include <kith/text/counted.hpp>
+#include <kith/io/format/obj_tag.hpp>
+#include <kith/io/text/counted.hpp>
+#include <kith/read_mesh.hpp>
+#include <kith/tiles/output/ply_words.hpp>
 
 #include <algorithm>
 #include <array>
@@ -152,7 +153,10 @@ void write_labels(text_block& text, const attribute_list& labels, std::size_t fa
         }
 }
 
-} // namespace
+bool is_line_of_obj(std::string_view line)
+{
+    return line.starts_with("mtllib ") or line == odd_generation;
+}
 
 void write_obj(std::ostream& out, const written_mesh& what)
 {
@@ -166,7 +170,7 @@ void write_obj(std::ostream& out, const written_mesh& what)
            << '\n';
     if (what.attributes != nullptr)
         for (const std::string& line : what.attributes->file_lines)
-            if (holds_file_line(mesh_format::obj, line))
+            if (is_line_of_obj(line))
                 header << as_line(line) << '\n';
     out << header.text();
     write_blocks(out, vertices_of(what), [&](text_block& text, std::size_t v) {
@@ -198,5 +202,37 @@ void write_obj(std::ostream& out, const written_mesh& what)
     if (what.tags != nullptr)
         out << obj_tag_lines(*what.tags);
 }
+
+void require_for_obj(const written_mesh& what)
+{
+    require_finite_normals(what);
+    require_finite_corner_normals(what);
+    require_finite_values(mesh_format::obj, what);
+}
+
+held_attributes held_by_obj(const mesh_attributes& all, bool)
+{
+    held_attributes result;
+    result.colors = held_list(all.vertices, color_names, 3, 4);
+    result.corner_textures = held_list(all.corners, texture_names, 1, 3);
+    if (result.corner_textures.empty())
+        result.textures = held_list(all.vertices, texture_names, 1, 3);
+    result.corner_normals = held_list(all.corners, normal_names, 3, 3);
+    if (result.corner_normals.empty())
+        result.normals = held_list(all.vertices, normal_names, 3, 3);
+    result.labels = held_if(all.faces, [](const attribute& a) { return not a.labels.empty(); });
+    return result;
+}
+
+} // namespace
+
+extern const file_format obj_format{.format = mesh_format::obj,
+                                    .extension = ".obj",
+                                    .contents = {.tags = true, .corner_normals = true},
+                                    .read = read_obj,
+                                    .write = write_obj,
+                                    .require = require_for_obj,
+                                    .held = held_by_obj,
+                                    .holds_line = is_line_of_obj};
 
 } // namespace kith::io

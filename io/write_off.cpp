@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "written_parts.hpp"
 
+#include <kith/read_mesh.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -36,8 +38,6 @@ void write_numbers(text_block& text, const attribute_list& numbers, std::size_t 
         text << ' ' << (std::isnan(a->values[element]) ? 0 : a->values[element]);
 }
 
-} // namespace
-
 void write_off(std::ostream& out, const written_mesh& what)
 {
     const bool has_normals = not what.normals.empty();
@@ -66,5 +66,38 @@ void write_off(std::ostream& out, const written_mesh& what)
     });
     out << '\n';
 }
+
+void require_for_off(const written_mesh& what)
+{
+    require_finite_normals(what);
+    require_finite_values(mesh_format::off, what);
+}
+
+held_attributes held_by_off(const mesh_attributes& all, bool)
+{
+    held_attributes result;
+    result.colors = held_list(all.vertices, color_names, 3, 4);
+    result.normals = held_list(all.vertices, normal_names, 3, 3);
+    result.textures = held_list(all.vertices, texture_names, 2, 2);
+    result.face_colors = held_list(all.faces, color_names, 3, 4);
+    return result;
+}
+
+element_attributes zeros_in_off(const mesh_attributes&, const held_attributes& held)
+{
+    attribute_list vertices = held.normals;
+    vertices.insert(vertices.end(), held.textures.begin(), held.textures.end());
+    return {vertices, {}};
+}
+
+} // namespace
+
+extern const file_format off_format{.format = mesh_format::off,
+                                    .extension = ".off",
+                                    .read = read_off,
+                                    .write = write_off,
+                                    .require = require_for_off,
+                                    .held = held_by_off,
+                                    .zeros = zeros_in_off};
 
 } // namespace kith::io

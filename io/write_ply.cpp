@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "written_parts.hpp"
 
-#include <kith/output/ply_words.hpp>
+#include <kith/io/text/file_error.hpp>
+#include <kith/read_mesh.hpp>
+#include <kith/tiles/output/ply_words.hpp>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <ostream>
 #include <span>
 #include <string>
@@ -148,8 +151,6 @@ ply_contents contents_of(const written_mesh& what, const held_attributes& held, 
     return result;
 }
 
-} // namespace
-
 void write_ply(std::ostream& out, const written_mesh& what)
 {
     static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
@@ -197,5 +198,44 @@ void write_ply(std::ostream& out, const written_mesh& what)
             text << '\n';
     });
 }
+
+void require_for_ply(const written_mesh& what)
+{
+    require_finite_normals(what);
+    require_finite_corner_normals(what);
+    constexpr std::size_t most_vertices = std::numeric_limits<std::int32_t>::max();
+    if (vertices_of(what) > most_vertices)
+        throw file_error("the mesh has " + std::to_string(vertices_of(what)) +
+                         " vertices, the 32-bit indices of a PLY file count " + std::to_string(most_vertices) +
+                         " at most; choose .off or .obj");
+}
+
+held_attributes held_by_ply(const mesh_attributes& all, bool)
+{
+    const auto is_any = [](const attribute&) { return true; };
+    held_attributes result;
+    result.vertices = held_if(all.vertices, is_any);
+    result.faces = held_if(all.faces, is_any);
+    result.corner_textures = held_list(all.corners, texture_names, 2, 2);
+    return result;
+}
+
+element_attributes zeros_in_ply(const mesh_attributes& all, const held_attributes&)
+{
+    const auto is_zero = [](const attribute& a) { return not a.type.floating or is_zero_without_value(a); };
+    return {held_if(all.vertices, is_zero), held_if(all.faces, is_zero)};
+}
+
+} // namespace
+
+extern const file_format ply_format{.format = mesh_format::ply,
+                                    .extension = ".ply",
+                                    .contents = {.corner_normals = true, .binary = true},
+                                    .read = read_ply,
+                                    .write = write_ply,
+                                    .require = require_for_ply,
+                                    .held = held_by_ply,
+                                    .holds_line = [](std::string_view) { return true; },
+                                    .zeros = zeros_in_ply};
 
 } // namespace kith::io

@@ -2,14 +2,16 @@
 #include "stl_shades.hpp"
 #include "written_parts.hpp"
 
-#include <kith/format/facet_normal.hpp>
+#include <kith/io/format/facet_normal.hpp>
+#include <kith/io/text/file_error.hpp>
+#include <kith/io/text/text_writer.hpp>
 #include <kith/merge_points.hpp>
-#include <kith/text/file_error.hpp>
-#include <kith/text/text_writer.hpp>
+#include <kith/read_mesh.hpp>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
@@ -69,6 +71,22 @@ std::uint16_t color_bits(const attribute_list& color, std::size_t face)
     return result;
 }
 
+/// Tests whether a face is not opaque.
+bool has_transparency(const attribute& alpha)
+{
+    const double opaque = color_unit(alpha.type);
+    return std::ranges::any_of(alpha.values, [&](double x) { return not std::isnan(x) and x != opaque; });
+}
+/// Tests whether a value is none of the 32 shades of binary STL.
+bool has_more_shades(const attribute* channel)
+{
+    constexpr double rounding = 1e-9;
+    return std::ranges::any_of(channel->values, [&](double x) {
+        const double unit = x / color_unit(channel->type);
+        return not std::isnan(x) and not(std::abs(byte_of_stl_shade(stl_shade(unit)) - 255 * unit) < rounding);
+    });
+}
+
 } // namespace
 
 std::size_t fallen_faces(const written_mesh& what)
@@ -79,6 +97,10 @@ std::size_t fallen_faces(const written_mesh& what)
     return result;
 }
 
+namespace {
+
+/// Refuses a mesh for binary STL if vertices are equal as floats and what is left of it is no surface. Errors:
+/// file_error. Cost: O(V log V), else that of reading the file.
 void require_readable_floats(const written_mesh& what)
 {
     const basic_mesh<>& mesh = what.mesh;
@@ -134,5 +156,54 @@ void write_stl(std::ostream& out, const written_mesh& what)
     });
     out << "endsolid kith\n";
 }
+
+void require_for_stl(const written_mesh& what)
+{
+    const auto fits_float = [](double x) { return std::isfinite(float(x)); };
+    for (std::size_t v = 0; what.binary and v < what.mesh.vertex_count(); ++v)
+        if (not std::ranges::all_of(what.mesh.point(v), fits_float))
+            throw file_error("vertex " + std::to_string(v) +
+                             " is too far away for the floats of binary STL; write text, or .off, .obj or .ply");
+    for (std::size_t f = 0; f < what.mesh.face_count(); ++f)
+        if (what.mesh.face(f).size() > 3)
+            throw file_error("face " + std::to_string(f) + " has " + std::to_string(what.mesh.face(f).size()) +
+                             " corners, this format holds 3 at most; choose .off, .obj or .ply");
+    if (what.binary)
+        require_readable_floats(what);
+}
+
+held_attributes held_by_stl(const mesh_attributes& all, bool binary)
+{
+    held_attributes result;
+    if (binary)
+        result.face_colors = held_list(all.faces, color_names, 3, 3);
+    return result;
+}
+
+std::vector<std::string> rounded_by_stl(const mesh_attributes& all, const held_attributes& held,
+                                        mesh_attributes& not_held)
+{
+    std::vector<std::string> result;
+    if (held.face_colors.empty())
+        return result;
+    const bool has_alpha = std::erase_if(not_held.faces,
+                                         [](const attribute& a) { return shared_name(a.name) == "alpha"; }) != 0;
+    if (has_alpha and has_transparency(*find(all.faces, "alpha")))
+        result.emplace_back("the transparency of faces");
+    if (std::ranges::any_of(held.face_colors, has_more_shades))
+        result.emplace_back("colours of faces beyond 32 shades of red, green and blue");
+    return result;
+}
+
+} // namespace
+
+extern const file_format stl_format{.format = mesh_format::stl,
+                                    .extension = ".stl",
+                                    .contents = {.normals = false, .isolated_points = false, .binary = true},
+                                    .read = read_stl,
+                                    .write = write_stl,
+                                    .require = require_for_stl,
+                                    .held = held_by_stl,
+                                    .rounds = rounded_by_stl};
 
 } // namespace kith::io

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/format/held_attributes.hpp>
-#include <kith/text/text_writer.hpp>
-#include <kith/write_mesh.hpp>
+#include "file_format.hpp"
+
+#include <kith/io/text/text_writer.hpp>
 
 #include <algorithm>
 #include <array>
@@ -11,18 +11,32 @@
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <span>
+#include <string_view>
+#include <vector>
 
 /// What the writers of the formats have in common.
 namespace kith::io {
 
-void write_off(std::ostream& out, const written_mesh& what);
-void write_obj(std::ostream& out, const written_mesh& what);
-void write_ply(std::ostream& out, const written_mesh& what);
-void write_stl(std::ostream& out, const written_mesh& what);
+/// Refuse normals, and values of attributes that a format writes as text, that are not finite. Errors: file_error.
+void require_finite_normals(const written_mesh& what);
+void require_finite_corner_normals(const written_mesh& what);
+void require_finite_values(mesh_format format, const written_mesh& what);
 
-/// Refuses a mesh for binary STL if vertices are equal as floats and what is left of it is no surface. Errors:
-/// file_error. Cost: O(V log V), else that of reading the file.
-void require_readable_floats(const written_mesh& what);
+/// The attributes of these names, where there are `least` of them, and `most` at most; else none.
+attribute_list held_list(const std::vector<attribute>& from, std::span<const std::string_view> names, std::size_t least,
+                         std::size_t most);
+
+/// The attributes for which `which` holds.
+template <class Which>
+attribute_list held_if(const std::vector<attribute>& from, const Which& which)
+{
+    attribute_list result;
+    for (const attribute& a : from)
+        if (which(a))
+            result.push_back(&a);
+    return result;
+}
 
 inline std::size_t vertices_of(const written_mesh& what)
 {

@@ -7,11 +7,11 @@ cd "$(dirname "$0")/.."
 # root: its folders from the ground up; `.` is what lies in the root itself, which most people include, but for headers that
 # are named, which lie above it or know what does. `<` names the roots below.
 floors='
-include     : base lane mesh repair mask level property association step neighbourhood strategy patch engine field lineage .
-schemes     < include : compiled split kernel crease seam nasri_hasbini selected . presets.hpp compiled_schemes.hpp limit_rules limit spline shape surface tessellation surface.hpp search closest_points.hpp ray_hits.hpp schemes.hpp
-distributed < include schemes : part number tile output mpi ranks slices .
+include     : core/base core/mesh core/repair core/mask core/level core/query fields/property numbering/association numbering/step engine/lane engine/neighbourhood engine/strategy engine/patch engine fields/rules fields hierarchy .
+schemes     < include : schemes/compiled schemes/split schemes/kernel schemes/crease schemes/seam schemes/nasri_hasbini schemes/selected . presets.hpp compiled_schemes.hpp limits/rules limits surface/spline surface/shape surface surface/tessellation surface.hpp surface/search limits.hpp closest_points.hpp ray_hits.hpp schemes.hpp
+distributed < include schemes : tiles/part tiles/number tiles/refine tiles/ply tiles/output mpi mpi/ranks mpi/slices .
 adapters    < include schemes : . in_place cgal openmesh cgal_subdivision.hpp openmesh_subdivision.hpp
-io          < include schemes distributed : text format .
+io          < include schemes distributed : io/text io/format .
 '
 
 status=0
@@ -63,9 +63,8 @@ while read -r root rest; do
             done < <(sed -n 's|^#include "\(.*\)".*|\1|p' "$header")
         done
     done
-    for folder in "$root"/kith/*/; do
-        folder=$(basename "$folder")
-        [[ $folder == '*' || $folders == *" $folder "* ]] || complain "$root/kith/$folder has no floor; see tools/floors.sh"
-    done
+    while read -r folder; do
+        [[ $folders == *" $folder "* ]] || complain "$root/kith/$folder has no floor; see tools/floors.sh"
+    done < <(find "$root/kith" -mindepth 2 -name '*.hpp' -printf '%P\n' | sed 's|/[^/]*$||' | sort -u)
 done <<<"$floors"
 exit $status

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/level/named_level.hpp>
-#include <kith/level/lift.hpp>
-#include <kith/step/step.hpp>
+#include <kith/core/level/to_native.hpp>
+#include <kith/core/level/named_level.hpp>
+#include <kith/numbering/step/step.hpp>
 
 #include <cstdint>
 
 namespace kith::detail {
 
 template <mesh M, class Point>
-basic_mesh<Point, std::uint32_t> lift_in_library(const M& mesh)
+basic_mesh<Point, std::uint32_t> to_native_in_library(const M& mesh)
 {
     static_assert(is_compiled_mesh<M>, "the adapter says which types of mesh are compiled");
-    return lift_here<M, Point>(mesh);
+    return to_native_here<M, Point>(mesh);
 }
 
 template <mesh M>
@@ -33,7 +33,7 @@ M make_in_library(const M& source, const level_source<Point>& write)
 /// KITH_READ_MESH_IN_LIBRARY(mesh): in namespace kith, compiles how meshes of this type are read.
 /// KITH_MESH_IN_LIBRARY(mesh): also how such meshes are made.
 #define KITH_READ_MESH_IN_LIBRARY(...)                                                                                 \
-    template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::lift_in_library(const __VA_ARGS__&);                  \
+    template basic_mesh<lifted_point<__VA_ARGS__>::type> detail::to_native_in_library(const __VA_ARGS__&);             \
     template numbers_in_mesh detail::read_numbers_in_library(const __VA_ARGS__&);
 #define KITH_MESH_IN_LIBRARY(...)                                                                                      \
     KITH_READ_MESH_IN_LIBRARY(__VA_ARGS__)                                                                             \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/property/property_values.hpp>
+#include <kith/fields/property/property_values.hpp>
 
 #include <cstddef>
 #include <string>

@@ -3,9 +3,9 @@
 
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
-#include <kith/base/large_blocks.hpp>
-#include <kith/mesh/foreign_level.hpp>
-#include <kith/mesh/basic_mesh.hpp>
+#include <kith/core/base/large_blocks.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
+#include <kith/core/mesh/foreign_level.hpp>
 
 #include <concepts>
 #include <cstddef>

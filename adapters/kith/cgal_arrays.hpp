@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/property/property_access.hpp>
+#include <kith/fields/property/property_access.hpp>
 
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 

@@ -6,7 +6,7 @@
 #include "cgal_values.hpp"
 
 #include <kith/carry_properties.hpp>
-#include <kith/property/standard_property.hpp>
+#include <kith/fields/property/standard_property.hpp>
 
 #include <algorithm>
 #include <array>

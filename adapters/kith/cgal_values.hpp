@@ -3,8 +3,8 @@
 
 #include "cgal.hpp"
 
-#include <kith/base/affine.hpp>
-#include <kith/property/averaged_value.hpp>
+#include <kith/core/base/affine.hpp>
+#include <kith/fields/property/averaged_value.hpp>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>

@@ -3,7 +3,7 @@
 
 #include <Eigen/SparseCore>
 
-#include <kith/mask/stencil.hpp>
+#include <kith/core/mask/stencil.hpp>
 
 namespace kith {
 

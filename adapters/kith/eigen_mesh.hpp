@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 
-#include <kith/base/error.hpp>
-#include <kith/mesh/basic_mesh.hpp>
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 
 #include "openmesh_kernel.hpp"
 
-#include <kith/mesh/basic_mesh.hpp>
-#include <kith/mesh/foreign_level.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
+#include <kith/core/mesh/foreign_level.hpp>
 
 #include <array>
 #include <concepts>

@@ -13,10 +13,10 @@
 #pragma GCC diagnostic pop
 #endif
 
-#include <kith/base/affine.hpp>
-#include <kith/base/error.hpp>
-#include <kith/base/large_blocks.hpp>
-#include <kith/mesh/mesh_traits.hpp>
+#include <kith/core/base/affine.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/base/large_blocks.hpp>
+#include <kith/core/mesh/mesh_traits.hpp>
 
 #include <array>
 #include <concepts>

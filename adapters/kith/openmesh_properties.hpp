@@ -4,7 +4,7 @@
 #include "openmesh.hpp"
 
 #include <kith/carry_properties.hpp>
-#include <kith/property/standard_property.hpp>
+#include <kith/fields/property/standard_property.hpp>
 
 #include <OpenMesh/Core/Mesh/Status.hh>
 

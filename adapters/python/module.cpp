@@ -3,8 +3,8 @@
 
 #include <kith/compiled_schemes.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/limit/limit_matrix.hpp>
-#include <kith/limit/limit_surface.hpp>
+#include <kith/limits/limit_matrix.hpp>
+#include <kith/limits/limit_surface.hpp>
 #include <kith/presets.hpp>
 
 #include <pybind11/numpy.h>

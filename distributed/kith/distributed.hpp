@@ -5,7 +5,8 @@
 #include "refine_in_tiles.hpp"
 #include "require_reach.hpp"
 
-#include <kith/output/ply_file.hpp>
-#include <kith/output/tile_journal.hpp>
-#include <kith/output/vtu_pieces.hpp>
-#include <kith/part/checksum.hpp>
+#include <kith/tiles/output/ply_file.hpp>
+#include <kith/tiles/output/tile_journal.hpp>
+#include <kith/tiles/output/vtu_pieces.hpp>
+#include <kith/tiles/part/checksum.hpp>
+#include <kith/tiles/part/tile_places.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/part/tile_like.hpp>
+#include <kith/tiles/part/tile_like.hpp>
 
-#include <kith/limit/limit_surface.hpp>
-#include <kith/number/tuple_facts.hpp>
+#include <kith/limits/limit_surface.hpp>
+#include <kith/tiles/number/tuple_facts.hpp>
 
 #include <algorithm>
 #include <cstddef>

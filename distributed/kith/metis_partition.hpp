@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/level/lift.hpp>
-#include <kith/part/partition.hpp>
+#include <kith/core/level/to_native.hpp>
+#include <kith/tiles/part/partition.hpp>
 
 #include <metis.h>
 

@@ -5,10 +5,10 @@
 #include "refine_by_exchange.hpp"
 #include "refine_on_ranks.hpp"
 
-#include <kith/mpi/in_agreement.hpp>
+#include <kith/mpi/collective_phase.hpp>
+#include <kith/mpi/ranks/field_exchange.hpp>
+#include <kith/mpi/ranks/gather.hpp>
+#include <kith/mpi/ranks/repartition.hpp>
+#include <kith/mpi/ranks/write_level.hpp>
 #include <kith/mpi/session.hpp>
-#include <kith/ranks/field_exchange.hpp>
-#include <kith/ranks/gather.hpp>
-#include <kith/ranks/repartition.hpp>
-#include <kith/ranks/write_level.hpp>
-#include <kith/slices/tiles_of_slices.hpp>
+#include <kith/mpi/slices/tiles_of_slices.hpp>

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/mpi/in_agreement.hpp>
-#include <kith/neighbourhood/coming_scheme.hpp>
-#include <kith/number/corners_at_vertices.hpp>
-#include <kith/number/whole_lineage.hpp>
-#include <kith/part/partition.hpp>
-#include <kith/part/scheme_members.hpp>
-#include <kith/ranks/deal_tiles.hpp>
-#include <kith/ranks/field_exchange.hpp>
-#include <kith/ranks/grow_shadows.hpp>
-#include <kith/ranks/require_tiles.hpp>
-#include <kith/ranks/runs_of_ranks.hpp>
+#include <kith/engine/neighbourhood/scheme_forecast.hpp>
+#include <kith/mpi/collective_phase.hpp>
+#include <kith/mpi/ranks/deal_tiles.hpp>
+#include <kith/mpi/ranks/field_exchange.hpp>
+#include <kith/mpi/ranks/grow_ghosts.hpp>
+#include <kith/mpi/ranks/require_tiles.hpp>
+#include <kith/mpi/ranks/runs_of_ranks.hpp>
 #include <kith/refine.hpp>
-#include <kith/tile/cut_tiles.hpp>
-#include <kith/tile/pack.hpp>
-#include <kith/part/require_control.hpp>
-#include <kith/tile/tile_step.hpp>
+#include <kith/tiles/number/corners_at_vertices.hpp>
+#include <kith/tiles/number/global_lineage.hpp>
+#include <kith/tiles/part/partition.hpp>
+#include <kith/tiles/part/require_control.hpp>
+#include <kith/tiles/part/scheme_members.hpp>
+#include <kith/tiles/refine/cut_tiles.hpp>
+#include <kith/tiles/refine/pack.hpp>
+#include <kith/tiles/refine/tile_step.hpp>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@
 namespace kith::mpi {
 
 /// A control mesh that lies on rank 0, refined on all ranks level by level, for schemes whose reach over many levels is
-/// not known: after each step the tiles fetch the shadows that the next one needs. What has to be known of the scheme
+/// not known: after each step the tiles fetch the ghosts that the next one needs. What has to be known of the scheme
 /// is one number, the rings of faces around a tile that a step needs so that one ring around its children is right,
 /// too. Bits and numbers are those of `refine`. All tiles of this rank are in memory.
 ///
@@ -47,7 +47,7 @@ class exchanging_refinement {
 
 public:
     using tile_type = tile<Point, Index>;
-    using numbering_type = whole_numbering<columns_type<Scheme>>;
+    using numbering_type = global_numbering<columns_type<Scheme>>;
     using kept_type = kept_tile<tile_type, Scheme>;
 
     /// Collective. `mesh` and `parts` are read on rank 0 only, and the state (creases) of the scheme, whose options and
@@ -59,7 +59,7 @@ public:
         : exchanging_refinement(comm, scheme, rings_per_step)
     {
         std::optional<tile_cutter<Point, Index, Scheme>> cutter;
-        auto setting = in_agreement(comm, [&] {
+        auto setting = collective_phase(comm, [&] {
             packer out;
             if (not comm.is_root())
                 return out.take();
@@ -70,53 +70,53 @@ public:
         });
         setting = comm.broadcast(std::move(setting));
         std::uint64_t all = 0;
-        in_agreement(comm, [&] {
+        collective_phase(comm, [&] {
             unpacker in(setting);
-            counts_.push_back(in.get<whole_counts>());
+            counts_.push_back(in.get<global_counts>());
             all = in.get<std::uint64_t>();
             generation_ = in.get<int>();
         });
         const auto packed = deal_tiles(comm, all, [&](std::uint64_t t) { return pack(cutter->cut(t, rings_)); });
-        in_agreement(comm, [&] {
+        collective_phase(comm, [&] {
             for (std::size_t i = 0; i < packed.size(); ++i) {
                 auto job = unpack<Point, Index>(packed[i], scheme_);
                 tiles_.push_back({std::uint64_t(comm.rank()) + i * std::uint64_t(comm.size()), std::move(job.part)});
                 schemes_.push_back(std::move(job.scheme));
             }
-            kith::detail::take_part(scheme_, scheme_, part_numbers<Index>());
+            kith::detail::restrict_state(scheme_, scheme_, part_numbers<Index>());
         });
     }
 
-    /// Takes tiles of level 0, all of one generation, such as those of read_tiles. Each has one ring of shadows or
+    /// Takes tiles of level 0, all of one generation, such as those of read_tiles. Each has one ring of ghosts or
     /// more; what is missing of `rings_per_step` rings is fetched from the owners. State of the scheme (creases) is
     /// that of the whole mesh, by its numbers, as far as the tiles of this rank go. Collective. Errors: phase_error for
     /// what the scheme cannot take, and for a tile without a complete ring.
-    exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
+    exchanging_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const global_counts& counts,
                           const Scheme& scheme, int rings_per_step)
         : exchanging_refinement(comm, scheme, rings_per_step)
     {
         static_assert(not marks_edges<Scheme>, "marked edges can be counted only on a whole mesh; cut it on one rank");
         tiles_ = std::move(tiles);
-        in_agreement(comm, [&] {
+        collective_phase(comm, [&] {
             counts_.push_back(counts);
             require_tiles(tiles_, scheme_);
             for (const auto& [number, part] : tiles_) {
                 schemes_.push_back(kith::detail::scheme_of_tile(scheme_, part));
                 runs_.append(control_runs_of<Scheme>(part));
             }
-            kith::detail::take_part(scheme_, scheme_, part_numbers<Index>());
+            kith::detail::restrict_state(scheme_, scheme_, part_numbers<Index>());
         });
         generation_ = generation_of_tiles(comm, tiles_);
-        grow_shadows(comm, std::span(tiles_), std::span(schemes_), rings_);
+        grow_ghosts(comm, std::span(tiles_), std::span(schemes_), rings_);
     }
 
     /// Local.
     [[nodiscard]] int level() const { return level_; }
     /// Local. Of the whole mesh on this level.
-    [[nodiscard]] const whole_counts& counts() const { return counts_.back(); }
+    [[nodiscard]] const global_counts& counts() const { return counts_.back(); }
     /// Local. How this level is numbered; its `origin` leads to the level before. Precondition: level() > 0.
     [[nodiscard]] const numbering_type& numbering() const { return steps_.back(); }
-    /// Local. The tiles of this rank on this level, with their edges and one ring of shadows (on level 0 more).
+    /// Local. The tiles of this rank on this level, with their edges and one ring of ghosts (on level 0 more).
     [[nodiscard]] std::span<const numbered_tile<tile_type>> tiles() const { return tiles_; }
     /// Local. Of each of these tiles the scheme, with its state (fields, creases) of this level.
     [[nodiscard]] std::span<const Scheme> schemes() const { return schemes_; }
@@ -132,31 +132,31 @@ public:
     /// Collective. Who descends from whom, over all levels so far and by the numbers of the whole mesh: the same on all
     /// ranks, and local from then on, wherever the tiles are moved. Errors: mpi::error. Cost: runs_of_ranks, of which a
     /// mesh of one degree has one; O(boundary) memory.
-    [[nodiscard]] whole_lineage<columns_type<Scheme>> lineage()
+    [[nodiscard]] global_lineage<columns_type<Scheme>> lineage()
     {
         const auto runs = runs_of_ranks(comm_, runs_);
-        return in_agreement(
-            comm_, [&] { return whole_lineage<columns_type<Scheme>>(counts_, steps_, corners_, runs.joined()); });
+        return collective_phase(
+            comm_, [&] { return global_lineage<columns_type<Scheme>>(counts_, steps_, corners_, runs.joined()); });
     }
 
     /// Collective: one step. Errors: phase_error as `refine`, and when tiles disagree about what two of them see, which
     /// is so when `rings_per_step` is too small; then the levels are of no use any more. Not every mistake of that kind
     /// shows.
-    /// Cost: that of the step and, in messages, of grow_shadows (not on level 0), of telling all ranks what lies at the
+    /// Cost: that of the step and, in messages, of grow_ghosts (not on level 0), of telling all ranks what lies at the
     /// boundary, and of a field_exchange that compares.
     void refine()
     {
         refine([](const kept_type&) {});
     }
     /// Collective. The same, and hands over the tiles of the level that is left, each with its scheme (creases, fields)
-    /// as it is there: keep(kept_tile), which may move it away. They have the shadows that the step needed.
+    /// as it is there: keep(kept_tile), which may move it away. They have the ghosts that the step needed.
     template <std::invocable<kept_type> Keep>
     void refine(const Keep& keep)
     {
         if (level_ > 0)
-            grow_shadows(comm_, std::span(tiles_), std::span(schemes_), rings_);
+            grow_ghosts(comm_, std::span(tiles_), std::span(schemes_), rings_);
         number();
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             for (std::size_t t = 0; t < tiles_.size(); ++t) {
                 Scheme next_scheme = schemes_[t];
                 auto next = kith::detail::tile_step(tiles_[t].part, schemes_[t], steps_.back()).trim(1, next_scheme);
@@ -168,20 +168,20 @@ public:
         });
         ++level_;
         ++generation_;
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             counts_.push_back(steps_.back().counts());
             corners_.emplace_back();
         });
         if constexpr (numbers_corners_at_vertices<Scheme>) {
             std::vector<corners_at_vertices::boundary_vertex> boundary;
-            in_agreement(comm_, [&] {
+            collective_phase(comm_, [&] {
                 for (const auto& [number, part] : tiles_) {
                     const auto more = corners_at_vertices::owned_at_boundary(part);
                     boundary.insert(boundary.end(), more.begin(), more.end());
                 }
             });
             boundary = all_of_ranks(comm_, boundary);
-            in_agreement(comm_, [&] {
+            collective_phase(comm_, [&] {
                 corners_.back() = corners_at_vertices(std::move(boundary));
                 for (auto& [number, part] : tiles_)
                     corners_.back().number(part);
@@ -196,7 +196,7 @@ private:
     {
         kith::detail::require_named_state<Scheme>();
         require_same_refinement(comm, scheme_, 0, rings_);
-        in_agreement(comm, [&] {
+        collective_phase(comm, [&] {
             if (rings_ < 1)
                 throw mesh_error(std::string(scheme_name<Scheme>()) + ": " + std::to_string(rings_) +
                                  " rings per step; a step needs 1 or more");
@@ -206,7 +206,7 @@ private:
     void number()
     {
         std::array<std::vector<boundary_fact>, 3> facts;
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             for (std::size_t t = 0; t < tiles_.size(); ++t) {
                 const auto more = numbering_type::facts_at_boundary(columns_of(schemes_[t], generation_),
                                                                     tiles_[t].part);
@@ -216,7 +216,8 @@ private:
         });
         for (auto& list : facts)
             list = all_of_ranks(comm_, list);
-        in_agreement(comm_, [&] { steps_.emplace_back(counts(), columns_of(scheme_, generation_), std::move(facts)); });
+        collective_phase(comm_,
+                         [&] { steps_.emplace_back(counts(), columns_of(scheme_, generation_), std::move(facts)); });
     }
 
     void require_agreement()
@@ -231,19 +232,19 @@ private:
             for (const auto kind : {element_kind::vertex, element_kind::edge, element_kind::face})
                 owned[std::size_t(kind)] += owned_count(marks_of(part, kind));
         owned = comm_.sum(owned);
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             if (owned != std::array{counts().vertices, counts().edges, counts().faces})
                 refuse("not every element is owned by exactly one tile");
         });
         field_exchange exchange(comm_, tiles(), element_kind::vertex);
-        auto points = in_agreement(comm_, [&] {
+        auto points = collective_phase(comm_, [&] {
             std::vector<std::vector<Point>> result;
             for (const auto& [number, part] : tiles_)
                 result.emplace_back(part.mesh.points().begin(), part.mesh.points().end());
             return result;
         });
         exchange.exchange(points);
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             for (std::size_t t = 0; t < tiles_.size(); ++t)
                 for (std::size_t v = 0; v < points[t].size(); ++v)
                     if (std::memcmp(&points[t][v], &tiles_[t].part.mesh.point(v), sizeof(Point)) != 0)
@@ -257,7 +258,7 @@ private:
     int rings_;
     int level_ = 0, generation_ = 0;
     control_runs runs_;                 // what this rank knows of the control mesh
-    std::vector<whole_counts> counts_;  // of each level
+    std::vector<global_counts> counts_; // of each level
     std::vector<numbering_type> steps_; // to the next one
     std::vector<corners_at_vertices> corners_ = std::vector<corners_at_vertices>(1); // of each level
     std::vector<numbered_tile<tile_type>> tiles_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/part/partition.hpp>
-#include <kith/part/phase_seconds.hpp>
-#include <kith/part/scheme_members.hpp>
-#include <kith/tile/cut_tiles.hpp>
-#include <kith/tile/refine_tile.hpp>
-#include <kith/part/require_control.hpp>
-#include <kith/part/tiles_at_once.hpp>
+#include <kith/tiles/part/partition.hpp>
+#include <kith/tiles/part/phase_seconds.hpp>
+#include <kith/tiles/part/require_control.hpp>
+#include <kith/tiles/part/scheme_members.hpp>
+#include <kith/tiles/part/tiles_at_once.hpp>
+#include <kith/tiles/refine/cut_tiles.hpp>
+#include <kith/tiles/refine/refine_tile.hpp>
 
 #include <cstddef>
 #include <mutex>
@@ -20,7 +20,7 @@ namespace kith {
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class tiled_refinement {
 public:
-    /// The mesh must outlive this object. `last_rings`: of shadows on the last level, where it keeps its edges. Errors:
+    /// The mesh must outlive this object. `last_rings`: of ghosts on the last level, where it keeps its edges. Errors:
     /// mesh_error for everything that `refine` refuses but for lack of memory, for a mesh of face-vertex lists only,
     /// for a partition of another mesh, and for more elements than 64 bits can number.
     /// Cost: that of the control mesh, and of refining its boundary.
@@ -36,7 +36,7 @@ public:
                      int last_rings = 0) = delete;
 
     /// The numbering of all levels.
-    [[nodiscard]] const whole_levels<Scheme>& whole() const { return whole_; }
+    [[nodiscard]] const global_levels<Scheme>& whole() const { return whole_; }
     [[nodiscard]] std::size_t tiles() const { return cutter_.parts(); }
 
     /// Who descends from whom, over all levels and by the numbers of the whole mesh. Cost: O(control mesh).
@@ -64,7 +64,7 @@ public:
         return job;
     }
     /// Hands over all levels of one part, each with its scheme (creases, fields) as it is there, from level 0 to the
-    /// last: keep(kept_tile), which may move it away. All have their edges and the shadows that later levels need.
+    /// last: keep(kept_tile), which may move it away. All have their edges and the ghosts that later levels need.
     /// Errors: as `refine`. Cost: as refine_job; two levels are in memory, and those that are kept.
     template <std::invocable<kept_tile<tile<Point, Index>, Scheme>> Keep>
     void refine_levels(std::size_t part, const Keep& keep)
@@ -86,8 +86,8 @@ private:
         detail::require_control(mesh, scheme, levels);
         return mesh;
     }
-    static whole_levels<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme, int levels,
-                                         int last_rings)
+    static global_levels<Scheme> whole_of(tile_cutter<Point, Index, Scheme>& cutter, const Scheme& scheme, int levels,
+                                          int last_rings)
     {
         auto rim = cutter.cut_rim(ring_schedule(scheme, levels, 1)[0]);
         return {cutter.counts(), std::move(rim.part), std::move(rim.scheme), levels, last_rings};
@@ -95,7 +95,7 @@ private:
 
     std::mutex cutting_;
     tile_cutter<Point, Index, Scheme> cutter_;
-    whole_levels<Scheme> whole_;
+    global_levels<Scheme> whole_;
 };
 
 // A scheme without reach is refused in one sentence.

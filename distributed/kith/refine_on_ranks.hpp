@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/error.hpp>
+#include <kith/core/base/error.hpp>
 #include <kith/mpi/communicator.hpp>
-#include <kith/mpi/in_agreement.hpp>
+#include <kith/mpi/collective_phase.hpp>
+#include <kith/mpi/ranks/deal_tiles.hpp>
+#include <kith/mpi/ranks/hand_out_tiles.hpp>
+#include <kith/mpi/ranks/held_tiles.hpp>
+#include <kith/mpi/ranks/runs_of_ranks.hpp>
+#include <kith/mpi/ranks/work_done.hpp>
 #include <kith/mpi/session.hpp>
-#include <kith/part/partition.hpp>
-#include <kith/part/phase_seconds.hpp>
-#include <kith/part/scheme_members.hpp>
-#include <kith/ranks/deal_tiles.hpp>
-#include <kith/ranks/hand_out_tiles.hpp>
-#include <kith/ranks/held_tiles.hpp>
-#include <kith/ranks/runs_of_ranks.hpp>
-#include <kith/ranks/work_done.hpp>
-#include <kith/tile/cut_tiles.hpp>
-#include <kith/tile/numbered_tile.hpp>
-#include <kith/tile/pack.hpp>
-#include <kith/tile/plan_tile.hpp>
-#include <kith/part/require_control.hpp>
-#include <kith/part/tiles_at_once.hpp>
+#include <kith/tiles/part/partition.hpp>
+#include <kith/tiles/part/phase_seconds.hpp>
+#include <kith/tiles/part/require_control.hpp>
+#include <kith/tiles/part/scheme_members.hpp>
+#include <kith/tiles/part/tiles_at_once.hpp>
+#include <kith/tiles/refine/cut_tiles.hpp>
+#include <kith/tiles/refine/numbered_tile.hpp>
+#include <kith/tiles/refine/pack.hpp>
+#include <kith/tiles/refine/plan_tile.hpp>
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ public:
 
     /// Cuts the tiles out of `mesh`, which lies on rank 0 and must outlive this object there; `parts` is read there as
     /// well. `scheme` has the same options on all ranks; its state of the control mesh (creases) counts on rank 0.
-    /// `last_rings`: the last level keeps its edges and so many rings of shadows; without it only the owned faces are
+    /// `last_rings`: the last level keeps its edges and so many rings of ghosts; without it only the owned faces are
     /// kept, in half of the memory. `memory_limit`: bytes on each rank, for the tiles that it refines at once; state
     /// and the control mesh are not counted. Collective.
     /// Errors: phase_error for everything that `refine` refuses, for a mesh of face-vertex lists only, for a partition
@@ -56,7 +56,7 @@ public:
                     std::uint64_t memory_limit = no_limit)
         : rank_refinement(comm, scheme, levels, last_rings, memory_limit)
     {
-        auto setting = in_agreement(comm, [&] {
+        auto setting = collective_phase(comm, [&] {
             packer out;
             if (not comm.is_root())
                 return out.take();
@@ -68,9 +68,9 @@ public:
             return out.take();
         });
         setting = comm.broadcast(std::move(setting));
-        in_agreement(comm, [&] {
+        collective_phase(comm, [&] {
             unpacker in(setting);
-            const auto counts = in.get<whole_counts>();
+            const auto counts = in.get<global_counts>();
             tiles_ = in.get<std::uint64_t>();
             const auto [faces, corners] = in.get<std::array<std::uint64_t, 2>>();
             auto rim = unpack<Point, Index>(in.get_array<std::vector<std::byte>>(), scheme);
@@ -82,12 +82,12 @@ public:
     }
 
     /// Takes tiles of level 0 that lie on their ranks already, such as those of read_tiles. Each has one ring of
-    /// shadows or more; what is missing of ring_schedule(scheme, levels, last_rings)[0] rings is fetched.
+    /// ghosts or more; what is missing of ring_schedule(scheme, levels, last_rings)[0] rings is fetched.
     /// State of the scheme (creases) is that of the whole mesh, as far as the tiles of this rank go. Collective.
     /// Errors: phase_error as above, for tiles that are not numbered from 0 on, each once, for one without a complete
     /// ring, for missing rings of a state without add_part, and for schemes whose numbers need more than a tile knows:
     /// of the boundary, if the mesh has one, and of marked edges (4-8).
-    rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const whole_counts& counts,
+    rank_refinement(communicator& comm, std::vector<numbered_tile<tile_type>> tiles, const global_counts& counts,
                     const Scheme& scheme, int levels, std::optional<int> last_rings = std::nullopt,
                     std::uint64_t memory_limit = no_limit)
         : rank_refinement(comm, scheme, levels, last_rings, memory_limit)
@@ -97,7 +97,7 @@ public:
 
     /// Same as above, but each tile has its scheme, whose state (fields, creases) is numbered as the tile is; of
     /// `scheme` the options count. Collective.
-    rank_refinement(communicator& comm, std::vector<kept_type> tiles, const whole_counts& counts, const Scheme& scheme,
+    rank_refinement(communicator& comm, std::vector<kept_type> tiles, const global_counts& counts, const Scheme& scheme,
                     int levels, std::optional<int> last_rings = std::nullopt, std::uint64_t memory_limit = no_limit)
         : rank_refinement(comm, scheme, levels, last_rings, memory_limit)
     {
@@ -105,19 +105,19 @@ public:
     }
 
     /// The numbering of all levels. Local.
-    [[nodiscard]] const whole_levels<Scheme>& whole() const { return *whole_; }
+    [[nodiscard]] const global_levels<Scheme>& whole() const { return *whole_; }
     [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
 
     /// Collective. Who descends from whom, over all levels and by the numbers of the whole mesh: the same on all ranks,
     /// and local from then on, wherever the tiles are moved. Errors: phase_error for lack of memory. Cost:
     /// runs_of_ranks, of which a mesh of one degree has one; O(boundary) memory.
-    [[nodiscard]] whole_lineage<columns_type<Scheme>> lineage()
+    [[nodiscard]] global_lineage<columns_type<Scheme>> lineage()
     {
-        const auto runs = in_agreement(comm_, [&] {
+        const auto runs = collective_phase(comm_, [&] {
             return held_ ? held_->runs() : cutter_ ? cutter_->runs() : control_runs();
         });
         const auto all = runs_of_ranks(comm_, runs);
-        return in_agreement(comm_, [&] { return whole_->lineage(all); });
+        return collective_phase(comm_, [&] { return whole_->lineage(all); });
     }
 
     /// Collective. Refines all tiles, each on one rank, and calls `use(number, tile)` there with the last level, which
@@ -127,7 +127,7 @@ public:
     template <class Use>
     work_done refine(sharing how, const Use& use, std::size_t most_at_once = 1)
     {
-        const auto all = in_agreement(comm_, [&] {
+        const auto all = collective_phase(comm_, [&] {
             std::vector<std::uint64_t> numbers(tiles_);
             std::iota(numbers.begin(), numbers.end(), 0);
             return numbers;
@@ -141,7 +141,7 @@ public:
                      std::size_t most_at_once = 1)
     {
         require_same_tiles(comm_, numbers, std::uint64_t(how));
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             for (const std::uint64_t number : numbers)
                 if (number >= tiles())
                     throw mesh_error("tile " + std::to_string(number) + " does not exist; there are " +
@@ -164,12 +164,12 @@ public:
 
     /// Collective. Refines all tiles as above and hands over each level of each, from level 0 to the last, with its
     /// scheme (creases, fields) as it is there: keep(kept_tile), which may move it away. All have their edges and the
-    /// shadows that later levels need. Two levels of a tile are in memory, and those that are kept.
+    /// ghosts that later levels need. Two levels of a tile are in memory, and those that are kept.
     /// Errors: as above, and phase_error where `last_rings` was left out: then the last level has no scheme.
     template <std::invocable<kept_type> Keep>
     work_done refine_levels(sharing how, const Keep& keep, std::size_t most_at_once = 1)
     {
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             if (last_ != connect::everything)
                 throw mesh_error("without last_rings the last level has neither edges nor a scheme, so it cannot be "
                                  "handed over; give last_rings, 0 or more, to rank_refinement");
@@ -180,7 +180,8 @@ public:
     /// they need more than the memory limit.
     [[nodiscard]] std::vector<kept_type> keep_levels(sharing how)
     {
-        in_agreement(comm_, [&] { memory_->require_levels(largest_, tiles_, std::uint64_t(comm_.size()), limit_); });
+        collective_phase(comm_,
+                         [&] { memory_->require_levels(largest_, tiles_, std::uint64_t(comm_.size()), limit_); });
         std::vector<kept_type> result;
         refine_levels(how, [&](kept_type&& kept) { result.push_back(std::move(kept)); });
         return result;
@@ -195,14 +196,14 @@ private:
     {
         kith::detail::require_named_state<Scheme>();
         require_same_refinement(comm, scheme, std::uint64_t(levels), last_rings);
-        in_agreement(comm, [&] { kith::detail::require_levels<Scheme>(levels); });
+        collective_phase(comm, [&] { kith::detail::require_levels<Scheme>(levels); });
     }
     template <class Tiles>
-    void hold(Tiles tiles, const whole_counts& counts, int levels, std::optional<int> last_rings)
+    void hold(Tiles tiles, const global_counts& counts, int levels, std::optional<int> last_rings)
     {
         held_.emplace(comm_, std::move(tiles), counts, scheme_);
         tiles_ = held_->count();
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             tile_type no_rim;
             no_rim.mesh = {{}, {}, held_->generation()};
             auto there = kith::detail::scheme_of_tile(scheme_, no_rim);
@@ -210,7 +211,7 @@ private:
             memory_.emplace(*whole_, without_state(), sizeof(Point), sizeof(Index), last_rings);
         });
         held_->require_rings(comm_, scheme_, whole_->rings(0));
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             largest_ = held_->largest();
             memory_->require(largest_, 1, limit_);
         });
@@ -267,7 +268,7 @@ private:
                 return std::pair(tiles[i].first, unpack<Point, Index>(tiles[i].second, scheme_));
             });
         };
-        in_agreement(comm_, [&] {
+        collective_phase(comm_, [&] {
             if (comm_.is_root())
                 hand_out_tiles(comm_, by_size(), [&](std::uint64_t t) { return cut(t); });
             else
@@ -280,7 +281,7 @@ private:
     connect last_;
     std::optional<tile_cutter<Point, Index, Scheme>> cutter_; // on rank 0
     std::optional<held_tiles<tile_type, Scheme>> held_;
-    std::optional<whole_levels<Scheme>> whole_;
+    std::optional<global_levels<Scheme>> whole_;
     std::optional<tile_memory<Scheme>> memory_;
     tile_size largest_{}; // of all tiles, or of those that lay on this rank
     std::uint64_t limit_;
@@ -293,7 +294,7 @@ template <class Point, std::unsigned_integral Index, scheme Scheme, class... Res
 rank_refinement(communicator&, const basic_mesh<Point, Index>&, const Scheme&, int, const partition&, Rest...)
     -> rank_refinement<Point, Index, kith::detail::refused_in_tiles<Scheme>>;
 template <class Tiles, scheme Scheme, class... Rest>
-rank_refinement(communicator&, const Tiles&, const whole_counts&, const Scheme&, int, Rest...)
+rank_refinement(communicator&, const Tiles&, const global_counts&, const Scheme&, int, Rest...)
     -> rank_refinement<double, std::uint32_t, kith::detail::refused_in_tiles<Scheme>>;
 
 } // namespace kith::mpi

@@ -3,9 +3,9 @@
 
 #include "refine_in_tiles.hpp"
 
-#include <kith/base/error.hpp>
+#include <kith/core/base/error.hpp>
 #include <kith/refine.hpp>
-#include <kith/part/require_control.hpp>
+#include <kith/tiles/part/require_control.hpp>
 
 #include <algorithm>
 #include <concepts>

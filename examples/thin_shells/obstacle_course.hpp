@@ -4,8 +4,8 @@
 #include "shell_problem.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/loop.hpp>
-#include <kith/mesh/make_mesh.hpp>
 
 #include <array>
 #include <cmath>

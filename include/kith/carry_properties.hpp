@@ -3,10 +3,10 @@
 
 #include "hierarchy.hpp"
 
-#include <kith/field/field.hpp>
-#include <kith/property/map_value.hpp>
-#include <kith/property/property_access.hpp>
-#include <kith/property/property_values.hpp>
+#include <kith/fields/field.hpp>
+#include <kith/fields/property/map_value.hpp>
+#include <kith/fields/property/property_access.hpp>
+#include <kith/fields/property/property_values.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "property_mesh.hpp"
-
-#include <kith/base/affine.hpp>
-#include <kith/base/storage.hpp>
-#include <kith/level/lift.hpp>
-#include <kith/property/copy_properties.hpp>
+#include <kith/core/base/affine.hpp>
+#include <kith/core/base/storage.hpp>
+#include <kith/core/level/to_native.hpp>
+#include <kith/fields/property/copy_properties.hpp>
+#include <kith/fields/property_mesh.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -72,10 +71,10 @@ auto lift_valid_or_empty(const From& mesh)
     using traits = mesh_traits<From>;
     const auto is_empty = [](auto&& elements) { return elements.begin() == elements.end(); };
     if (is_empty(traits::vertices(mesh)) and is_empty(traits::edges(mesh)) and is_empty(traits::faces(mesh)))
-        return lift(mesh);
+        return to_native(mesh);
     if constexpr (requires { mesh.topology(); }) // where vertices start is looked at in native meshes
         validate(mesh).require_ok();
-    return lift_valid<From, typename traits::point>(mesh);
+    return to_native_valid<From, typename traits::point>(mesh);
 }
 
 } // namespace detail

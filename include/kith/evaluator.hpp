@@ -136,7 +136,7 @@ public:
     /// For a mesh of another library, whose points are told in the order of its vertices.
     template <refinable_mesh M>
     evaluator(const M& control, const Scheme& scheme, int levels, const refine_options& options = {})
-        : evaluator(lift_valid<M, Point>(control), scheme, levels, options)
+        : evaluator(to_native_valid<M, Point>(control), scheme, levels, options)
     {
     }
 

@@ -3,13 +3,13 @@
 
 #include "refine.hpp"
 
-#include <kith/field/field.hpp>
-#include <kith/lineage/level_store.hpp>
-#include <kith/lineage/moved_points.hpp>
-#include <kith/lineage/relatives.hpp>
-#include <kith/lineage/relatives_in_levels.hpp>
-#include <kith/lineage/selection.hpp>
-#include <kith/mask/stencil.hpp>
+#include <kith/core/mask/stencil.hpp>
+#include <kith/fields/field.hpp>
+#include <kith/hierarchy/level_store.hpp>
+#include <kith/hierarchy/moved_points.hpp>
+#include <kith/hierarchy/relatives.hpp>
+#include <kith/hierarchy/relatives_in_levels.hpp>
+#include <kith/hierarchy/selection.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -224,7 +224,7 @@ public:
     [[nodiscard]] auto carry(int from, int to, const Values& values) const
     {
         using value = std::ranges::range_value_t<Values>;
-        static_cast<void>(refused::point_without_affine<not affine_value<value>>());
+        static_cast<void>(diagnostics::point_without_affine<not affine_value<value>>());
         if constexpr (affine_value<value>)
             return carry(from, to, std::span<const value>(values));
     }
@@ -239,7 +239,7 @@ public:
             for (int level = first; level < last; ++level) {
                 const auto &here = levels_.at(level), &next = levels_.at(level + 1);
                 each = each.after(
-                    made_step{here.scheme, elements(level), levels_.generation(level), here.ids, next.here->mesh});
+                    step_result{here.scheme, elements(level), levels_.generation(level), here.ids, next.here->mesh});
             }
             return each;
         };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/in_library.hpp>
-#include <kith/mesh/basic_mesh.hpp>
-#include <kith/neighbourhood/coming_scheme.hpp>
+#include <kith/core/base/in_library.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
+#include <kith/engine/neighbourhood/scheme_forecast.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -62,7 +62,7 @@ partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, 
         if (control.boundary_edges != 0)
             detail::refuse_boundary(scheme_name<S>(), control.boundary_edges);
     partial_plan result{{plan_level(control, 0, point_bytes, index_bytes)}};
-    coming_scheme of_level(scheme, generation);
+    scheme_forecast of_level(scheme, generation);
     for (int level = 1; level <= levels and detail::is_countable(result); ++level, ++of_level)
         if (not detail::add_level(
                 result,

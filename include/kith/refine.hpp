@@ -3,10 +3,10 @@
 
 #include "plan.hpp"
 
+#include <kith/core/level/named_level.hpp>
+#include <kith/core/level/validate.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/engine/refinement_run.hpp>
-#include <kith/level/named_level.hpp>
-#include <kith/level/validate.hpp>
-#include <kith/mesh/make_mesh.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -117,7 +117,7 @@ auto with_numbers_of(const M& mesh, const Scheme& scheme, int generation, const 
     try {
         return f();
     } catch (const mesh_error&) {
-        const auto lifted = lift_valid(mesh);
+        const auto lifted = to_native_valid(mesh);
         require_control_level(
             scheme,
             named_level<typename decltype(lifted)::point_type, std::uint32_t>(lifted, handle_numbers_of(mesh)),
@@ -189,7 +189,7 @@ basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Sche
 template <refinable_mesh M, scheme Scheme>
 M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
-    auto control = lift_valid(mesh);
+    auto control = to_native_valid(mesh);
     return detail::with_numbers_of(mesh, scheme, generation_of(mesh), [&] {
         if constexpr (fillable_mesh<M>) {
             return detail::made_like<typename lifted_point<M>::type>(mesh, [&](auto& fine) {
@@ -229,7 +229,7 @@ strategy strategy_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
 template <refinable_mesh M, scheme Scheme>
 strategy strategy_of(const M& mesh, const Scheme& scheme, int levels, const refine_options& options = {})
 {
-    auto control = lift_valid(mesh);
+    auto control = to_native_valid(mesh);
     detail::require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
     return detail::strategy_in_patches(std::move(control), scheme, levels, connect::everything);
 }
@@ -251,7 +251,7 @@ template <class M, class Scheme>
     requires(not scheme<Scheme>)
 const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
 {
-    static_cast<void>(refused::scheme_columns<(sizeof(Scheme) > 0)>());
+    static_cast<void>(diagnostics::scheme_columns<(sizeof(Scheme) > 0)>());
     return mesh;
 }
 template <class M, scheme Scheme>
@@ -261,7 +261,7 @@ const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
     // A concept that is asserted itself would have the compiler tell all that it asks.
     constexpr bool has_points = requires { requires affine_value<typename mesh_traits<M>::point>; };
     constexpr bool has_point = requires { typename mesh_traits<M>::point; };
-    static_cast<void>(refused::point_without_affine<has_point and not has_points>());
+    static_cast<void>(diagnostics::point_without_affine<has_point and not has_points>());
     constexpr bool is_mesh = kith::mesh<M> or (has_point and not has_points);
     static_assert(is_mesh,
                   "kith::refine: this type is no mesh to kith; include its adapter (<kith/cgal.hpp>, "

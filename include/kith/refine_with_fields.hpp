@@ -3,8 +3,8 @@
 
 #include "refine.hpp"
 
-#include <kith/field/values_in_patches.hpp>
-#include <kith/field/with_fields.hpp>
+#include <kith/fields/values_in_patches.hpp>
+#include <kith/fields/with_fields.hpp>
 
 #include <concepts>
 #include <optional>
@@ -96,7 +96,7 @@ basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Schem
 template <bool NeedsScheme, mesh M, scheme Scheme, class Fields>
 M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const refine_options& options)
 {
-    auto control = lift_valid(mesh);
+    auto control = to_native_valid(mesh);
     with_numbers_of(mesh, scheme, generation_of(mesh), [&] {
         return require_refinable(control, scheme, levels, {connect::everything, options.memory_limit});
     });

@@ -3,7 +3,7 @@
 
 #include "polygon_soup.hpp"
 
-#include <kith/mesh/basic_mesh.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
 
 namespace kith::io {
 

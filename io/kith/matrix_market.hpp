@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/mask/stencil.hpp>
+#include <kith/core/mask/stencil.hpp>
 
 #include <iosfwd>
 

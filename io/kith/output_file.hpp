@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/in_library.hpp>
+#include <kith/core/base/in_library.hpp>
 
 #include <chrono>
 #include <mutex>

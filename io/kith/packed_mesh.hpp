@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/mesh/basic_mesh.hpp>
-#include <kith/tile/pack.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
+#include <kith/tiles/refine/pack.hpp>
 
 #include <concepts>
 #include <cstddef>

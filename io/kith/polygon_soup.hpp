@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/format/mesh_attributes.hpp>
-#include <kith/format/mesh_tags.hpp>
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
+#include <kith/io/format/mesh_attributes.hpp>
+#include <kith/io/format/mesh_tags.hpp>
 
 #include <array>
 #include <cstddef>

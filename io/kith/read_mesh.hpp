@@ -3,7 +3,7 @@
 
 #include "polygon_soup.hpp"
 
-#include <kith/format/mesh_format.hpp>
+#include <kith/io/format/mesh_format.hpp>
 
 #include <string>
 #include <string_view>

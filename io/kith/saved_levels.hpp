@@ -4,8 +4,8 @@
 #include "packed_mesh.hpp"
 
 #include <kith/hierarchy.hpp>
-#include <kith/text/file_error.hpp>
-#include <kith/tile/pack.hpp>
+#include <kith/io/text/file_error.hpp>
+#include <kith/tiles/refine/pack.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -113,7 +113,7 @@ auto native(const M& mesh)
     if constexpr (requires { mesh.topology(); })
         return mesh;
     else
-        return lift(mesh);
+        return to_native(mesh);
 }
 
 } // namespace detail

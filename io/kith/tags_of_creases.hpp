@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/crease/creases.hpp>
-#include <kith/format/mesh_tags.hpp>
-#include <kith/mesh/basic_mesh.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
+#include <kith/io/format/mesh_tags.hpp>
+#include <kith/schemes/crease/creases.hpp>
 
 namespace kith::io {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/format/mesh_attributes.hpp>
-#include <kith/format/mesh_format.hpp>
-#include <kith/format/mesh_tags.hpp>
-#include <kith/mesh/basic_mesh.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
+#include <kith/io/format/mesh_attributes.hpp>
+#include <kith/io/format/mesh_format.hpp>
+#include <kith/io/format/mesh_tags.hpp>
 
 #include <array>
 #include <cstddef>

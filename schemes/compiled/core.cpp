@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define KITH_HAS_BODIES
-#include <kith/level/validate.hpp>
-#include <kith/limit/regular_masks.hpp>
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/level/validate.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
+#include <kith/limits/regular_masks.hpp>
 #include <kith/refine.hpp>
-#include <kith/repair/repair.hpp>
+#include <kith/repair.hpp>
 
 namespace kith::detail {
 

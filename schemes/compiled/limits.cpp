@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/limit/limit_surface.hpp>
+#include <kith/limits/limit_surface.hpp>
 
 namespace kith {
 

@@ -3,6 +3,6 @@
 
 #define KITH_COMPILE_HERE
 #define KITH_SCHEME detail::centroid_split
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>
 #define KITH_SCHEME detail::diagonal_split
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/kernel/irregular_rings.hpp>
-#include <kith/split/require_faces.hpp>
-#include <kith/split/triangle_split.hpp>
-#include <kith/step/rules.hpp>
+#include <kith/numbering/step/rules.hpp>
+#include <kith/schemes/kernel/irregular_rings.hpp>
+#include <kith/schemes/split/require_faces.hpp>
+#include <kith/schemes/split/triangle_split.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -39,7 +39,7 @@ struct butterfly {
         return ring_kernel(n).row(0, n);
     }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -83,4 +83,4 @@ private:
 
 } // namespace kith
 #define KITH_SCHEME butterfly
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

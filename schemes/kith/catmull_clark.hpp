@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/crease/sharp_rules.hpp>
-#include <kith/split/quad_split.hpp>
-#include <kith/step/rules.hpp>
-#include <kith/step/scheme_traits.hpp>
+#include <kith/numbering/step/rules.hpp>
+#include <kith/numbering/step/scheme_traits.hpp>
+#include <kith/schemes/crease/sharp_rules.hpp>
+#include <kith/schemes/split/quad_split.hpp>
 
 namespace kith {
 
@@ -28,7 +28,7 @@ struct catmull_clark {
     }
     static constexpr auto columns() { return quad_split::columns(); }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -50,4 +50,4 @@ struct catmull_clark {
 
 } // namespace kith
 #define KITH_SCHEME catmull_clark
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/search/best_first.hpp>
-#include <kith/search/closest_point_query.hpp>
-#include <kith/search/surface_cells.hpp>
+#include <kith/surface/search/best_first.hpp>
+#include <kith/surface/search/closest_point_query.hpp>
+#include <kith/surface/search/surface_cells.hpp>
 
-#include <kith/base/error.hpp>
-#include <kith/base/for_parts.hpp>
-#include <kith/level/lift.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/base/for_parts.hpp>
+#include <kith/core/level/to_native.hpp>
 
 #include <array>
 #include <cmath>
@@ -50,7 +50,8 @@ public:
             throw mesh_error("closest_points: the mesh has no faces; give a mesh with at least one");
     }
     template <mesh M>
-    explicit closest_points(const M& mesh, const Scheme& scheme = Scheme()) : closest_points(lift_valid(mesh), scheme)
+    explicit closest_points(const M& mesh, const Scheme& scheme = Scheme())
+        : closest_points(to_native_valid(mesh), scheme)
     {
     }
 

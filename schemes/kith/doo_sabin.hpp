@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/kernel/face_masks.hpp>
-#include <kith/split/dual_split.hpp>
-#include <kith/split/require_faces.hpp>
+#include <kith/schemes/kernel/face_masks.hpp>
+#include <kith/schemes/split/dual_split.hpp>
+#include <kith/schemes/split/require_faces.hpp>
 
 #include <cstddef>
 
@@ -66,7 +66,7 @@ struct doo_sabin {
         return kernel().at(j, n);
     }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -97,4 +97,4 @@ struct doo_sabin {
 
 } // namespace kith
 #define KITH_SCHEME doo_sabin
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

@@ -3,9 +3,9 @@
 
 #include "linear.hpp"
 
-#include <kith/base/error.hpp>
-#include <kith/field/field.hpp>
-#include <kith/seam/varied_level.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/fields/field.hpp>
+#include <kith/schemes/seam/varied_level.hpp>
 
 #include <concepts>
 #include <cstddef>

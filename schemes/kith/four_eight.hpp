@@ -3,8 +3,8 @@
 
 #include "tri_quad.hpp"
 
-#include <kith/split/bisection_split.hpp>
-#include <kith/step/rules.hpp>
+#include <kith/numbering/step/rules.hpp>
+#include <kith/schemes/split/bisection_split.hpp>
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ struct four_eight {
     }
     static constexpr auto columns() { return bisection_split::columns(); }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -67,4 +67,4 @@ struct four_eight {
 
 } // namespace kith
 #define KITH_SCHEME four_eight
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

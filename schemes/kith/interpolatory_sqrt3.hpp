@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/cos_turn.hpp>
-#include <kith/kernel/irregular_rings.hpp>
-#include <kith/split/require_faces.hpp>
-#include <kith/split/sqrt3_split.hpp>
-#include <kith/step/rules.hpp>
-#include <kith/step/scheme_traits.hpp>
+#include <kith/core/base/exact_cos.hpp>
+#include <kith/numbering/step/rules.hpp>
+#include <kith/numbering/step/scheme_traits.hpp>
+#include <kith/schemes/kernel/irregular_rings.hpp>
+#include <kith/schemes/split/require_faces.hpp>
+#include <kith/schemes/split/sqrt3_split.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ struct interpolatory_sqrt3 {
     /// point is in, for n >= 5; the vertex itself has the rest. Labsik & Greiner 2000, section 3.
     static constexpr wave_kernel ring_kernel(std::size_t n)
     {
-        const double a = 2. / 3 * cos_turn(1, 2 * std::int64_t(n));
+        const double a = 2. / 3 * exact_cos(1, 2 * std::int64_t(n));
         return {a * a, a, a * a};
     }
     /// The weights counter-clockwise from the face.
@@ -51,7 +51,7 @@ struct interpolatory_sqrt3 {
         return n == 3 ? 8. / 9 : n == 4 ? 7. / 9 : 1 - ring_kernel(n).x0;
     }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -80,4 +80,4 @@ struct interpolatory_sqrt3 {
 
 } // namespace kith
 #define KITH_SCHEME interpolatory_sqrt3
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/error.hpp>
-#include <kith/kernel/virtual_points.hpp>
-#include <kith/split/quad_split.hpp>
-#include <kith/step/rules.hpp>
-#include <kith/step/scheme_traits.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/numbering/step/rules.hpp>
+#include <kith/numbering/step/scheme_traits.hpp>
+#include <kith/schemes/kernel/virtual_points.hpp>
+#include <kith/schemes/split/quad_split.hpp>
 
 #include <cmath>
 #include <string>
@@ -44,7 +44,7 @@ struct kobbelt {
             throw mesh_error("kobbelt: gamma is " + std::to_string(gamma) + "; give it a finite number");
     }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -82,4 +82,4 @@ struct kobbelt {
 
 } // namespace kith
 #define KITH_SCHEME kobbelt
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

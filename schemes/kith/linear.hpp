@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/split/quad_split.hpp>
-#include <kith/split/require_faces.hpp>
-#include <kith/split/triangle_split.hpp>
+#include <kith/schemes/split/quad_split.hpp>
+#include <kith/schemes/split/require_faces.hpp>
+#include <kith/schemes/split/triangle_split.hpp>
 
 namespace kith {
 
@@ -19,7 +19,7 @@ struct linear {
     }
     static constexpr auto columns() { return quad_split::columns(); }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -44,7 +44,7 @@ struct linear_triangles {
     }
     static constexpr auto columns() { return triangle_split::columns(); }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -57,6 +57,6 @@ struct linear_triangles {
 
 } // namespace kith
 #define KITH_SCHEME linear
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>
 #define KITH_SCHEME linear_triangles
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/cos_turn.hpp>
-#include <kith/crease/sharp_rules.hpp>
-#include <kith/split/require_faces.hpp>
-#include <kith/split/triangle_split.hpp>
-#include <kith/step/rules.hpp>
+#include <kith/core/base/exact_cos.hpp>
+#include <kith/numbering/step/rules.hpp>
+#include <kith/schemes/crease/sharp_rules.hpp>
+#include <kith/schemes/split/require_faces.hpp>
+#include <kith/schemes/split/triangle_split.hpp>
 
 #include <cstddef>
 
@@ -25,7 +25,7 @@ struct loop {
     /// The weight of each neighbour of a vertex of valence n.
     [[nodiscard]] constexpr double beta(std::size_t n) const
     {
-        const double c = 3. / 8 + cos_turn(1, long(n)) / 4;
+        const double c = 3. / 8 + exact_cos(1, long(n)) / 4;
         return weights == loop_weights::loop ? (5. / 8 - c * c) / double(n) : n == 3 ? 3. / 16 : 3. / (8. * double(n));
     }
 
@@ -41,7 +41,7 @@ struct loop {
     }
     static constexpr auto columns() { return triangle_split::columns(); }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         const sharp_rules sharp(r.coarse, sharpness, corners);
@@ -58,4 +58,4 @@ struct loop {
 
 } // namespace kith
 #define KITH_SCHEME loop
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

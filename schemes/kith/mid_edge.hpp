@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/split/mid_edge_split.hpp>
-#include <kith/split/require_faces.hpp>
+#include <kith/schemes/split/mid_edge_split.hpp>
+#include <kith/schemes/split/require_faces.hpp>
 
 namespace kith {
 
@@ -30,7 +30,7 @@ struct mid_edge {
     }
     static constexpr auto columns() { return mid_edge_split::columns(); }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -42,4 +42,4 @@ struct mid_edge {
 
 } // namespace kith
 #define KITH_SCHEME mid_edge
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

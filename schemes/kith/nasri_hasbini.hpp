@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/nasri_hasbini/vertices.hpp>
-#include <kith/split/ternary_split.hpp>
+#include <kith/schemes/nasri_hasbini/vertices.hpp>
+#include <kith/schemes/split/ternary_split.hpp>
 
 namespace kith {
 
@@ -23,7 +23,7 @@ struct nasri_hasbini {
 
     /// All points (v), (v,e), (v,f) of a vertex are masks over its ring, so one loop over the vertices makes them all.
     /// Here those of inner vertices among quads; docs/schemes.md.
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -45,4 +45,4 @@ struct nasri_hasbini {
 } // namespace kith
 #define KITH_SCHEME nasri_hasbini
 #define KITH_SCHEME_OF_DOUBLES
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

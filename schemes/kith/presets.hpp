@@ -14,7 +14,7 @@
 #include "sqrt3.hpp"
 #include "unified.hpp"
 
-#include <kith/base/error.hpp>
+#include <kith/core/base/error.hpp>
 
 #include <algorithm>
 #include <array>

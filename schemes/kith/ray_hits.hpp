@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/search/best_first.hpp>
-#include <kith/search/ray_query.hpp>
-#include <kith/search/surface_cells.hpp>
+#include <kith/surface/search/best_first.hpp>
+#include <kith/surface/search/ray_query.hpp>
+#include <kith/surface/search/surface_cells.hpp>
 
-#include <kith/base/error.hpp>
-#include <kith/level/lift.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/level/to_native.hpp>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +53,7 @@ public:
     {
     }
     template <mesh M>
-    explicit ray_hits(const M& mesh, const Scheme& scheme = Scheme()) : ray_hits(lift_valid(mesh), scheme)
+    explicit ray_hits(const M& mesh, const Scheme& scheme = Scheme()) : ray_hits(to_native_valid(mesh), scheme)
     {
     }
 

@@ -19,8 +19,8 @@
 #include "tri_quad.hpp"
 #include "unified.hpp"
 
-#include <kith/crease/make_creases.hpp>
-#include <kith/crease/vertex_type.hpp>
-#include <kith/limit/limit_matrix.hpp>
-#include <kith/limit/limit_surface.hpp>
-#include <kith/limit/tangent_matrix.hpp>
+#include <kith/limits/limit_matrix.hpp>
+#include <kith/limits/limit_surface.hpp>
+#include <kith/limits/tangent_matrix.hpp>
+#include <kith/make_creases.hpp>
+#include <kith/schemes/crease/vertex_type.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/selected/polygon_closure_split.hpp>
-#include <kith/selected/red_green_split.hpp>
-#include <kith/selected/selectable_scheme.hpp>
-#include <kith/step/rules.hpp>
+#include <kith/numbering/step/rules.hpp>
+#include <kith/schemes/selected/polygon_closure_split.hpp>
+#include <kith/schemes/selected/red_green_split.hpp>
+#include <kith/schemes/selected/selectable_scheme.hpp>
 
 #include <span>
 #include <string_view>
@@ -52,7 +52,7 @@ public:
     }
     [[nodiscard]] auto columns() const { return split{&closure_}.columns(); }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;

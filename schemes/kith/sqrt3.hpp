@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/cos_turn.hpp>
-#include <kith/split/require_faces.hpp>
-#include <kith/split/sqrt3_split.hpp>
-#include <kith/step/rules.hpp>
+#include <kith/core/base/exact_cos.hpp>
+#include <kith/numbering/step/rules.hpp>
+#include <kith/schemes/split/require_faces.hpp>
+#include <kith/schemes/split/sqrt3_split.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -41,9 +41,9 @@ struct sqrt3 {
     static constexpr auto columns(int generation) { return sqrt3_split::columns(generation); }
 
     /// The weight that all neighbours of a vertex of valence n have together; Kobbelt 2000, eq. 5.
-    static constexpr double alpha(std::size_t n) { return (4 - 2 * cos_turn(1, std::int64_t(n))) / 9; }
+    static constexpr double alpha(std::size_t n) { return (4 - 2 * exact_cos(1, std::int64_t(n))) / 9; }
 
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -80,4 +80,4 @@ struct sqrt3 {
 
 } // namespace kith
 #define KITH_SCHEME sqrt3
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

@@ -7,4 +7,4 @@
 #include <kith/surface/curvature.hpp>
 #include <kith/surface/quadrature.hpp>
 #include <kith/surface/surface_locator.hpp>
-#include <kith/tessellation/tessellate.hpp>
+#include <kith/surface/tessellation/tessellate.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/field/field.hpp>
+#include <kith/fields/field.hpp>
 #include <kith/refine_with_fields.hpp>
-#include <kith/split/bisection_split.hpp>
-#include <kith/split/choose_diagonals.hpp>
-#include <kith/split/tri_quad_splits.hpp>
+#include <kith/schemes/split/bisection_split.hpp>
+#include <kith/schemes/split/choose_diagonals.hpp>
+#include <kith/schemes/split/tri_quad_splits.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -41,7 +41,7 @@ basic_mesh<Point, Index> tri_quad(const basic_mesh<Point, Index>& mesh, std::tup
 template <refinable_mesh M>
 M tri_quad(const M& mesh)
 {
-    return build_like(mesh, tri_quad(lift_valid(mesh)));
+    return build_like(mesh, tri_quad(to_native_valid(mesh)));
 }
 
 /// The same triangle mesh with these edges, given by their vertices, as the marked ones.
@@ -98,6 +98,6 @@ auto marked_edges(const M& mesh)
 
 } // namespace kith
 #define KITH_SCHEME detail::centroid_split
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>
 #define KITH_SCHEME detail::diagonal_split
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/split/dual_split.hpp>
-#include <kith/split/quad_split.hpp>
-#include <kith/split/require_faces.hpp>
+#include <kith/schemes/split/dual_split.hpp>
+#include <kith/schemes/split/quad_split.hpp>
+#include <kith/schemes/split/require_faces.hpp>
 
 #include <string>
 
@@ -44,7 +44,7 @@ struct unified {
                       quads(per_edge.when(not primal)),
                       per_vertex.when(not primal).of_degree(faces_around)));
     }
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         using namespace targets;
@@ -99,4 +99,4 @@ private:
 } // namespace kith
 #define KITH_SCHEME unified
 #define KITH_SCHEME_OF_DOUBLES
-#include <kith/compiled/in_library.hpp>
+#include <kith/schemes/compiled/in_library.hpp>

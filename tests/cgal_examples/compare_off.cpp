@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // compare_off A.off B.off: whether two files hold the same surface to 1e-12, in any order.
-#include "../same_surface.hpp"
+#include "support/same_surface.hpp"
 
 #include <fstream>
 #include <iostream>

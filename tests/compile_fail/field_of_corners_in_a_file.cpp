@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/catmull_clark.hpp>
-#include <kith/field/with_fields.hpp>
-#include <kith/output/file_array.hpp>
+#include <kith/fields/with_fields.hpp>
+#include <kith/tiles/output/file_array.hpp>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values of a field that are no plain bytes.
-#include <kith/field/field.hpp>
-#include <kith/tile/pack.hpp>
+#include <kith/fields/field.hpp>
+#include <kith/tiles/refine/pack.hpp>
 
 #include <string>
 

@@ -1,9 +1,9 @@
-# A header that is not listed in CMakeLists.txt works in the source tree and is missing once kith is installed.
+# A header that no pattern in CMakeLists.txt matches works in the source tree and is missing once kith is installed.
 file(GLOB_RECURSE written RELATIVE ${SOURCE} ${SOURCE}/include/kith/*.hpp ${SOURCE}/schemes/kith/*.hpp
     ${SOURCE}/adapters/kith/*.hpp ${SOURCE}/distributed/kith/*.hpp ${SOURCE}/io/kith/*.hpp)
 foreach(header IN LISTS written)
     string(REGEX MATCH "kith/.*" name ${header}) # without the root
     if(NOT EXISTS ${PREFIX}/include/${name})
-        message(SEND_ERROR "${header} is not installed; list it in CMakeLists.txt")
+        message(SEND_ERROR "${header} is not installed; the patterns in CMakeLists.txt leave it out")
     endif()
 endforeach()

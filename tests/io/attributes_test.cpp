@@ -2,13 +2,14 @@
 #include "files.hpp"
 
 #include <kith/attributes_of.hpp>
-#include <kith/format/held_attributes.hpp>
-#include <kith/text/file_error.hpp>
+#include <kith/io/format/held_attributes.hpp>
+#include <kith/io/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/write_mesh.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -80,6 +81,45 @@ const std::string seam = "mtllib a.mtl b.mtl\nv 0 0 0 1 0.5 0.25\nv 1 0 0\nv 1 1
                          "vt 0 0\nvt 0.1 1e-3\nvt 1 1\nvt 0.25 1\nvt 0.5 0\nvt 7 -7\nvn 0 0 1\nvn 0 0.6 0.8\n"
                          "o thing\ng left side\nusemtl red\ns 1\nf 1/1/1 2/2/1 3/3/1 4/4/1\n"
                          "g\ns off\nf 3/5/2 5/6/2 4/-3/2\nusemtl blue\nf 3//1 6 5//1\n";
+
+TEST(vtp_attributes, come_back_as_they_were_written)
+{
+    auto soup = io::read_mesh(mesh_format::off, files::off);
+    const auto add = [](std::vector<io::attribute>& list,
+                        const std::string& name,
+                        const ply_number& type,
+                        std::vector<double>
+                            values) { list.push_back({name, type, std::move(values), {}}); };
+    add(soup.attributes.vertices, "heat & \"cold\"", f64, {0.1, -2, none, 1e300});
+    for (const auto name : {"red", "green", "blue"})
+        add(soup.attributes.vertices, name, u8, {0, 1, 254, 255});
+    for (const auto name : {"nx", "ny", "nz"})
+        add(soup.attributes.vertices, name, f32, {0, 0.5, -1, 1});
+    for (const auto name : {"u", "v"})
+        add(soup.attributes.vertices, name, f64, {0.25, 0, 1, 7});
+    add(soup.attributes.faces, "count", i32, {-7, 0, 8, 9});
+    add(soup.attributes.faces, "material", u8, {0, 1, 2, 1});
+    soup.attributes.faces.back().labels = {"", "red paint", "<wood>"};
+
+    EXPECT_TRUE(not_held(mesh_format::vtp, soup.attributes).empty());
+    const std::string bytes = written(mesh_format::vtp, soup);
+    const auto again = io::read_mesh(mesh_format::vtp, bytes);
+    EXPECT_EQ(again.points, soup.points);
+    EXPECT_EQ(again.faces.vertices, io::read_mesh(mesh_format::off, written(mesh_format::off, soup)).faces.vertices);
+    ASSERT_EQ(again.attributes.vertices.size(), soup.attributes.vertices.size());
+    for (const auto* list : {&soup.attributes.vertices, &soup.attributes.faces})
+        for (const io::attribute& a : *list) {
+            const bool is_of_vertices = list == &soup.attributes.vertices;
+            const auto& read = is_of_vertices ? again.attributes.vertices : again.attributes.faces;
+            const std::string name = a.name.starts_with("heat") ? "heat_&_\"cold\"" : a.name; // names are words
+            const auto found = std::ranges::find(read, name, &io::attribute::name);
+            ASSERT_NE(found, read.end()) << name;
+            expect_same(found->values, a.values, name);
+            EXPECT_EQ(found->labels, a.labels);
+            EXPECT_EQ(found->type.bytes, a.type.bytes) << name;
+            EXPECT_EQ(found->type.floating, a.type.floating) << name;
+        }
+}
 
 TEST(obj_attributes, are_read)
 {

@@ -2,9 +2,9 @@
 #include "files.hpp"
 
 #include <kith/attributes_of.hpp>
-#include <kith/format/held_attributes.hpp>
+#include <kith/io/format/held_attributes.hpp>
+#include <kith/io/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
-#include <kith/text/file_error.hpp>
 #include <kith/write_mesh.hpp>
 
 #include <gtest/gtest.h>

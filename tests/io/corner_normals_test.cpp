@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../error_text.hpp"
+#include "support/error_text.hpp"
 
-#include <kith/format/mesh_format.hpp>
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
+#include <kith/io/format/mesh_format.hpp>
+#include <kith/io/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
-#include <kith/text/file_error.hpp>
 #include <kith/write_mesh.hpp>
 
 #include <gtest/gtest.h>

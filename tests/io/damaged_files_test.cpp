@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files.hpp"
 
-#include <kith/text/file_error.hpp>
+#include <kith/io/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../failing_allocations.hpp"
-#include "../vtu_files.hpp"
+#include "support/failing_allocations.hpp"
+#include "support/vtu_files.hpp"
 #include "files.hpp"
 
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/loop.hpp>
-#include <kith/mesh/make_mesh.hpp>
 #include <kith/output_file.hpp>
 #include <kith/read_mesh.hpp>
 #include <kith/saved_levels.hpp>

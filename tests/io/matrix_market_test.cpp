@@ -2,9 +2,9 @@
 #include "files.hpp"
 
 #include <kith/catmull_clark.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/hierarchy.hpp>
 #include <kith/matrix_market.hpp>
-#include <kith/mesh/make_mesh.hpp>
 
 #include <gtest/gtest.h>
 

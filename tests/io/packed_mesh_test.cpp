@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/packed_mesh.hpp>
 
-#include "../all_shapes.hpp"
-#include "../error_text.hpp"
-#include "../every_scheme.hpp"
-#include "../same_mesh.hpp"
+#include "support/all_shapes.hpp"
+#include "support/error_text.hpp"
+#include "support/every_scheme.hpp"
+#include "support/same_mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../error_text.hpp"
+#include "support/error_text.hpp"
 #include "files.hpp"
 
-#include <kith/crease/creases.hpp>
-#include <kith/format/ply_attributes.hpp>
-#include <kith/text/file_error.hpp>
+#include <kith/io/format/ply_attributes.hpp>
+#include <kith/io/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
+#include <kith/schemes/crease/creases.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files.hpp"
 
+#include <kith/io/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
-#include <kith/text/file_error.hpp>
 
 #include <gtest/gtest.h>
 

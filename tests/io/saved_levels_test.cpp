@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <kith/saved_levels.hpp>
 
-#include "../error_text.hpp"
-#include "../every_scheme.hpp"
-#include "../marks_and_parity.hpp"
-#include "../same_mesh.hpp"
-#include "../some_fields.hpp"
-#include "../some_selections.hpp"
+#include "support/error_text.hpp"
+#include "support/every_scheme.hpp"
+#include "support/marks_and_parity.hpp"
+#include "support/same_mesh.hpp"
+#include "support/some_fields.hpp"
+#include "support/some_selections.hpp"
 
-#include <kith/field/with_fields.hpp>
+#include <kith/fields/with_fields.hpp>
 #include <kith/selected.hpp>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <kith/text/text_cursor.hpp>
-#include <kith/text/text_writer.hpp>
+#include <kith/io/text/text_cursor.hpp>
+#include <kith/io/text/text_writer.hpp>
 
 #include <gtest/gtest.h>
 

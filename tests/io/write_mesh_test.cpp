@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../error_text.hpp"
-#include "../vtu_files.hpp"
+#include "support/error_text.hpp"
+#include "support/vtu_files.hpp"
 #include "files.hpp"
 
-#include <kith/crease/creases.hpp>
-#include <kith/format/facet_normal.hpp>
-#include <kith/text/file_error.hpp>
-#include <kith/format/obj_tag.hpp>
+#include <kith/io/format/facet_normal.hpp>
+#include <kith/io/format/obj_tag.hpp>
+#include <kith/io/text/file_error.hpp>
 #include <kith/read_mesh.hpp>
+#include <kith/schemes/crease/creases.hpp>
 #include <kith/write_mesh.hpp>
 
 #include <gtest/gtest.h>
@@ -114,8 +114,8 @@ TEST(write_mesh_file, what_is_refused_leaves_the_file_as_it_was)
     EXPECT_EQ(vtu_files::bytes_of(path), before);
     for (const std::string name : {"mesh.vtu", "mesh.txt"})
         EXPECT_EQ(error_text<io::file_error>([&] { io::write_mesh_file(name, {.mesh = mesh}); }),
-                  name + ": the extension decides the format and must be .off, .obj, .ply or .stl, or .vtu or .pvtu, "
-                         "which are written in tiles");
+                  name + ": the extension decides the format and must be .off, .obj, .ply, .stl or .vtp, or .vtu or "
+                         ".pvtu, which are written in tiles");
 }
 
 TEST(write_mesh_file, writes_off_to_standard_output)
@@ -129,7 +129,7 @@ TEST(write_mesh_file, writes_off_to_standard_output)
 TEST(write_mesh, vtu_is_refused_and_not_written_as_another_format)
 {
     const basic_mesh<> mesh = tetrahedron();
-    const std::string text = "files of VTK are written in tiles, by kith::vtu_file; choose .off, .obj, .ply or .stl";
+    const std::string text = "VTU is written in tiles, by kith::vtu_file; choose .vtp or another format";
     EXPECT_EQ(refusal(mesh_format::vtu, {.mesh = mesh}), text);
     std::ostringstream out;
     EXPECT_EQ(error_text<io::file_error>([&] { io::write_mesh(out, mesh_format::vtu, {.mesh = mesh}); }), text);

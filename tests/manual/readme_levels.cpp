@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // README.md, Keep all levels: on a cube, whose vertices have a number each.
 #include <kith/catmull_clark.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/mesh/make_mesh.hpp>
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // README.md, Write your own scheme: a tetrahedron becomes an octahedron, then a cuboctahedron.
+#include <kith/core/mesh/make_mesh.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/mesh/make_mesh.hpp>
 
 #include <array>
 #include <vector>

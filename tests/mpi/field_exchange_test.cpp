@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../error_text.hpp"
-#include "../shapes.hpp"
+#include "support/error_text.hpp"
+#include "support/shapes.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
-#include <kith/ranks/field_exchange.hpp>
+#include <kith/mpi/ranks/field_exchange.hpp>
 
 #include <map>
 
@@ -27,7 +27,7 @@ label label_of(kith::global_id id, element_kind kind)
     return {id, float(id) / 2, char('a' + int(kind))};
 }
 
-/// Gives owners their labels and looks at what shadows get. Returns how many there are on all ranks.
+/// Gives owners their labels and looks at what ghosts get. Returns how many there are on all ranks.
 std::uint64_t exchange_labels(const tiles3d& tiles, element_kind kind)
 {
     kith::mpi::field_exchange exchange(world(), std::span(tiles), kind);
@@ -40,19 +40,19 @@ std::uint64_t exchange_labels(const tiles3d& tiles, element_kind kind)
             if ((marks[x] & kith::owned_mark) != 0)
                 field[x] = label_of(ids[x], kind);
     }
-    auto under_way = exchange.begin(fields);
-    exchange.finish(under_way, fields);
-    std::uint64_t shadows = 0;
+    auto pending_exchange = exchange.begin(fields);
+    exchange.finish(pending_exchange, fields);
+    std::uint64_t ghosts = 0;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         const auto ids = kith::ids_of(tiles[t].part, kind);
         const auto marks = kith::marks_of(tiles[t].part, kind);
         for (std::size_t x = 0; x < ids.size(); ++x) {
             EXPECT_EQ(fields[t][x], label_of(ids[x], kind)) << "of element " << ids[x];
-            shadows += (marks[x] & kith::owned_mark) == 0;
+            ghosts += (marks[x] & kith::owned_mark) == 0;
         }
     }
     const auto [all, sent, received] = world().sum(
-        std::array<std::uint64_t, 3>{shadows, exchange.sent_values(), exchange.received_values()});
+        std::array<std::uint64_t, 3>{ghosts, exchange.sent_values(), exchange.received_values()});
     EXPECT_EQ(sent, all);
     EXPECT_EQ(received, all);
     return all;
@@ -64,15 +64,15 @@ void expect_labels(const mesh3d& mesh, const Scheme& scheme, const kith::partiti
     for (const int rings : {0, 1, 2}) {
         const auto tiles = refined_tiles(mesh, scheme, 2, parts, rings);
         for (const auto kind : kinds) {
-            const std::uint64_t shadows = exchange_labels(tiles, kind);
-            EXPECT_EQ(shadows == 0, rings == 0 and kind == element_kind::face) << rings;
+            const std::uint64_t ghosts = exchange_labels(tiles, kind);
+            EXPECT_EQ(ghosts == 0, rings == 0 and kind == element_kind::face) << rings;
         }
     }
 }
 
 } // namespace
 
-TEST(field_exchange, tells_all_shadows_what_their_owners_have)
+TEST(field_exchange, tells_all_ghosts_what_their_owners_have)
 {
     const auto house = native(shapes::shaken(shapes::open_house()));
     expect_labels(house, kith::catmull_clark{}, in_blocks(house, 3));
@@ -101,7 +101,7 @@ TEST(field_exchange, takes_any_way_of_sharing)
         EXPECT_GT(exchange_labels(tiles, kind), 0U);
 }
 
-TEST(field_exchange, adds_what_shadows_have_in_the_order_of_the_tiles)
+TEST(field_exchange, adds_what_ghosts_have_in_the_order_of_the_tiles)
 {
     const auto torus = native(shapes::shaken(shapes::torus(5, 7)));
     const kith::catmull_clark scheme;
@@ -115,12 +115,12 @@ TEST(field_exchange, adds_what_shadows_have_in_the_order_of_the_tiles)
                     field[v] += 1 / double(3 + part.face_ids[f]);
         return field;
     };
-    // The same sums on this rank alone: the owner's, then the shadows' in the order of the tiles.
+    // The same sums on this rank alone: the owner's, then the ghosts' in the order of the tiles.
     std::map<kith::global_id, double> expected;
     {
         kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);
         auto rim = cutter.cut_rim(1);
-        const kith::whole_levels<kith::catmull_clark> whole(
+        const kith::global_levels<kith::catmull_clark> whole(
             cutter.counts(), std::move(rim.part), std::move(rim.scheme), 2, 1);
         std::vector<tile3d> all;
         for (std::size_t p = 0; p < parts.parts; ++p) {

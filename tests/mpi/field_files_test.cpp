@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../all_shapes.hpp"
-#include "../error_text.hpp"
-#include "../last_tiles.hpp"
-#include "../same_mesh.hpp"
-#include "../some_fields.hpp"
-#include "../vtu_files.hpp"
+#include "support/all_shapes.hpp"
+#include "support/error_text.hpp"
+#include "support/last_tiles.hpp"
+#include "support/same_mesh.hpp"
+#include "support/some_fields.hpp"
+#include "support/vtu_files.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/ranks/gather.hpp>
-#include <kith/ranks/repartition.hpp>
-#include <kith/ranks/write_level.hpp>
+#include <kith/mpi/ranks/gather.hpp>
+#include <kith/mpi/ranks/repartition.hpp>
+#include <kith/mpi/ranks/write_level.hpp>
 #include <kith/refine_in_tiles.hpp>
 
 #include <algorithm>

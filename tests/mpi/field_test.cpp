@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../all_shapes.hpp"
-#include "../marks_and_parity.hpp"
-#include "../some_fields.hpp"
+#include "support/all_shapes.hpp"
+#include "support/marks_and_parity.hpp"
+#include "support/some_fields.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/catmull_clark.hpp>

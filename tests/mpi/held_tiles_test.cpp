@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../all_shapes.hpp"
-#include "../error_text.hpp"
-#include "../own_state.hpp"
-#include "../some_fields.hpp"
+#include "support/all_shapes.hpp"
+#include "support/error_text.hpp"
+#include "support/own_state.hpp"
+#include "support/some_fields.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/butterfly.hpp>
@@ -16,7 +16,7 @@
 
 namespace {
 
-/// Refines tiles that lie on their ranks with `rings` rings of shadows.
+/// Refines tiles that lie on their ranks with `rings` rings of ghosts.
 template <class Scheme>
 tiles3d refined_from(const mesh3d& mesh, const Scheme& scheme, int levels, const kith::partition& parts, int rings)
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../own_state.hpp"
-#include "../all_shapes.hpp"
-#include "../error_text.hpp"
+#include "support/own_state.hpp"
+#include "support/all_shapes.hpp"
+#include "support/error_text.hpp"
 #include "on_ranks.hpp"
 
-#include <kith/ranks/repartition.hpp>
+#include <kith/mpi/ranks/repartition.hpp>
 #include <kith/refine_by_exchange.hpp>
 #include <kith/refine_in_tiles.hpp>
 

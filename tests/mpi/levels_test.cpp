@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../all_shapes.hpp"
-#include "../error_text.hpp"
-#include "../some_fields.hpp"
+#include "support/all_shapes.hpp"
+#include "support/error_text.hpp"
+#include "support/some_fields.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/ranks/repartition.hpp>
+#include <kith/mpi/ranks/repartition.hpp>
 #include <kith/refine_by_exchange.hpp>
 #include <kith/refine_in_tiles.hpp>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../every_scheme.hpp"
-#include "../family.hpp"
-#include "../shuffled.hpp"
+#include "support/every_scheme.hpp"
+#include "support/family.hpp"
+#include "support/shuffled.hpp"
 #include "on_ranks.hpp"
 
-#include <kith/ranks/repartition.hpp>
+#include <kith/mpi/ranks/repartition.hpp>
 #include <kith/refine_by_exchange.hpp>
 
 namespace {
 
-/// Of some elements that tiles of this rank have, by lot, shadows among them.
+/// Compares the lineage of random elements that tiles of this rank have, ghosts among them.
 template <class Levels, class Lineage>
 std::string difference_in_tiles(const Levels& levels, const Lineage& lineage, int level, const tiles3d& tiles)
 {
@@ -88,7 +88,7 @@ TEST(lineage_on_ranks, leads_from_level_5_up_and_down_before_and_after_a_reparti
     expect_family(kith::four_eight{}, shuffled<kith::four_eight>(kith::tri_quad(house), 3), 4);
 }
 
-TEST(lineage_on_ranks, is_known_where_shadows_are_fetched)
+TEST(lineage_on_ranks, is_known_where_ghosts_are_fetched)
 {
     const auto house = native(shapes::shaken(shapes::open_house()));
     expect_family_by_exchange(kith::catmull_clark{}, house, 2);

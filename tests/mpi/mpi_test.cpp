@@ -117,11 +117,11 @@ TEST(all_to_all, brings_every_rank_what_is_for_it)
         EXPECT_EQ(came[std::size_t(rank)], message(rank, comm.rank())) << "from rank " << rank;
 }
 
-TEST(in_agreement, tells_all_ranks_of_the_lowest_problem)
+TEST(collective_phase, tells_all_ranks_of_the_lowest_problem)
 {
     const int last = world().size() - 1;
     try {
-        kith::mpi::in_agreement(world(), [&] {
+        kith::mpi::collective_phase(world(), [&] {
             if (world().rank() == last or world().rank() == last - 1)
                 throw std::runtime_error("trouble on " + std::to_string(world().rank()));
         });

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../native_shape.hpp"
-#include "../tiles.hpp"
+#include "support/native_shape.hpp"
+#include "support/tiles.hpp"
 
 #include <kith/mpi/communicator.hpp>
-#include <kith/mpi/in_agreement.hpp>
+#include <kith/mpi/collective_phase.hpp>
 #include <kith/mpi/session.hpp>
 #include <kith/refine_on_ranks.hpp>
-#include <kith/tile/numbered_tile.hpp>
+#include <kith/tiles/refine/numbered_tile.hpp>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ kith::mpi::communicator& world();
 using tile3d = kith::tile<std::array<double, 3>, std::uint32_t>;
 using tiles3d = std::vector<kith::numbered_tile<tile3d>>;
 
-/// Collective: the tiles of this rank, refined, with shadows. Every rank has the mesh, so that tests can compare.
+/// Collective: the tiles of this rank, refined, with ghosts. Every rank has the mesh, so that tests can compare.
 template <class Scheme>
 tiles3d refined_tiles(const mesh3d& mesh, const Scheme& scheme, int levels, const kith::partition& parts, int rings,
                       kith::mpi::sharing how = kith::mpi::sharing::spmd)
@@ -36,7 +36,7 @@ tiles3d refined_tiles(const mesh3d& mesh, const Scheme& scheme, int levels, cons
     return result;
 }
 
-/// Local: every so many-th of the tiles, those of this rank, cut with rings of shadows. Every rank has the mesh.
+/// Local: every so many-th of the tiles, those of this rank, cut with rings of ghosts. Every rank has the mesh.
 template <class Cutter>
 tiles3d cut_tiles_of_rank(Cutter& cutter, std::uint64_t tiles, int rings)
 {

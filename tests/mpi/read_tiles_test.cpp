@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../all_shapes.hpp"
-#include "../error_text.hpp"
-#include "../same_mesh.hpp"
+#include "support/all_shapes.hpp"
+#include "support/error_text.hpp"
+#include "support/same_mesh.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/doo_sabin.hpp>
-#include <kith/refine_by_exchange.hpp>
 #include <kith/kobbelt.hpp>
-#include <kith/slices/tiles_of_slices.hpp>
+#include <kith/mpi/slices/tiles_of_slices.hpp>
+#include <kith/refine_by_exchange.hpp>
 
 #include <cstdio>
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../all_shapes.hpp"
-#include "../error_text.hpp"
-#include "../same_mesh.hpp"
+#include "support/all_shapes.hpp"
+#include "support/error_text.hpp"
+#include "support/same_mesh.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/butterfly.hpp>
@@ -61,14 +61,14 @@ void expect_same(const mesh3d& control, const Scheme& scheme, int levels, const 
         levels);
 }
 
-/// Shadows that grew from one ring are those that a tile keeps which was refined with more rings from the beginning.
+/// Ghosts that grew from one ring are those that a tile keeps which was refined with more rings from the beginning.
 template <class Scheme>
-void expect_same_shadows(const mesh3d& control, const Scheme& scheme, const kith::partition& parts)
+void expect_same_ghosts(const mesh3d& control, const Scheme& scheme, const kith::partition& parts)
 {
     for (const int rings : {2, 3}) {
         auto grown = refined_tiles(control, scheme, 2, parts, 1);
         const auto expected = refined_tiles(control, scheme, 2, parts, rings);
-        kith::mpi::grow_shadows(world(), std::span(grown), rings);
+        kith::mpi::grow_ghosts(world(), std::span(grown), rings);
         for (std::size_t t = 0; t < grown.size(); ++t) {
             const auto &a = grown[t].part, &b = expected[t].part;
             EXPECT_TRUE(same_bits(a.mesh, b.mesh));
@@ -86,13 +86,13 @@ void expect_same_shadows(const mesh3d& control, const Scheme& scheme, const kith
 
 } // namespace
 
-TEST(grow_shadows, fetches_the_rings_that_are_missing)
+TEST(grow_ghosts, fetches_the_rings_that_are_missing)
 {
     const auto house = native(shapes::shaken(shapes::open_house()));
-    expect_same_shadows(house, kith::doo_sabin{}, scattered(house, 4, 1));
+    expect_same_ghosts(house, kith::doo_sabin{}, scattered(house, 4, 1));
     const auto torus = native(shapes::with_flips(shapes::shaken(shapes::triangulated(shapes::torus(8, 9))), 1));
-    expect_same_shadows(torus, kith::doo_sabin{}, in_blocks(torus, 6));
-    expect_same_shadows(torus, kith::doo_sabin{}, scattered(torus, 9, 2));
+    expect_same_ghosts(torus, kith::doo_sabin{}, in_blocks(torus, 6));
+    expect_same_ghosts(torus, kith::doo_sabin{}, scattered(torus, 9, 2));
 }
 
 TEST(exchanging_refinement, equals_the_whole_mesh_bit_for_bit)

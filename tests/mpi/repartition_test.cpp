@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../all_shapes.hpp"
-#include "../error_text.hpp"
-#include "../same_mesh.hpp"
+#include "support/all_shapes.hpp"
+#include "support/error_text.hpp"
+#include "support/same_mesh.hpp"
 #include "on_ranks.hpp"
 
 #include <kith/catmull_clark.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/hierarchy.hpp>
-#include <kith/ranks/gather.hpp>
-#include <kith/ranks/repartition.hpp>
+#include <kith/mpi/ranks/gather.hpp>
+#include <kith/mpi/ranks/repartition.hpp>
 
 namespace {
 
@@ -43,7 +43,7 @@ parents parents_of(const mesh3d& control, const kith::catmull_clark& scheme)
     return result;
 }
 
-bool same(const kith::whole_tuple& a, const std::pair<kith::tuple_kind, std::size_t>& b)
+bool same(const kith::global_tuple& a, const std::pair<kith::tuple_kind, std::size_t>& b)
 {
     return a.kind == b.first and a.id == b.second;
 }
@@ -223,7 +223,7 @@ TEST(gather, refuses_what_is_too_large_or_not_all)
 {
     const auto torus = native(shapes::torus(5, 7));
     auto tiles = refined_tiles(torus, kith::catmull_clark{}, 1, in_blocks(torus, 3), 1);
-    const kith::whole_counts counts{140, 280, 140, 560};
+    const kith::global_counts counts{140, 280, 140, 560};
     const auto text = [&](std::uint64_t limit) {
         return error_text<kith::mpi::phase_error>(
             [&] { kith::mpi::gather(world(), std::span<const kith::numbered_tile<tile3d>>(tiles), counts, limit); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "attribute_fields.hpp"
-#include "native_shape.hpp"
+#include "job/attribute_fields.hpp"
+#include "support/native_shape.hpp"
 
 #include <kith/butterfly.hpp>
 #include <kith/catmull_clark.hpp>
@@ -9,7 +9,7 @@
 #include <kith/linear.hpp>
 #include <kith/refine_in_tiles.hpp>
 #include <kith/refine_with_fields.hpp>
-#include <kith/tile/pack.hpp>
+#include <kith/tiles/refine/pack.hpp>
 #include <kith/tri_quad.hpp>
 
 #include <gtest/gtest.h>

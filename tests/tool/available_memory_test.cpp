@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "available_memory.hpp"
+#include "job/available_memory.hpp"
 
 #include <gtest/gtest.h>
 

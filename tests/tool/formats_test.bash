@@ -331,9 +331,17 @@ cat >tetra.vtp <<'END'
 </Piece></PolyData></VTKFile>
 END
 good tetra.vtp
-run refine tetra.off -s loop -n 1 -o out.vtp
+run refine tetra.off -s loop -n 1 -o out.pvtp
 exits 1
-says '^kith: out.vtp: '
-check "no output file" test ! -e out.vtp
+says '^kith: out.pvtp: '
+check "no output file" test ! -e out.pvtp
+run refine tetra.off -s loop -n 2 -o out.vtp
+exits 0
+says_nothing
+run refine tetra.off -s loop -n 2 -o out.off
+run compare out.vtp out.off --tolerance 0
+exits 0
+run refine out.vtp -s linear -n 0 -o again.off
+check "the same bytes" cmp out.off again.off
 
 finish

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <mesh_compare.hpp>
+#include "compare/mesh_compare.hpp"
 
 #include <gtest/gtest.h>
 

@@ -107,7 +107,7 @@ run plan torus.off -s catmull-clark -n 3 --ranks 2 --tiles-per-rank 2 --partitio
 exits 0
 says_nothing
 prints '^rings of ghosts on level 0: 1$'
-# 24 faces, of which 12 are in a tile, which has 12 shadows; a quad becomes 64, of 24+8+1, 8+4+1 and 16 bytes in memory.
+# 24 faces, of which 12 are in a tile, which has 12 ghosts; a quad becomes 64, of 24+8+1, 8+4+1 and 16 bytes in memory.
 for rank in 0 1; do prints "^ +$rank +2 +24 +24 +[0-9]+ +1536 +$((768 * 62)) +$((1536 * 74))\$"; done
 prints '^refining the largest tile needs [0-9]+ bytes at once$'
 run plan torus.off -s butterfly -n 1 --ranks 2
@@ -117,7 +117,7 @@ run plan torus.off -s butterfly -n 1 --ranks 2 --triangulate
 exits 0
 run plan torus.off -s doo-sabin -n 2 --ranks 3 --partitioner block --json
 exits 0
-prints '^\{"rings":2,"bytes_at_once":[0-9]+,"ranks":\[(\{"tiles":1,"faces":16,"shadows":[0-9]+,"message_bytes":[0-9]+,"last_faces":256,.*){3}\]\}$'
+prints '^\{"rings":2,"bytes_at_once":[0-9]+,"ranks":\[(\{"tiles":1,"faces":16,"ghosts":[0-9]+,"message_bytes":[0-9]+,"last_faces":256,.*){3}\]\}$'
 # The messages are as long as kith-mpi counts them, the faces as many: see tests/mpi.
 run plan cube.off -s catmull-clark -n 13 --ranks 8
 exits 0

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repair_input.hpp"
+#include "job/repair_input.hpp"
 
-#include "error_text.hpp"
-#include "errors.hpp"
-#include "mesh_input.hpp"
+#include "cli/errors.hpp"
+#include "job/mesh_input.hpp"
+#include "support/error_text.hpp"
 
 #include <kith/read_mesh.hpp>
 

@@ -43,7 +43,7 @@ refused a.off 'the file is empty'
 printf ' \n\n\t\n' >a.ply
 refused a.ply 'the file is empty'
 cube >a.3ds
-refused a.3ds 'the extension decides the format and must be .off, .obj, .ply, .stl, .vtu, .vtp, .pvtu or .pvtp'
+refused a.3ds 'the extension decides the format and must be .off, .obj, .ply, .stl, .vtu, .pvtu, .vtp or .pvtp'
 cube >a
 refused a 'the extension decides'
 head -c 3000 /dev/zero >a.off

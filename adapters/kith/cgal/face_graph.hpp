@@ -4,7 +4,7 @@
 #include "graph_calls.hpp"
 
 #include <kith/cgal.hpp>
-#include <kith/mesh/mesh_traits.hpp>
+#include <kith/core/mesh/mesh_traits.hpp>
 
 #include <CGAL/Kernel_traits.h>
 

@@ -3,7 +3,7 @@
 
 #include "subdivision.hpp"
 
-#include <kith/base/error.hpp>
+#include <kith/core/base/error.hpp>
 #include <kith/doo_sabin.hpp>
 #include <kith/sqrt3.hpp>
 
@@ -26,7 +26,7 @@ void step_by_mask(Graph& g, VertexPointMap points, Scheme scheme, int generation
     const view_type view(std::as_const(g), points);
     if (view.faces().empty())
         return;
-    auto control = lift_valid(view); // before all else, as it looks whether this is a mesh
+    auto control = to_native_valid(view); // before all else, as it looks whether this is a mesh
     typename in_place::properties_of<Graph>::type carried(g, view.joined());
     control = {storage<typename view_type::point>(control.points()), control.topology(), generation};
     in_place::require_faces(view, control, scheme);

@@ -6,13 +6,13 @@
 #include "write_face_graph.hpp"
 #include "write_surface_mesh.hpp"
 
-#include <kith/base/affine.hpp>
 #include <kith/cgal_properties.hpp>
-#include <kith/crease/make_creases.hpp>
+#include <kith/core/base/affine.hpp>
+#include <kith/fields/property/map_value.hpp>
 #include <kith/in_place/properties_of.hpp>
 #include <kith/in_place/refine_in_place.hpp>
 #include <kith/linear.hpp>
-#include <kith/property/map_value.hpp>
+#include <kith/make_creases.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -227,7 +227,7 @@ property_report refine(Graph& g, Scheme& scheme, const Np& np, const Argument&..
     std::vector<std::uint32_t> joined;
     auto control = [&] {
         const face_graph view(std::as_const(g), points);
-        auto lifted = lift_valid(view); // before all else, as it looks whether this is a mesh
+        auto lifted = to_native_valid(view); // before all else, as it looks whether this is a mesh
         in_place::require_faces(view, lifted, scheme);
         if constexpr (scheme_with_creases<Scheme> and has_sharp_elements<Np>)
             read_creases(view, np, scheme.sharpness);

@@ -5,7 +5,7 @@
 #include "properties_on.hpp"
 #include "property_arguments.hpp"
 
-#include <kith/mesh/connectivity.hpp>
+#include <kith/core/mesh/connectivity.hpp>
 
 #include <algorithm>
 #include <array>

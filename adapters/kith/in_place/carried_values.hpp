@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/carry_properties.hpp>
-#include <kith/field/values_in_patches.hpp>
+#include <kith/fields/values_in_patches.hpp>
 
 #include <cstddef>
 #include <cstdint>

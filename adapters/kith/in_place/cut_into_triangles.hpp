@@ -4,7 +4,7 @@
 #include "carried_values.hpp"
 #include "refine_in_place.hpp"
 
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/for_parts.hpp>
-#include <kith/mesh/basic_mesh.hpp>
-#include <kith/mesh/foreign_level.hpp>
+#include <kith/core/base/for_parts.hpp>
+#include <kith/core/mesh/basic_mesh.hpp>
+#include <kith/core/mesh/foreign_level.hpp>
 
 #include <cstddef>
 #include <cstdint>

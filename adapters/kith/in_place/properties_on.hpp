@@ -2,7 +2,7 @@
 #pragma once
 
 #include <kith/carry_properties.hpp>
-#include <kith/mesh/connectivity.hpp>
+#include <kith/core/mesh/connectivity.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <kith/core/level/to_native.hpp>
 #include <kith/engine/refinement_run.hpp>
-#include <kith/field/values_in_patches.hpp>
+#include <kith/fields/values_in_patches.hpp>
 #include <kith/four_eight.hpp>
-#include <kith/level/lift.hpp>
+#include <kith/numbering/step/level_state.hpp>
+#include <kith/numbering/step/step.hpp>
 #include <kith/plan.hpp>
 #include <kith/refine.hpp>
-#include <kith/step/level_state.hpp>
-#include <kith/step/step.hpp>
 
 #include <algorithm>
 #include <concepts>

@@ -4,8 +4,8 @@
 #include "carried_values.hpp"
 #include "refine_in_place.hpp"
 
-#include <kith/base/error.hpp>
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 
 #include <algorithm>
 #include <array>

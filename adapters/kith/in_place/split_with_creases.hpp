@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/crease/creases.hpp>
-#include <kith/step/refinement.hpp>
-#include <kith/step/scheme.hpp>
+#include <kith/numbering/step/refinement.hpp>
+#include <kith/numbering/step/scheme.hpp>
+#include <kith/schemes/crease/creases.hpp>
 
 namespace kith::in_place {
 
@@ -22,7 +22,7 @@ struct split_with_creases {
                              .state = &split_with_creases::sharpness};
     }
     static constexpr auto columns() { return Linear::columns(); }
-    template <running_step R>
+    template <step_context R>
     void operator()(const R& r) const
     {
         Linear()(r);

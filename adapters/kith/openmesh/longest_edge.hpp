@@ -52,7 +52,7 @@ protected:
             return true;
         overwritten_mesh<Mesh> whole(mesh);
         auto& all = whole.view();
-        const auto control = lift_valid(all);
+        const auto control = to_native_valid(all);
         in_place::long_edge_splitter splitter(control, length_);
         if (not splitter.has_long_edges())
             return true;

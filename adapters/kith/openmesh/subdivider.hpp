@@ -154,7 +154,7 @@ private:
             throw mesh_error("OpenMesh's meshes cannot hold so many levels; refine fewer times");
         overwritten_mesh<Mesh> whole(mesh);
         auto& all = whole.view();
-        auto control = lift_valid(all); // before its properties, as it looks whether this is a mesh
+        auto control = to_native_valid(all); // before its properties, as it looks whether this is a mesh
         control = {storage<point>(control.points()), control.topology(), generation};
         in_place::require_faces(all, control, used);
         in_place::carried_properties<view, Argument...> carried(all, {}, arguments...);

@@ -43,7 +43,7 @@ protected:
         if (n == 0 or mesh.faces_sbegin() == mesh.faces_end())
             return true;
         overwritten_mesh<Mesh> whole(mesh);
-        in_place::refined<typename view::point> surface{lift_valid(whole.view()), true};
+        in_place::refined<typename view::point> surface{to_native_valid(whole.view()), true};
         in_place::carried_properties<view> carried(whole.view());
         mid_edge scheme;
         for (std::size_t i = 0; i < n; ++i) {

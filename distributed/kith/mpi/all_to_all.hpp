@@ -2,7 +2,7 @@
 #pragma once
 
 #include "communicator.hpp"
-#include "in_agreement.hpp"
+#include "collective_phase.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -16,10 +16,10 @@
 namespace kith::mpi {
 
 /// Messages between ranks that know how long they are, and the bytes they carry. Move only.
-class under_way {
+class pending_exchange {
 public:
     /// Prepares them, with all memory that they need. `sizes[r]` bytes will come from rank r. Local.
-    under_way(std::vector<std::vector<std::byte>> to, const std::vector<std::uint64_t>& sizes, int self)
+    pending_exchange(std::vector<std::vector<std::byte>> to, const std::vector<std::uint64_t>& sizes, int self)
         : sent_(std::move(to)), received_(sizes.size())
     {
         for (std::size_t r = 0; r < sizes.size(); ++r)
@@ -27,9 +27,10 @@ public:
                 received_[r].resize(sizes[r]);
         requests_.reserve(2 * sizes.size());
     }
-    under_way(under_way&&) noexcept = default; // a list that was moved from is empty, so there is no second wait
-    under_way& operator=(under_way&&) = delete;
-    ~under_way() { MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
+    pending_exchange(pending_exchange&&) noexcept =
+        default; // a list that was moved from is empty, so there is no second wait
+    pending_exchange& operator=(pending_exchange&&) = delete;
+    ~pending_exchange() { MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
 
     /// Starts them all; the message of a rank to itself is handed over. Local. Errors: mpi::error.
     void start(communicator& comm)
@@ -97,7 +98,7 @@ auto all_to_all(communicator& comm, const Make& make)
     static_assert(std::is_trivially_copyable_v<value>, "values that are plain bytes can be sent, others not");
     std::vector<std::vector<std::byte>> to;
     std::vector<std::uint64_t> sizes;
-    in_agreement(comm, [&] {
+    collective_phase(comm, [&] {
         decltype(auto) lists = make();
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(lists)>, decltype(to)>)
             to = std::move(lists);
@@ -108,13 +109,13 @@ auto all_to_all(communicator& comm, const Make& make)
             sizes.push_back(bytes.size());
     });
     sizes = comm.to_each(std::move(sizes));
-    auto messages = in_agreement(comm, [&] { return under_way(std::move(to), sizes, comm.rank()); });
+    auto messages = collective_phase(comm, [&] { return pending_exchange(std::move(to), sizes, comm.rank()); });
     messages.start(comm);
     auto came = messages.finish();
     if constexpr (std::is_same_v<value, std::byte>)
         return came;
     else
-        return in_agreement(comm, [&] {
+        return collective_phase(comm, [&] {
             std::vector<std::vector<value>> result;
             for (const auto& bytes : came)
                 result.push_back(detail::values_in<value>(bytes));
@@ -139,13 +140,13 @@ std::vector<T> all_of_ranks(communicator& comm, const std::vector<T>& mine)
         to[0] = mine;
         return to;
     });
-    const auto all = comm.broadcast(in_agreement(comm, [&] {
+    const auto all = comm.broadcast(collective_phase(comm, [&] {
         std::vector<T> joined;
         for (const auto& part : came)
             joined.insert(joined.end(), part.begin(), part.end());
         return detail::bytes_of(joined);
     }));
-    return in_agreement(comm, [&] { return detail::values_in<T>(all); });
+    return collective_phase(comm, [&] { return detail::values_in<T>(all); });
 }
 
 } // namespace kith::mpi

@@ -4,7 +4,7 @@
 #include "mpi_calls.hpp"
 #include "mpi_header.hpp"
 
-#include <kith/part/phase_seconds.hpp>
+#include <kith/tiles/part/phase_seconds.hpp>
 
 #include <algorithm>
 #include <array>

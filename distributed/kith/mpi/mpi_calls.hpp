@@ -3,7 +3,7 @@
 
 #include "mpi_header.hpp"
 
-#include <kith/part/phase_seconds.hpp>
+#include <kith/tiles/part/phase_seconds.hpp>
 
 #include <algorithm>
 #include <array>

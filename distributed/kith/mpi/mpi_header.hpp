@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/in_library.hpp>
+#include <kith/core/base/in_library.hpp>
 
 // MPI's functions of C; its bindings for C++ of long ago would need a library of their own.
 #if !defined(OMPI_SKIP_MPICXX)

@@ -22,25 +22,25 @@ public:
     send_window(const send_window&) = delete;
     ~send_window()
     {
-        for (const auto& message : under_way_)
+        for (const auto& message : pending_exchange_)
             MPI_Waitall(int(message->requests.size()), message->requests.data(), MPI_STATUSES_IGNORE);
     }
 
     /// Returns at once while the window has room, else when the oldest message has gone. Errors: mpi::error.
     void send(std::vector<std::byte> bytes, int to)
     {
-        if (under_way_.size() == width_)
+        if (pending_exchange_.size() == width_)
             wait_for_oldest();
         bytes_ += bytes.size();
         most_bytes_ = std::max(most_bytes_, bytes_);
-        auto& message = under_way_.emplace_back(std::make_unique<outgoing>(bytes.size(), std::move(bytes)));
+        auto& message = pending_exchange_.emplace_back(std::make_unique<outgoing>(bytes.size(), std::move(bytes)));
         comm_.start_message(message->size, message->bytes, to, message->requests);
     }
 
     /// Waits until all have gone. Errors: mpi::error.
     void finish()
     {
-        while (not under_way_.empty())
+        while (not pending_exchange_.empty())
             wait_for_oldest();
     }
 
@@ -59,15 +59,15 @@ private:
     void wait_for_oldest()
     {
         const phase_timer timer(comm_.seconds()[phase::send]);
-        auto& requests = under_way_.front()->requests;
+        auto& requests = pending_exchange_.front()->requests;
         detail::check(MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
-        bytes_ -= under_way_.front()->bytes.size();
-        under_way_.pop_front();
+        bytes_ -= pending_exchange_.front()->bytes.size();
+        pending_exchange_.pop_front();
     }
 
     communicator& comm_;
     std::size_t width_;
-    std::deque<std::unique_ptr<outgoing>> under_way_; // addresses stay
+    std::deque<std::unique_ptr<outgoing>> pending_exchange_; // addresses stay
     std::size_t bytes_ = 0, most_bytes_ = 0;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/base/storage.hpp>
-#include <kith/patch/patched_level.hpp>
-#include <kith/step/step.hpp>
-#include <kith/step/surface_order.hpp>
+#include <kith/core/base/storage.hpp>
+#include <kith/engine/patch/patched_level.hpp>
+#include <kith/numbering/step/step.hpp>
+#include <kith/numbering/step/surface_order.hpp>
 
 #include <concepts>
 #include <utility>

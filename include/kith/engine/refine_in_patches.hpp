@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/patch/patched_level.hpp>
-#include <kith/step/surface_order.hpp>
-#include <kith/strategy/strategy_choice.hpp>
+#include <kith/engine/patch/patched_level.hpp>
+#include <kith/engine/strategy/strategy_choice.hpp>
+#include <kith/numbering/step/surface_order.hpp>
 
 #include <algorithm>
 #include <concepts>

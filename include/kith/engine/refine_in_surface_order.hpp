@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <kith/step/numbered_level.hpp>
-#include <kith/step/step.hpp>
+#include <kith/numbering/step/numbered_level.hpp>
+#include <kith/numbering/step/step.hpp>
 
 #include <concepts>
 #include <utility>

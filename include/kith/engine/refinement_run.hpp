@@ -5,9 +5,9 @@
 #include "refine_in_patches.hpp"
 #include "refine_in_surface_order.hpp"
 
-#include <kith/neighbourhood/coming_scheme.hpp>
-#include <kith/neighbourhood/placed_state.hpp>
-#include <kith/step/step.hpp>
+#include <kith/engine/neighbourhood/scheme_forecast.hpp>
+#include <kith/engine/neighbourhood/sparse_state.hpp>
+#include <kith/numbering/step/step.hpp>
 
 #include <concepts>
 #include <optional>

@@ -3,9 +3,9 @@
 
 #include "located_places.hpp"
 
-#include <kith/base/affine.hpp>
-#include <kith/base/storage.hpp>
-#include <kith/limit/unit_normal.hpp>
+#include <kith/core/base/affine.hpp>
+#include <kith/core/base/storage.hpp>
+#include <kith/limits/unit_normal.hpp>
 
 #include <array>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "piece_values.hpp"
 #include "placed_pieces.hpp"
 
-#include <kith/lane/lanes.hpp>
-#include <kith/mask/stencil.hpp>
+#include <kith/core/mask/stencil.hpp>
+#include <kith/engine/lane/lanes.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,10 +3,10 @@
 
 #include "placed_pieces.hpp"
 
-#include <kith/base/error.hpp>
-#include <kith/neighbourhood/element_finder.hpp>
-#include <kith/neighbourhood/face_walk.hpp>
-#include <kith/shape/surface_shapes.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/engine/neighbourhood/element_finder.hpp>
+#include <kith/engine/neighbourhood/face_walk.hpp>
+#include <kith/surface/shape/surface_shapes.hpp>
 
 #include <algorithm>
 #include <concepts>

@@ -3,8 +3,8 @@
 
 #include "piece_values.hpp"
 
-#include <kith/limit/unit_normal.hpp>
-#include <kith/spline/polynomial_values.hpp>
+#include <kith/limits/unit_normal.hpp>
+#include <kith/surface/spline/polynomial_values.hpp>
 
 #include <array>
 #include <cmath>

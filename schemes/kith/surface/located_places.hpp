@@ -4,12 +4,12 @@
 #include "piece_values.hpp"
 #include "placed_pieces.hpp"
 
-#include <kith/base/affine.hpp>
-#include <kith/base/error.hpp>
-#include <kith/base/for_parts.hpp>
-#include <kith/base/storage.hpp>
-#include <kith/mask/stencil.hpp>
-#include <kith/spline/fast_affine.hpp>
+#include <kith/core/base/affine.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/base/for_parts.hpp>
+#include <kith/core/base/storage.hpp>
+#include <kith/core/mask/stencil.hpp>
+#include <kith/surface/spline/fast_affine.hpp>
 
 #include <algorithm>
 #include <cstddef>

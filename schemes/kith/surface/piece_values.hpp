@@ -3,10 +3,10 @@
 
 #include "placed_pieces.hpp"
 
-#include <kith/base/affine.hpp>
-#include <kith/mask/stencil.hpp>
-#include <kith/spline/fast_affine.hpp>
-#include <kith/spline/polynomial_values.hpp>
+#include <kith/core/base/affine.hpp>
+#include <kith/core/mask/stencil.hpp>
+#include <kith/surface/spline/fast_affine.hpp>
+#include <kith/surface/spline/polynomial_values.hpp>
 
 #include <array>
 #include <cstddef>

@@ -3,8 +3,8 @@
 
 #include "surface_place.hpp"
 
-#include <kith/mask/stencil.hpp>
-#include <kith/spline/surface_polynomial.hpp>
+#include <kith/core/mask/stencil.hpp>
+#include <kith/surface/spline/surface_polynomial.hpp>
 
 #include <algorithm>
 #include <cstddef>

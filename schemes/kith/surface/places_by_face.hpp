@@ -3,8 +3,8 @@
 
 #include "surface_place.hpp"
 
-#include <kith/base/error.hpp>
-#include <kith/mesh/connectivity.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/mesh/connectivity.hpp>
 
 #include <concepts>
 #include <cstddef>

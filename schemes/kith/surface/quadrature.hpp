@@ -3,9 +3,9 @@
 
 #include "surface_place.hpp"
 
-#include <kith/base/error.hpp>
-#include <kith/level/lift.hpp>
-#include <kith/shape/parametric_scheme.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/level/to_native.hpp>
+#include <kith/surface/shape/parametric_scheme.hpp>
 
 #include <array>
 #include <concepts>
@@ -124,7 +124,7 @@ surface_quadrature quadrature_places(const basic_mesh<Point, Index>& mesh, const
 template <mesh M, parametric_scheme Scheme>
 surface_quadrature quadrature_places(const M& mesh, const Scheme& scheme, int points_per_direction)
 {
-    return quadrature_places(lift_valid(mesh), scheme, points_per_direction);
+    return quadrature_places(to_native_valid(mesh), scheme, points_per_direction);
 }
 
 } // namespace kith

@@ -4,9 +4,9 @@
 #include "face_lattice.hpp"
 #include "surface_locator.hpp"
 
-#include <kith/base/error.hpp>
-#include <kith/base/for_parts.hpp>
-#include <kith/mask/stencil.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/base/for_parts.hpp>
+#include <kith/core/mask/stencil.hpp>
 
 #include <algorithm>
 #include <array>

@@ -5,12 +5,12 @@
 #include "located_places.hpp"
 #include "places_by_face.hpp"
 
-#include <kith/base/error.hpp>
-#include <kith/base/for_parts.hpp>
-#include <kith/level/lift.hpp>
-#include <kith/neighbourhood/face_classes.hpp>
-#include <kith/neighbourhood/face_walk.hpp>
-#include <kith/shape/surface_shapes.hpp>
+#include <kith/core/base/error.hpp>
+#include <kith/core/base/for_parts.hpp>
+#include <kith/core/level/to_native.hpp>
+#include <kith/engine/neighbourhood/face_classes.hpp>
+#include <kith/engine/neighbourhood/face_walk.hpp>
+#include <kith/surface/shape/surface_shapes.hpp>
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,8 @@ public:
     {
     }
     template <mesh M>
-    explicit surface_locator(const M& mesh, const Scheme& scheme = Scheme()) : surface_locator(lift_valid(mesh), scheme)
+    explicit surface_locator(const M& mesh, const Scheme& scheme = Scheme())
+        : surface_locator(to_native_valid(mesh), scheme)
     {
     }
     surface_locator(const surface_locator&) = delete;
@@ -138,7 +139,7 @@ private:
         auto cut = cutter_.cut(detail::domain_of<Scheme>::faces_around(cutter_, mesh_.topology(), face, rings_));
         const auto place = std::ranges::lower_bound(cut.face_from, face) - cut.face_from.begin();
         Scheme scheme = scheme_;
-        detail::take_part(scheme, scheme_, cut.numbers());
+        detail::restrict_state(scheme, scheme_, cut.numbers());
         return {std::move(cut), std::move(scheme), Index(place)};
     }
     [[nodiscard]] neighbourhood neighbourhood_around(Index face)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program that uses the components WITH_<component> names, and the core where it names none.
 
-#include <kith/mesh/make_mesh.hpp>
+#include <kith/core/mesh/make_mesh.hpp>
 
 #if defined(WITH_schemes) or defined(WITH_compiled_schemes)
 #include <kith/linear.hpp>
@@ -13,7 +13,7 @@
 #endif
 
 #if defined(WITH_distributed)
-#include <kith/part/partition.hpp>
+#include <kith/tiles/part/partition.hpp>
 #endif
 
 #if defined(WITH_metis)

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/core/base/in_library.hpp>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <string_view>
+
+namespace kith {
+
+/// What a refinement spends its time on.
+enum class phase : unsigned char { read, partition, cut, send, refine, write, wait };
+inline constexpr std::array<std::string_view, 7> phase_names{
+    "read", "partition", "cut", "send", "refine", "write", "wait"};
+
+/// Seconds by phase, on the clock of the wall.
+class phase_seconds {
+public:
+    [[nodiscard]] double& operator[](phase p) { return seconds_[std::size_t(p)]; }
+    [[nodiscard]] double operator[](phase p) const { return seconds_[std::size_t(p)]; }
+    [[nodiscard]] const std::array<double, phase_names.size()>& all() const { return seconds_; }
+    [[nodiscard]] double sum() const
+    {
+        double result = 0;
+        for (const double seconds : seconds_)
+            result += seconds;
+        return result;
+    }
+    phase_seconds& operator+=(const phase_seconds& more) { return add(more, 1); }
+    /// Adds phases that ran on so many threads at once, as the time that has passed.
+    phase_seconds& add(const phase_seconds& more, std::size_t threads)
+    {
+        for (std::size_t p = 0; p < seconds_.size(); ++p)
+            seconds_[p] += more.seconds_[p] / double(threads);
+        return *this;
+    }
+
+private:
+    std::array<double, phase_names.size()> seconds_{};
+};
+
+/// Tells the time since it was made.
+class stopwatch {
+public:
+    [[nodiscard]] double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// Adds the time of its life to a phase.
+class phase_timer {
+public:
+    explicit phase_timer(double& seconds) : seconds_(seconds) {}
+    phase_timer(const phase_timer&) = delete;
+    phase_timer& operator=(const phase_timer&) = delete;
+    ~phase_timer() { seconds_ += since_.seconds(); }
+
+private:
+    double& seconds_;
+    stopwatch since_;
+};
+
+/// Runs f as this phase and gives what it gives.
+template <class F>
+decltype(auto) timed(double& seconds, const F& f)
+{
+    const phase_timer timer(seconds);
+    return f();
+}
+
+} // namespace kith

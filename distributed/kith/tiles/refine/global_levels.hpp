@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile_step.hpp"
+
+#include <kith/engine/neighbourhood/scheme_forecast.hpp>
+#include <kith/tiles/number/column_facts.hpp>
+#include <kith/tiles/number/corners_at_vertices.hpp>
+#include <kith/tiles/number/global_lineage.hpp>
+#include <kith/tiles/number/global_numbering.hpp>
+#include <kith/tiles/part/reach.hpp>
+
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace kith {
+
+/// What all tiles of a refinement have to know of the whole mesh, level by level: how many elements there are, how they
+/// are numbered, and how many rings of ghosts are needed. It is the same on every rank and is made without
+/// communication: from the counts of the control mesh and, where it has a boundary, from the faces along it.
+template <reaching_scheme Scheme>
+class global_levels {
+    static_assert(
+        std::tuple_size_v<decltype(kith::columns_type<Scheme>::edges.list)> != 0,
+        "the edges of a tile need numbers in the whole mesh, which matching cannot give; let the scheme's columns "
+        "declare new_edges");
+
+public:
+    using columns_type = kith::columns_type<Scheme>;
+
+    /// `rim` is the tile that owns all faces of level 0 that touch the boundary, with at least
+    /// ring_schedule(scheme, levels, 1)[0] rings, and `scheme` is that of this tile. It may be empty if the mesh is
+    /// closed or the numbers do not depend on the boundary (numbers_boundary); its generation is that of the control
+    /// mesh all the same.
+    /// Errors: mesh_error when there are more elements than global_id can number.
+    /// Cost: that of refining the boundary.
+    template <tile_like Tile>
+    global_levels(const global_counts& control, Tile rim, Scheme scheme, int levels, int last_rings = 0)
+        : rings_(ring_schedule(scheme, levels, last_rings)), counts_{control}
+    {
+        const auto rim_rings = ring_schedule(
+            scheme, levels, 1); // one at the end, so that all of the boundary is complete
+        const int generation = rim.mesh.generation();
+        corners_.emplace_back();
+        for (int level = 0; level < levels; ++level) {
+            numberings_.emplace_back(counts_.back(), columns_of(scheme, generation + level), rim);
+            counts_.push_back(numberings_.back().counts());
+            if (rim.mesh.face_count() != 0) {
+                detail::tile_step step(rim, scheme, numberings_.back());
+                step.keep_boundary();
+                Tile next = step.trim(rim_rings[std::size_t(level) + 1], scheme);
+                corners_.emplace_back(next);
+                if constexpr (numbers_corners_at_vertices<Scheme>)
+                    corners_.back().number(next);
+                rim = std::move(next);
+            } else {
+                detail::advance_without_elements<decltype(rim.mesh)>(scheme, generation + level);
+                corners_.emplace_back();
+            }
+        }
+    }
+
+    [[nodiscard]] int levels() const { return int(numberings_.size()); }
+    [[nodiscard]] const global_counts& counts(int level) const { return counts_[std::size_t(level)]; }
+    [[nodiscard]] int rings(int level) const { return rings_[std::size_t(level)]; }
+    [[nodiscard]] const global_numbering<columns_type>& numbering(int level) const
+    {
+        return numberings_[std::size_t(level)];
+    }
+    [[nodiscard]] const corners_at_vertices& corners(int level) const { return corners_[std::size_t(level)]; }
+
+    /// Who descends from whom, by numbers. `control` is all of the control mesh. Cost: O(boundary).
+    [[nodiscard]] global_lineage<columns_type> lineage(const control_runs& control) const
+    {
+        return {counts_, numberings_, corners_, control.joined()};
+    }
+
+private:
+    std::vector<int> rings_;
+    std::vector<global_counts> counts_;
+    std::vector<global_numbering<columns_type>> numberings_;
+    std::vector<corners_at_vertices> corners_;
+};
+
+} // namespace kith

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "last_in_patches.hpp"
+#include "refine_last.hpp"
+#include "tile_job.hpp"
+#include "tile_step.hpp"
+#include "global_levels.hpp"
+
+#include <kith/refine.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace kith {
+
+/// Refines a tile of level `level` once: by the unchanged scheme, over its ghosts; what lies beyond the rings that the
+/// levels to come need is cut off. `scheme` is that of this tile and becomes that of the next. No communication.
+/// The result has the bits of the whole mesh's next level. Errors: as `refine`. Cost: that of the step.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme, int level,
+                               const global_levels<Scheme>& whole)
+{
+    detail::tile_step step(coarse, scheme, whole.numbering(level));
+    auto result = step.trim(whole.rings(level + 1), scheme);
+    if constexpr (numbers_corners_at_vertices<Scheme>)
+        whole.corners(level + 1).number(result);
+    return result;
+}
+
+namespace detail {
+
+/// Makes the remaining steps of a tile in patches of the next level, whose rim stays. Returns nothing where numbers
+/// do not allow it or patches are no gain. Errors and cost: as last_in_patches.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+std::optional<tile<Point, Index>> last_in_patches_of_next(const tile<Point, Index>& coarse, Scheme scheme, int level,
+                                                          const global_levels<Scheme>& whole)
+{
+    if constexpr (faces_descend_from_faces<Scheme, Index>)
+        if (numbers_are_affine<Scheme>(false) and
+            std::size_t(coarse.mesh.topology().degree) == numbering_of<Scheme, Index>::common_degree) {
+            const auto next = refine_untrimmed(coarse, scheme, whole.counts(level).as_counts());
+            return last_in_patches(next, scheme, level + 1, whole, costs_in_tiles(next, level + 1, whole));
+        }
+    return {};
+}
+
+} // namespace detail
+
+/// Refines a tile of level 0 through all levels that `whole` was made for, and its scheme with it. `connect::faces`
+/// gives the last level without edges and ghosts; its last steps may be made at once, in patches, and the scheme is
+/// that of the level before them. `each(tile)` is called with every level that is made but the first.
+template <tile_like Tile, reaching_scheme Scheme, class Each>
+void refine(tile_job<Tile, Scheme>& job, const global_levels<Scheme>& whole, connect last, const Each& each)
+{
+    const int patches = last == connect::faces ? first_in_patches(job.part, job.scheme, whole.levels()) : -1;
+    for (int level = 0; level < whole.levels(); ++level) {
+        std::optional<Tile> made;
+        if (level == patches)
+            made = last_in_patches(job.part, job.scheme, level, whole, costs_in_tiles(job.part, level, whole));
+        else if (level + 1 == patches and patches < whole.levels())
+            made = detail::last_in_patches_of_next(job.part, job.scheme, level, whole);
+        if (made) {
+            job.part = std::move(*made);
+            each(std::as_const(job.part));
+            return;
+        }
+        const bool is_last = level + 1 == whole.levels();
+        job.part = is_last and last == connect::faces ? refine_last(job.part, job.scheme, level, whole)
+                                                      : refine_once(job.part, job.scheme, level, whole);
+        each(std::as_const(job.part));
+    }
+}
+/// Refines tile `number` of level 0 through all levels, and hands over each of them with its scheme, from level 0 to
+/// the last: keep(kept_tile). All have their edges, and so many rings of ghosts as `whole` says. Two levels are in
+/// memory meanwhile, and those that are kept.
+template <tile_like Tile, reaching_scheme Scheme, std::invocable<kept_tile<Tile, Scheme>> Keep>
+void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const global_levels<Scheme>& whole,
+                   const Keep& keep)
+{
+    kept_tile<Tile, Scheme> here{number, 0, std::move(job.part), std::move(job.scheme)};
+    for (int level = 0; level < whole.levels(); ++level) {
+        Scheme scheme = here.scheme;
+        Tile next = refine_once(here.part, scheme, level, whole);
+        swap_states(here.scheme, scheme);
+        here.level = level + 1;
+        keep(kept_tile<Tile, Scheme>{number, level, std::exchange(here.part, std::move(next)), std::move(scheme)});
+    }
+    keep(std::move(here));
+}
+/// The last level of a tile of level 0. `last` and `each` are those of the refinement of a job.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme, class Each>
+tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_levels<Scheme>& whole, connect last,
+                          const Each& each)
+{
+    tile_job<tile<Point, Index>, Scheme> job{std::move(part), std::move(scheme)};
+    refine(job, whole, last, each);
+    return std::move(job.part);
+}
+/// The same for those who do not want to see the levels between.
+template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
+tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_levels<Scheme>& whole,
+                          connect last = connect::everything)
+{
+    return refine(std::move(part), std::move(scheme), whole, last, [](const auto&) {});
+}
+
+} // namespace kith

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <kith/core/base/affine.hpp>
+#include <kith/numbering/association/column_ids.hpp>
+#include <kith/numbering/association/tuples.hpp>
+#include <kith/numbering/step/level_state.hpp>
+#include <kith/numbering/step/scheme_traits.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <utility>
+
+namespace kith::detail {
+
+/// What keeps the level of a step conforming where its scheme refines some faces only.
+template <finished_step Step>
+inline constexpr bool has_closure =
+    is_said<decltype(traits_of<std::remove_cvref_t<decltype(std::declval<const Step&>().scheme)>>.closure)>;
+template <finished_step Step>
+const auto& closure_of(const Step& step)
+{
+    return std::invoke(traits_of<std::remove_cvref_t<decltype(step.scheme)>>.closure, step.scheme);
+}
+
+/// A weighted sum of values, formed in the order in which they come.
+template <affine_value T>
+class blend {
+    using number = affine<T>;
+
+public:
+    explicit blend(const T& first) : sum_(number::load(first)) {}
+    blend& add(const T& more)
+    {
+        number::add(sum_, number::load(more));
+        return *this;
+    }
+    [[nodiscard]] T over(std::size_t count) const
+    {
+        auto result = sum_;
+        number::scale(result, scalar_of<T>(1) / scalar_of<T>(double(count)));
+        return number::store(result);
+    }
+
+private:
+    typename number::sum sum_;
+};
+
+/// The mean of what the elements of a tuple have, each asked by its number.
+template <affine_value T, class AtVertex, class AtEdge, class AtFace>
+T mean_of_tuple(const tuple_elements& tuple, const AtVertex& at_vertex, const AtEdge& at_edge, const AtFace& at_face)
+{
+    const auto at = [&](const std::pair<char, std::size_t>& x) -> T {
+        return x.first == 'v' ? at_vertex(x.second) : x.first == 'e' ? at_edge(x.second) : at_face(x.second);
+    };
+    blend<T> sum(at(tuple.front()));
+    for (std::size_t i = 1; i < tuple.size(); ++i)
+        sum.add(at(tuple[i]));
+    return sum.over(tuple.size());
+}
+
+/// What a linear rule says of the tuples of one face or edge; `at(corner)` is the value that a corner has there. The
+/// value of a tuple is the mean of what its elements have, and a vertex has its own, an edge that of its middle, a face
+/// the mean of its corners. But a scheme that makes two vertices of an edge cuts it in thirds, and its faces, too.
+/// Masks are inlined, since g++ hands over arrays of two numbers by a detour through the memory.
+template <affine_value T, bool InThirds>
+struct linear_masks {
+    [[nodiscard, gnu::always_inline]] static inline T middle(const T& a, const T& b)
+    {
+        return blend<T>(a).add(b).over(2);
+    }
+    [[nodiscard, gnu::always_inline]] static inline T third(const T& near, const T& far)
+    {
+        return blend<T>(near).add(near).add(far).over(3);
+    }
+    [[nodiscard, gnu::always_inline]] static inline T in_face(const T& corner, const T& mean)
+    {
+        return InThirds ? third(mean, corner) : middle(corner, mean);
+    }
+    [[nodiscard, gnu::always_inline]] static inline T of_three(const T& vertex, const T& edge, const T& face)
+    {
+        return blend<T>(vertex).add(edge).add(face).over(3);
+    }
+    /// Of the corners that the face was born with, of which the first is one.
+    template <finished_step Step, face_element Face, class At>
+    [[nodiscard]] static T mean([[maybe_unused]] const Step& step, const Face& f, const At& at)
+    {
+        const auto first = f.first_corner();
+        blend<T> sum(at(first));
+        std::size_t count = 1;
+        for (auto c = first.next(); not(c == first); c = c.next()) {
+            if constexpr (has_closure<Step>)
+                if (closure_of(step).lies_on_side(c))
+                    continue;
+            sum.add(at(c));
+            ++count;
+        }
+        return sum.over(count);
+    }
+};
+template <affine_value T, element_ids VertexIds>
+using linear_masks_of =
+    linear_masks<T, VertexIds::template has<tuple_kind::ve> and VertexIds::template has<tuple_kind::vf>>;
+
+} // namespace kith::detail

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "association_faults.hpp"
+
+#include <kith/core/base/for_parts.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace kith {
+
+/// New vertices by tuples that are in no column, such as elements that do not touch. They have the last numbers of
+/// their level.
+/// Cost: O(log n) each.
+template <std::unsigned_integral Index>
+class vertex_dictionary {
+public:
+    /// Makes the tuple that of a new vertex, which has a number of its own.
+    /// Errors: association_error for a tuple that it has already, and in loops whose order is not promised.
+    [[gnu::noinline]] void add(const tuple_elements& tuple, Index id)
+    {
+        add_name(tuple, id);
+        made_.push_back(tuple);
+    }
+    /// Makes the tuple another name of a vertex. Errors: as above.
+    [[gnu::noinline]] void add_name(const tuple_elements& tuple, Index id)
+    {
+        if (detail::in_loop_body)
+            faults::without_order(tuple);
+        if (not ids_.emplace(tuple, id).second)
+            faults::refuse(tuple, faults::vertex_set_twice);
+    }
+    /// Nothing for a tuple that it does not have.
+    [[nodiscard, gnu::noinline]] std::optional<Index> find(const tuple_elements& tuple) const
+    {
+        const auto found = ids_.find(tuple);
+        return found == ids_.end() ? std::nullopt : std::optional(found->second);
+    }
+    /// Errors: association_error for a tuple that it does not have.
+    [[nodiscard, gnu::noinline]] Index at(const tuple_elements& tuple) const
+    {
+        const auto found = find(tuple);
+        if (not found)
+            faults::read_early(tuple);
+        return *found;
+    }
+    /// The tuple under which the k-th of the new vertices was made. Precondition: there are more than k.
+    [[nodiscard]] const tuple_elements& tuple_of(std::size_t k) const { return made_[k]; }
+    /// How many new vertices it has.
+    [[nodiscard]] std::size_t size() const { return made_.size(); }
+
+    void clear()
+    {
+        ids_.clear();
+        made_.clear();
+    }
+
+private:
+    std::map<tuple_elements, Index> ids_;
+    std::vector<tuple_elements> made_;
+};
+
+} // namespace kith

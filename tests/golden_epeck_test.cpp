@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-#include "cgal_mesh.hpp"
-#include "golden_suite.hpp"
-
-INSTANTIATE_TYPED_TEST_SUITE_P(epeck, golden_files, all_schemes_on<surface_mesh<epeck>>);
