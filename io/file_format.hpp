@@ -18,29 +18,32 @@ struct element_attributes {
     attribute_list vertices, faces;
 };
 
-/// All that is to be known of a format. Each has one value of this class beside its writer; mesh_format.cpp lists them.
+/// A format of files: what reads and writes it, and what it has room for. Each format has one such value beside its
+/// writer; mesh_format.cpp lists them.
 struct file_format {
     mesh_format format;
     std::string_view extension;
-    std::string_view index{}; ///< the extension of files that name their pieces; empty: there are none
+    std::string_view index{}; ///< the extension of files that name their pieces; empty: the format has none
     format_contents contents{};
     polygon_soup (*read)(std::string_view bytes);
-    /// Reads a file in a folder, where its pieces are; nothing: `read` reads all there is.
+    /// Reads a file whose pieces lie in a folder. Null: the format has no pieces.
     polygon_soup (*read_in_folder)(std::string_view bytes, const std::string& folder) = nullptr;
-    void (*write)(std::ostream&, const written_mesh&) = nullptr; ///< nothing: it is written in tiles
-    /// Refuses what it has no room for, beside places that are not finite. Errors: file_error.
+    /// Writes a mesh. Null: the format is written in tiles.
+    void (*write)(std::ostream&, const written_mesh&) = nullptr;
+    /// Refuses what the format has no room for. Errors: file_error.
     void (*require)(const written_mesh&) = nullptr;
-    /// Finds the attributes that it has room for; nothing: that is asked of its tiles.
+    /// Finds the attributes that the format has room for. Null: tiles decide.
     held_attributes (*held)(const mesh_attributes&, bool binary) = nullptr;
-    /// Tests whether it has room for a line of file_lines; nothing: for none.
+    /// Tests whether the format has room for a line of file_lines. Null: it has none.
     bool (*holds_line)(std::string_view line) = nullptr;
-    /// Finds the attributes that are 0 where an element has none; nothing: there are none.
+    /// Finds the attributes that are written as 0 where an element has no value. Null: there are none.
     element_attributes (*zeros)(const mesh_attributes&, const held_attributes&) = nullptr;
-    /// Says what it rounds, and takes that out of what is not held; nothing: it rounds nothing.
+    /// Names what the writer rounds, and takes it out of `not_held`. Null: the writer rounds nothing.
     std::vector<std::string> (*rounds)(const mesh_attributes&, const held_attributes&,
                                        mesh_attributes& not_held) = nullptr;
 };
 
+/// Returns the value of a format. Errors: file_error for a number that is none.
 const file_format& file_format_of(mesh_format format);
 
 } // namespace kith::io

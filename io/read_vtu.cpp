@@ -186,21 +186,11 @@ polygon_soup read_vtu(std::string_view bytes, const std::string& directory)
     return read_vtu(bytes, &directory);
 }
 
-namespace {
-
-element_attributes zeros_in_vtu(const mesh_attributes& all, const held_attributes&)
-{
-    const auto is_whole = [](const attribute& a) { return not a.type.floating; };
-    return {held_if(all.vertices, is_whole), held_if(all.faces, is_whole)};
-}
-
-} // namespace
-
 extern const file_format vtu_format{.format = mesh_format::vtu,
                                     .extension = ".vtu",
                                     .index = ".pvtu",
                                     .read = read_vtu,
                                     .read_in_folder = read_vtu,
-                                    .zeros = zeros_in_vtu};
+                                    .zeros = whole_numbers};
 
 } // namespace kith::io

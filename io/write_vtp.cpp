@@ -163,12 +163,6 @@ held_attributes held_by_vtp(const mesh_attributes& all, bool)
     return result;
 }
 
-element_attributes zeros_in_vtp(const mesh_attributes& all, const held_attributes&)
-{
-    const auto is_whole = [](const attribute& a) { return not a.type.floating; };
-    return {held_if(all.vertices, is_whole), held_if(all.faces, is_whole)};
-}
-
 } // namespace
 
 extern const file_format vtp_format{.format = mesh_format::vtp,
@@ -179,6 +173,6 @@ extern const file_format vtp_format{.format = mesh_format::vtp,
                                     .write = write_vtp,
                                     .require = require_finite_normals,
                                     .held = held_by_vtp,
-                                    .zeros = zeros_in_vtp};
+                                    .zeros = whole_numbers};
 
 } // namespace kith::io

@@ -38,6 +38,13 @@ attribute_list held_if(const std::vector<attribute>& from, const Which& which)
     return result;
 }
 
+/// The attributes of whole numbers, which have no word for "none".
+inline element_attributes whole_numbers(const mesh_attributes& all, const held_attributes&)
+{
+    const auto is_whole = [](const attribute& a) { return not a.type.floating; };
+    return {held_if(all.vertices, is_whole), held_if(all.faces, is_whole)};
+}
+
 inline std::size_t vertices_of(const written_mesh& what)
 {
     return what.mesh.vertex_count() + what.isolated.size();

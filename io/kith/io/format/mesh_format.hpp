@@ -11,7 +11,7 @@ namespace kith::io {
 /// of VTK that hold surfaces, and for the indices .pvtu and .pvtp of such files.
 enum class mesh_format : unsigned char { off, obj, ply, stl, vtu, vtp };
 
-/// What a format has room for beside places, faces and attributes.
+/// Contents that a format may have room for, beside places, faces and attributes.
 struct format_contents {
     bool tags = false;           ///< sharpness, holes, rules of the boundary
     bool normals = true;         ///< of vertices
@@ -19,6 +19,7 @@ struct format_contents {
     bool isolated_points = true; ///< points without a face
     bool binary = false;         ///< numbers as they lie in memory, beside text
 };
+/// Returns the contents of a format. Errors: file_error for a number that is none.
 const format_contents& contents_of(mesh_format format);
 
 /// "-" is standard input or output, which carries OFF.

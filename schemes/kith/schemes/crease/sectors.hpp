@@ -59,8 +59,8 @@ template <level Level>
 using mask_row = std::vector<std::pair<vertex<Level>, double>>;
 
 /// The mask that weighs the vertex of a sector by `of_vertex`, the other end of its j-th edge by of_edge(j) and, if
-/// `With_opposites`, the vertex opposite in its j-th face by of_face(j).
-template <bool With_opposites, level Level, class OfEdge, class OfFace>
+/// `WithOpposites`, the vertex opposite in its j-th face by of_face(j).
+template <bool WithOpposites, level Level, class OfEdge, class OfFace>
 mask_row<Level> row_over(const vertex_sector<Level>& part, double of_vertex, const OfEdge& of_edge,
                          const OfFace& of_face)
 {
@@ -70,7 +70,7 @@ mask_row<Level> row_over(const vertex_sector<Level>& part, double of_vertex, con
         if (j == part.faces)
             break;
         row.emplace_back(c.next().v(), of_edge(j));
-        if constexpr (With_opposites)
+        if constexpr (WithOpposites)
             row.emplace_back(c.next().next().v(), of_face(j));
         ++j;
     }
