@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What most users of kith::kith call. Properties of meshes are in <kith/carry_properties.hpp> and <kith/convert.hpp>.
-// The folders beside hold what all of it is made of.
+// Includes the doors that most users of kith::kith need. Properties of meshes are in <kith/carry_properties.hpp> and
+// <kith/convert.hpp>.
 #include "evaluator.hpp"
 #include "hierarchy.hpp"
 #include "mesh.hpp"

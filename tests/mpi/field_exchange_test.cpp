@@ -115,7 +115,7 @@ TEST(field_exchange, adds_what_ghosts_have_in_the_order_of_the_tiles)
                     field[v] += 1 / double(3 + part.face_ids[f]);
         return field;
     };
-    // The same sums on this rank alone: the owner's, then the ghosts' in the order of the tiles.
+    // Makes these sums on this rank alone: the owner's value, then those of ghosts in the order of the tiles.
     std::map<kith::global_id, double> expected;
     {
         kith::tile_cutter cutter(torus, scheme, parts.part_of, parts.parts);

@@ -162,7 +162,8 @@ consteval auto checked_traits()
 
 } // namespace detail
 
-/// What a scheme says of itself. A fact of the wrong signature, and traits() that are none do not compile.
+/// Traits of a scheme: its own, or the defaults. A fact of the wrong signature does not compile, nor does a traits() of
+/// another type.
 template <class S>
 inline constexpr auto traits_of = detail::checked_traits<S>();
 

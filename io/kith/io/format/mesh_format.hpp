@@ -30,7 +30,7 @@ std::string extension_of(const std::string& path);
 
 /// The format that a path's extension names, in any case of letters. Errors: file_error when it names none.
 mesh_format format_of(const std::string& path);
-/// The same of a file that is to be written; the error names the formats of tiles, too.
+/// Same as format_of, but of a file that is to be written. The error names the formats of tiles, too.
 mesh_format output_format_of(const std::string& path);
 
 } // namespace kith::io
