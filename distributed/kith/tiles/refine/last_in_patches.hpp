@@ -235,13 +235,10 @@ int first_in_patches([[maybe_unused]] const tile<Point, Index>& control, [[maybe
     return levels;
 }
 
-/// Returns when patches are worth while for a tile of this level: other tiles of the surface use the same templates.
-/// Cost: O(faces of the tile).
-template <tile_like Tile, reaching_scheme Scheme>
-strategy_costs costs_in_tiles(const Tile& coarse, int level, const global_levels<Scheme>& whole)
+/// Returns the costs from which follows whether patches are worth while for a tile.
+inline strategy_costs costs_in_tiles()
 {
-    const auto owned = std::max<std::uint64_t>(owned_count(coarse.face_marks), 1);
-    return usual_costs(strategy_costs().if_in_tiles(double(whole.counts(level).faces) / double(owned)));
+    return usual_costs(strategy_costs().if_in_tiles());
 }
 
 /// Makes the remaining steps of a tile of level `level` at once, in patches: returns the faces of the last level that

@@ -43,7 +43,7 @@ std::optional<tile<Point, Index>> last_in_patches_of_next(const tile<Point, Inde
         if (numbers_are_affine<Scheme>(false) and
             std::size_t(coarse.mesh.topology().degree) == numbering_of<Scheme, Index>::common_degree) {
             const auto next = refine_untrimmed(coarse, scheme, whole.counts(level).as_counts());
-            return last_in_patches(next, scheme, level + 1, whole, costs_in_tiles(next, level + 1, whole));
+            return last_in_patches(next, scheme, level + 1, whole, costs_in_tiles());
         }
     return {};
 }
@@ -60,7 +60,7 @@ void refine(tile_job<Tile, Scheme>& job, const global_levels<Scheme>& whole, con
     for (int level = 0; level < whole.levels(); ++level) {
         std::optional<Tile> made;
         if (level == patches)
-            made = last_in_patches(job.part, job.scheme, level, whole, costs_in_tiles(job.part, level, whole));
+            made = last_in_patches(job.part, job.scheme, level, whole, costs_in_tiles());
         else if (level + 1 == patches and patches < whole.levels())
             made = detail::last_in_patches_of_next(job.part, job.scheme, level, whole);
         if (made) {

@@ -99,12 +99,13 @@ struct strategy_costs {
         costs.of_class_again = 250;
         return costs;
     }
-    /// Returns the costs for one of so many tiles. Level by level a tile takes several times as long as a mesh: it
-    /// refines faces of other tiles, too, and cuts them off after each step. What patches make is copied once.
-    [[nodiscard]] strategy_costs if_in_tiles(double tiles) const
+    /// Returns the costs for a tile. Level by level it takes several times as long as a mesh: it refines faces of other
+    /// tiles, too, and cuts them off after each step. What patches make is copied once. A template serves a second tile
+    /// on average: those of many faces serve all, those of irregular places one.
+    [[nodiscard]] strategy_costs if_in_tiles() const
     {
         constexpr double times_as_long = 6;
-        strategy_costs costs = if_again(tiles);
+        strategy_costs costs = if_again(2);
         for (double* cost : {&costs.in_patch,
                              &costs.among_few,
                              &costs.of_template,
