@@ -193,6 +193,39 @@ TEST(field_files, every_byte_that_is_another_one_is_found)
                  1);
 }
 
+/// Tiles that write shares of what follows from the numbers of cells write the same bytes, and look after them.
+TEST(field_files, shares_of_cells_that_are_alike_give_the_same_bytes)
+{
+    const auto torus = native(shapes::shaken(shapes::torus(3, 4)));
+    const auto counts = counts_of(kith::refine(torus, kith::catmull_clark{}, 1));
+    const directory here;
+    const fs::path path = here.path / "whole.vtu";
+    for (const std::size_t parts : {1, 3, 7}) {
+        const auto tiles = last_tiles(
+            torus, kith::catmull_clark{}, 1, {partitions::scattered(torus.face_count(), parts, 5), parts});
+        const auto written = [&](const kith::vtu_file& layout) {
+            auto file = kith::offset_file::create(path.string(), layout.size());
+            layout.write_frame(file);
+            for (const auto& kept : tiles)
+                layout.write_tile(file, kept.part, {std::uint32_t(kept.number), 0});
+            file.close();
+            return bytes_of(path);
+        };
+        const kith::vtu_file shared(counts, 1, false, false, {}, kith::alike_cells{4, parts});
+        const std::string expected = written(kith::vtu_file(counts, 1, false));
+        EXPECT_TRUE(written(shared) == expected) << parts << " parts";
+        auto file = kith::offset_file::open(path.string());
+        const std::size_t end = fs::file_size(path) - std::string("\n</AppendedData>\n</VTKFile>\n").size();
+        for_each_changed_byte(path, end - counts.faces, end, [&](std::size_t at, bool is_changed) { // the levels
+            std::size_t found = 0;
+            for (const auto& kept : tiles)
+                found += shared.difference(file, kept.part, std::uint32_t(kept.number)) ==
+                         "byte " + std::to_string(at) + " of " + path.string();
+            EXPECT_EQ(found, is_changed ? 1U : 0U) << at;
+        });
+    }
+}
+
 TEST(field_files, a_journal_tells_values_that_are_others)
 {
     const auto torus = native(shapes::shaken(shapes::torus(3, 4)));

@@ -2,7 +2,7 @@
 #include "recipe.hpp"
 
 #include "cli/errors.hpp"
-#include "cli/json.hpp"
+#include "cli/shortest_text.hpp"
 #include "cli/scheme_words.hpp"
 
 #include <kith/packed_mesh.hpp>
@@ -21,12 +21,12 @@ namespace kith::tool {
 
 namespace {
 
-constexpr std::uint64_t kind_of_recipe = 0x6b697468'72637033; // "kithrcp3", turned round on other machines
+constexpr std::uint64_t kind_of_recipe = 0x6b697468'72637034; // "kithrcp4", turned round on other machines
 
 template <class Number>
 std::string text_of(const std::optional<Number>& value)
 {
-    return value ? to_json(*value) : "";
+    return value ? shortest_text(*value) : "";
 }
 
 /// The words that choose the form of the scheme; creases are kept with the control mesh.

@@ -126,8 +126,11 @@ tile_output::tile_output(const output_request& request, const output_surface& su
                                              surface.largest_degree,
                                              request.with_corner_normals);
     } else {
+        std::optional<alike_cells> alike;
+        if (surface.counts.corners == surface.largest_degree * surface.counts.faces)
+            alike = {surface.largest_degree, surface.tiles};
         layout_ = std::make_unique<vtu_file>(
-            surface.counts, request.levels, request.with_origin, request.with_normals, request.arrays);
+            surface.counts, request.levels, request.with_origin, request.with_normals, request.arrays, alike);
     }
     if (not request.journal.empty())
         journal_.emplace(layout_->size(), surface.tiles, surface.recipe);

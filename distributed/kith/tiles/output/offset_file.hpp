@@ -243,14 +243,21 @@ public:
     void put_each(std::uint64_t offset, std::size_t count, const F& value)
     {
         using type = std::invoke_result_t<const F&, std::size_t>;
-        constexpr std::size_t at_once = 4096 / sizeof(type);
+        store_each<sizeof(type)>(offset, count, [&](std::size_t i, char* to) {
+            const type one = value(i);
+            std::memcpy(to, &one, sizeof(type));
+        });
+    }
+    /// Calls store(i, to) for each i below `count`, which stores so many bytes there, one behind the other.
+    template <std::size_t Bytes, std::invocable<std::size_t, char*> F>
+    void store_each(std::uint64_t offset, std::size_t count, const F& store)
+    {
+        constexpr std::size_t at_once = 4096 / Bytes;
         for (std::size_t first = 0; first < count; first += at_once) {
             const std::size_t last = std::min(first + at_once, count);
-            char* to = room(offset + sizeof(type) * first, sizeof(type) * (last - first));
-            for (std::size_t i = first; i < last; ++i, to += sizeof(type)) {
-                const type one = value(i);
-                std::memcpy(to, &one, sizeof(type));
-            }
+            char* to = room(offset + Bytes * first, Bytes * (last - first));
+            for (std::size_t i = first; i < last; ++i, to += Bytes)
+                store(i, to);
         }
     }
     void flush()

@@ -207,14 +207,12 @@ private:
                                 std::size_t first, std::size_t run)
     {
         const std::uint32_t* const vertices = part.mesh.topology().corner_vertex.data() + Degree * first;
-        out.put_each(at, run, [&](std::size_t i) {
-            std::array<unsigned char, 1 + 4 * Degree> face;
-            face[0] = Degree;
+        out.store_each<1 + 4 * Degree>(at, run, [&](std::size_t i, char* to) {
+            to[0] = char(Degree);
             for (std::size_t k = 0; k < Degree; ++k) {
                 const auto number = std::int32_t(part.vertex_ids[vertices[Degree * i + k]]);
-                std::memcpy(face.data() + 1 + 4 * k, &number, 4);
+                std::memcpy(to + 1 + 4 * k, &number, 4);
             }
-            return face;
         });
     }
     void put_faces(joined_writes& out, std::uint64_t at, const tile<std::array<double, 3>>& part, std::size_t first,

@@ -82,16 +82,29 @@ inline std::optional<std::string> named_difference(const offset_file& file, cons
 
 } // namespace detail
 
+/// Says that all cells of a file have this degree, and by how many tiles it is written. Some arrays then follow from the
+/// numbers of cells alone. Each tile writes an equal share of these arrays, since the runs of its own numbers are short.
+struct alike_cells {
+    std::uint64_t degree, tiles;
+};
+
 /// VTK's unstructured grid, raw binary appended, which ParaView opens. Cell data: the parent face on level 0 and the
 /// level; tile and rank, which depend on how the work was shared out, only where asked for.
 class vtu_file : public stitched_file {
 public:
     /// With normals, tiles have theirs, which are point data. Values of fields are point or cell data, see arrays_of.
+    /// With `alike`, tiles are numbered from 0 on, and the file is complete when all of them have been written.
     /// Errors: mesh_error for a field whose name is taken.
     vtu_file(const global_counts& counts, int level, bool with_origin, bool with_normals = false,
-             std::vector<file_array> arrays = {})
-        : level_(level), with_origin_(with_origin), with_normals_(with_normals), arrays_(std::move(arrays))
+             std::vector<file_array> arrays = {}, std::optional<alike_cells> alike = std::nullopt)
+        : cells_(counts.faces)
+        , alike_(alike)
+        , level_(level)
+        , with_origin_(with_origin)
+        , with_normals_(with_normals)
+        , arrays_(std::move(arrays))
     {
+        KITH_ASSERT(not alike or counts.corners == alike->degree * counts.faces);
         layout_.open("Points");
         points_ = layout_.add(counts.vertices * 24, "type=\"Float64\" NumberOfComponents=\"3\"");
         layout_.close("Points").open("Cells");
@@ -169,15 +182,36 @@ private:
             });
             out.flush();
         };
-        const auto degree = [&](std::size_t f) { return std::size_t(t.first_corner(f + 1) - t.first_corner(f)); };
-        put_faces(offsets_, [&](std::size_t f) { return std::int64_t(part.corner_id(f, degree(f))); });
-        put_faces(types_, [&](std::size_t f) { return vtk_cell_type(degree(f)); });
         put_faces(parents_, [&](std::size_t f) { return std::int64_t(part.root(f)); });
-        put_faces(levels_, [&](std::size_t) { return std::uint8_t(level_); });
+        if (alike_) {
+            put_share(
+                out, number, offsets_, [&](std::uint64_t cell) { return std::int64_t(alike_->degree * (cell + 1)); });
+            put_share(out, number, types_, [&](std::uint64_t) { return vtk_cell_type(alike_->degree); });
+            put_share(out, number, levels_, [&](std::uint64_t) { return std::uint8_t(level_); });
+        } else {
+            const auto degree = [&](std::size_t f) { return std::size_t(t.first_corner(f + 1) - t.first_corner(f)); };
+            put_faces(offsets_, [&](std::size_t f) { return std::int64_t(part.corner_id(f, degree(f))); });
+            put_faces(types_, [&](std::size_t f) { return vtk_cell_type(degree(f)); });
+            put_faces(levels_, [&](std::size_t) { return std::uint8_t(level_); });
+        }
         if (with_origin_)
             put_faces(tiles_, [&](std::size_t) { return number; });
         if (rank)
             put_faces(ranks_, [&](std::size_t) { return *rank; });
+    }
+    /// Writes the share of a tile in an array of all cells: value(cell).
+    template <class F>
+    void put_share(joined_writes& out, std::uint64_t tile, std::size_t array, const F& value) const
+    {
+        using type = std::invoke_result_t<const F&, std::uint64_t>;
+        const auto begin_of = [&](std::uint64_t share) {
+            return cells_ / alike_->tiles * share + cells_ % alike_->tiles * share / alike_->tiles;
+        };
+        const std::uint64_t begin = begin_of(tile), end = begin_of(tile + 1);
+        out.put_each(layout_.offset(array) + sizeof(type) * begin, std::size_t(end - begin), [&](std::size_t i) {
+            return value(begin + i);
+        });
+        out.flush();
     }
     void put_values(placed_bytes& file, const tile<std::array<double, 3>>& part,
                     std::span<const value_bytes> values) const
@@ -192,6 +226,8 @@ private:
         }
     }
 
+    std::uint64_t cells_;
+    std::optional<alike_cells> alike_;
     int level_;
     bool with_origin_, with_normals_;
     detail::vtu_arrays arrays_;
