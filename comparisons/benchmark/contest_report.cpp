@@ -106,11 +106,7 @@ void print(const contest& contest)
 void write_json(const std::string& path, const std::map<std::string, std::string>& facts,
                 const std::vector<contest>& contests)
 {
-    using tool::json_object;
-    json_object about;
-    for (const auto& [name, fact] : facts)
-        about.add(name, fact);
-    std::vector<json_object> results;
+    auto results = tool::json::array();
     for (const auto& contest : contests)
         for (const auto& contestant : contest.contestants) {
             std::vector<double> seconds, seconds_again, processor_seconds;
@@ -121,20 +117,19 @@ void write_json(const std::string& path, const std::map<std::string, std::string
                 processor_seconds.push_back(run.processor_seconds);
                 bytes.push_back(run.bytes);
             }
-            results.push_back(json_object()
-                                  .add("scheme", contest.scheme)
-                                  .add("mesh", contest.mesh)
-                                  .add("levels", contest.levels)
-                                  .add("faces", contest.faces)
-                                  .add("peer", contest.contestants.front().name)
-                                  .add("contestant", contestant.name)
-                                  .add("seconds", seconds)
-                                  .add("seconds_again", seconds_again)
-                                  .add("processor_seconds", processor_seconds)
-                                  .add("peak_bytes", bytes));
+            results.push_back({{"scheme", contest.scheme},
+                               {"mesh", contest.mesh},
+                               {"levels", contest.levels},
+                               {"faces", contest.faces},
+                               {"peer", contest.contestants.front().name},
+                               {"contestant", contestant.name},
+                               {"seconds", seconds},
+                               {"seconds_again", seconds_again},
+                               {"processor_seconds", processor_seconds},
+                               {"peak_bytes", bytes}});
         }
     std::ofstream file(path);
-    file << json_object().add("about", about).add("results", results).text() << '\n';
+    file << text_of(tool::json{{"about", facts}, {"results", results}}) << '\n';
     if (not file.flush())
         throw io::file_error(path + ": could not be written completely");
 }

@@ -17,7 +17,7 @@ prints '^bounding box +-1 -1 -1 to 1 1 1$'
 prints '^problems +none$'
 run info cube.off --json
 exits 0
-prints '^\{"file":"cube.off","vertices":8,"edges":12,"faces":6,"components":1,"boundary_loops":0,"euler_characteristic":2,"valences":\{"3":8\},"face_degrees":\{"4":6\},"bounding_box":\[\[-1,-1,-1\],\[1,1,1\]\],"tags":\[\],"schemes":\["catmull-clark","doo-sabin","kobbelt","nasri-hasbini","4-8","mid-edge","unified","linear"\],"problems":\[\]\}$'
+prints '^\{"file":"cube.off","vertices":8,"edges":12,"faces":6,"components":1,"boundary_loops":0,"euler_characteristic":2,"valences":\{"3":8\},"face_degrees":\{"4":6\},"bounding_box":\[\[-1\.0,-1\.0,-1\.0\],\[1\.0,1\.0,1\.0\]\],"tags":\[\],"schemes":\["catmull-clark","doo-sabin","kobbelt","nasri-hasbini","4-8","mid-edge","unified","linear"\],"problems":\[\]\}$'
 
 # A pipe of six quads with two boundary loops and a triangle by itself.
 cat >'pipe "1".off' <<'END'

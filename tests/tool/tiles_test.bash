@@ -119,7 +119,7 @@ done
 rm large.off
 
 # Seconds of each phase, in a file and in the result line.
-phases='"seconds":\{"read":[0-9.e-]+,"partition":[0-9.e-]+,"cut":[0-9.e-]+,"send":0,"refine":[0-9.e-]+,"write":[0-9.e-]+,"wait":[0-9.e-]+\}'
+phases='"seconds":\{"read":[0-9.e-]+,"partition":[0-9.e-]+,"cut":[0-9.e-]+,"send":0\.0,"refine":[0-9.e-]+,"write":[0-9.e-]+,"wait":[0-9.e-]+\}'
 for arguments in '-o out.off' '-o out.vtu --tiles 3'; do
     # shellcheck disable=SC2086 # several words
     run refine cube.off -s catmull-clark -n 3 $arguments --json --stats stats

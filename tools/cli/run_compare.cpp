@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 #include "errors.hpp"
 #include "json.hpp"
+#include "shortest_text.hpp"
 #include "terminal.hpp"
 #include "compare/bitwise_compare.hpp"
 #include "compare/mesh_compare.hpp"
@@ -23,7 +24,7 @@ double tolerance_of(const po::variables_map& values)
     const double tolerance = values["tolerance"].as<double>();
     if (not(tolerance >= 0) or std::isinf(tolerance))
         throw usage_error(
-            "--tolerance: " + (std::isfinite(tolerance) ? to_json(tolerance) : std::to_string(tolerance)) +
+            "--tolerance: " + (std::isfinite(tolerance) ? shortest_text(tolerance) : std::to_string(tolerance)) +
             " is not a distance; give a number of 0 or more");
     return tolerance;
 }
@@ -43,7 +44,7 @@ int compare_bitwise(const polygon_soup& a, const polygon_soup& b, bool as_json)
 {
     const std::string difference = first_difference(a, b);
     if (as_json)
-        std::cout << json_object().add("equal", difference.empty()).add("difference", difference).text();
+        std::cout << text_of({{"equal", difference.empty()}, {"difference", difference}});
     else
         std::cout << (difference.empty() ? "equal, bit for bit" : "different, " + difference);
     std::cout << '\n';
@@ -72,15 +73,13 @@ int run_compare(const verb& verb, const std::vector<std::string>& arguments)
     const comparison result = shown(
         "comparing", {}, [&] { return compare_meshes(a.points, a.faces, b.points, b.faces, tolerance); });
     if (values->count("json") != 0)
-        std::cout << json_object()
-                         .add("equal", result.equal())
-                         .add("largest_distance", result.largest_distance)
-                         .add("unmatched_vertices", result.unmatched_vertices)
-                         .add("unmatched_faces", result.unmatched_faces)
-                         .add("same_faces", result.same_faces)
-                         .text();
+        std::cout << text_of({{"equal", result.equal()},
+                              {"largest_distance", result.largest_distance},
+                              {"unmatched_vertices", result.unmatched_vertices},
+                              {"unmatched_faces", result.unmatched_faces},
+                              {"same_faces", result.same_faces}});
     else
-        std::cout << "largest distance " << to_json(result.largest_distance) << ", " << verdict(result);
+        std::cout << "largest distance " << shortest_text(result.largest_distance) << ", " << verdict(result);
     std::cout << '\n';
     return result.equal() ? 0 : 1;
 }

@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 #include "errors.hpp"
 #include "json.hpp"
+#include "shortest_text.hpp"
 #include "terminal.hpp"
 #include "word_list.hpp"
 #include "info/mesh_facts.hpp"
@@ -36,11 +37,11 @@ std::string histogram_text(const std::map<std::size_t, std::size_t>& histogram)
                                    std::to_string(histogram.rbegin()->first) + " (" + result + ")";
 }
 
-json_object histogram_json(const std::map<std::size_t, std::size_t>& histogram)
+json histogram_json(const std::map<std::size_t, std::size_t>& histogram)
 {
-    json_object result;
+    auto result = json::object();
     for (const auto& [value, times] : histogram)
-        result.add(std::to_string(value), times);
+        result[std::to_string(value)] = times;
     return result;
 }
 
@@ -48,7 +49,7 @@ template <class Line>
 void print_box(const Line& line, const mesh_facts& facts)
 {
     const auto text = [](const std::array<double, 3>& p) {
-        return to_json(p[0]) + " " + to_json(p[1]) + " " + to_json(p[2]);
+        return shortest_text(p[0]) + " " + shortest_text(p[1]) + " " + shortest_text(p[2]);
     };
     if (facts.box)
         line("bounding box", text(facts.box->first) + " to " + text(facts.box->second));
@@ -67,7 +68,7 @@ struct mesh_verdict {
 
 std::string sharpness_text(double sharpness)
 {
-    return sharpness == infinitely_sharp ? "infinitely sharp" : "sharpness " + to_json(sharpness);
+    return sharpness == infinitely_sharp ? "infinitely sharp" : "sharpness " + shortest_text(sharpness);
 }
 
 std::vector<std::string> lines_of(const mesh_tags& tags)
@@ -153,9 +154,10 @@ std::string cracks_text(const cracks& found, std::size_t first_number)
     const std::size_t count = found.rounded.size();
     std::string result = std::to_string(count) + " at the boundary " +
                          (count == 1 ? "coincides with another" : "coincide with others") + ", " +
-                         (found.equal.size() == count ? "exactly"
-                                                      : std::to_string(found.equal.size()) +
-                                                            " exactly, the rest within " + to_json(found.distance)) +
+                         (found.equal.size() == count
+                              ? "exactly"
+                              : std::to_string(found.equal.size()) + " exactly, the rest within " +
+                                    shortest_text(found.distance)) +
                          ": ";
     for (std::size_t i = 0; i < std::min(most, count); ++i)
         result += (i == 0 ? "" : ", ") + number(found.rounded[i].first) + " at " + number(found.rounded[i].second);
@@ -208,36 +210,33 @@ void print_text(const std::string& path, const mesh_facts& facts, const polygon_
 
 void print_json(const std::string& path, const mesh_facts& facts, const mesh_verdict& found)
 {
-    json_object result;
-    result.add("file", path)
-        .add("vertices", facts.vertices)
-        .add("edges", facts.edges)
-        .add("faces", facts.faces)
-        .add("components", facts.components)
-        .add_json("boundary_loops", facts.boundary_loops ? to_json(*facts.boundary_loops) : "null")
-        .add("euler_characteristic", facts.euler_characteristic)
-        .add("valences", histogram_json(facts.valences))
-        .add("face_degrees", histogram_json(facts.degrees));
+    json result{{"file", path},
+                {"vertices", facts.vertices},
+                {"edges", facts.edges},
+                {"faces", facts.faces},
+                {"components", facts.components},
+                {"boundary_loops", facts.boundary_loops ? json(*facts.boundary_loops) : json()},
+                {"euler_characteristic", facts.euler_characteristic},
+                {"valences", histogram_json(facts.valences)},
+                {"face_degrees", histogram_json(facts.degrees)}};
     if (facts.box)
-        result.add_json("bounding_box", "[" + to_json(facts.box->first) + "," + to_json(facts.box->second) + "]");
+        result["bounding_box"] = {facts.box->first, facts.box->second};
     if (facts.between_two_faces != 0)
-        result.add("vertices_between_two_faces", facts.between_two_faces);
+        result["vertices_between_two_faces"] = facts.between_two_faces;
     if (facts.isolated != 0)
-        result.add("isolated_vertices", facts.isolated);
+        result["isolated_vertices"] = facts.isolated;
     if (not found.cracks.rounded.empty())
-        result.add_json("coinciding_vertices",
-                        json_object()
-                            .add("equal", found.cracks.equal.size())
-                            .add("within_distance", found.cracks.rounded.size())
-                            .add("distance", found.cracks.distance)
-                            .text());
-    result.add("tags", found.tags);
+        result["coinciding_vertices"] = {{"equal", found.cracks.equal.size()},
+                                         {"within_distance", found.cracks.rounded.size()},
+                                         {"distance", found.cracks.distance}};
+    result["tags"] = found.tags;
     if (not found.attributes.empty())
-        result.add("attributes", found.attributes);
+        result["attributes"] = found.attributes;
     if (not found.not_refined.empty())
-        result.add("not_refined", found.not_refined);
-    result.add("schemes", found.schemes).add("problems", found.problems);
-    std::cout << result.text() << '\n';
+        result["not_refined"] = found.not_refined;
+    result["schemes"] = found.schemes;
+    result["problems"] = found.problems;
+    std::cout << text_of(result) << '\n';
 }
 
 } // namespace

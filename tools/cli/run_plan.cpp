@@ -87,18 +87,14 @@ void print_table(const planned_job& job)
 void print_json(const planned_job& job)
 {
     const auto& levels = job.levels;
-    std::vector<json_object> objects;
+    auto objects = json::array();
     for (const auto& [counts, bytes, least_bytes] : levels)
-        objects.push_back(json_object()
-                              .add("vertices", counts.vertices)
-                              .add("edges", counts.edges)
-                              .add("faces", counts.faces)
-                              .add("bytes", bytes));
-    json_object result;
-    result.add("levels", objects).add("bytes_at_once", job.bytes).add("bytes_of_all_levels", peak_bytes(levels, true));
+        objects.push_back(
+            {{"vertices", counts.vertices}, {"edges", counts.edges}, {"faces", counts.faces}, {"bytes", bytes}});
+    json result{{"levels", objects}, {"bytes_at_once", job.bytes}, {"bytes_of_all_levels", peak_bytes(levels, true)}};
     if (not job.why.empty())
-        result.add("why", job.why);
-    std::cout << result.text() << '\n';
+        result["why"] = job.why;
+    std::cout << text_of(result) << '\n';
 }
 
 void print_table(const planned_ranks& plan)
@@ -125,30 +121,26 @@ void print_table(const planned_ranks& plan)
 
 void print_json(const planned_ranks& plan)
 {
-    std::vector<json_object> objects;
+    auto objects = json::array();
     for (const planned_rank& r : plan.ranks)
-        objects.push_back(json_object()
-                              .add("tiles", r.tiles)
-                              .add("faces", r.faces)
-                              .add("ghosts", r.ghosts)
-                              .add("message_bytes", r.message_bytes)
-                              .add("last_faces", r.last_faces)
-                              .add("tile_bytes", r.tile_bytes)
-                              .add("output_bytes", r.output_bytes));
-    std::cout << json_object()
-                     .add("rings", plan.rings)
-                     .add("bytes_at_once", plan.largest_tile_bytes)
-                     .add("ranks", objects)
-                     .text()
+        objects.push_back({{"tiles", r.tiles},
+                           {"faces", r.faces},
+                           {"ghosts", r.ghosts},
+                           {"message_bytes", r.message_bytes},
+                           {"last_faces", r.last_faces},
+                           {"tile_bytes", r.tile_bytes},
+                           {"output_bytes", r.output_bytes}});
+    std::cout << text_of({{"rings", plan.rings}, {"bytes_at_once", plan.largest_tile_bytes}, {"ranks", objects}})
               << '\n';
 }
 
 void print_ranks(const po::variables_map& values, const tile_request& request)
 {
     const std::uint64_t ranks = count_from(values, "ranks", most_ranks);
-    const std::uint64_t tiles = ranks * count_from(values, "tiles-per-rank", most_tiles_per_rank);
-    const partition parts = shown(
-        "partitioning", {}, [&] { return make_partition(partitioner_from(values), request.control, tiles); });
+    const std::uint64_t per_rank = count_from(values, "tiles-per-rank", most_tiles_per_rank);
+    const partition parts = shown("partitioning", {}, [&] {
+        return make_partition(partitioner_from(values), request.control, ranks * per_rank);
+    });
     const planned_ranks plan = shown("planning ranks", {}, [&] { return plan_ranks(request, parts, ranks); });
     if (values.count("json") != 0)
         print_json(plan);

@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 #include "errors.hpp"
 #include "json.hpp"
+#include "shortest_text.hpp"
 #include "run_refine_tiles.hpp"
 #include "run_stats.hpp"
 #include "scheme_options.hpp"
@@ -130,7 +131,7 @@ void note_rounding(const std::string& output, const written_mesh& what)
     if (fallen == 0 and largest_move <= last_digits * size)
         return;
     std::cerr << "kith: note: " << output << ": the floats of binary STL move coordinates by up to "
-              << to_json(largest_move);
+              << shortest_text(largest_move);
     if (fallen != 0)
         std::cerr << "; " << fallen << " of " << counted(what.mesh.face_count(), "triangle")
                   << (fallen == 1 ? " collapses and is" : " collapse and are") << " left out";
@@ -276,19 +277,18 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     const auto faces = result.mesh.face_count();
     if (given("stats"))
         write_stats(required(*values, "stats"), seconds);
-    json_object object;
-    object.add("scheme", scheme)
-        .add("mesh", given("mesh") ? required(*values, "mesh") : "native")
-        .add("levels", request.levels)
-        .add("vertices", vertices)
-        .add("edges", result.edges)
-        .add("faces", faces)
-        .add("output", output);
+    json object{{"scheme", scheme},
+                {"mesh", given("mesh") ? required(*values, "mesh") : "native"},
+                {"levels", request.levels},
+                {"vertices", vertices},
+                {"edges", result.edges},
+                {"faces", faces},
+                {"output", output}};
     if (given("stats"))
-        object.add("seconds", json_of(seconds));
+        object["seconds"] = json_of(seconds);
     const std::string line = output + ": " + std::to_string(vertices) + " vertices, " + std::to_string(result.edges) +
                              " edges, " + std::to_string(faces) + " faces";
-    print_result(output == standard_stream ? std::cerr : std::cout, given("json") ? object.text() : line, output);
+    print_result(output == standard_stream ? std::cerr : std::cout, given("json") ? text_of(object) : line, output);
     return 0;
 }
 

@@ -32,25 +32,24 @@ std::string result_line(const tile_request& request, const tiling& how, const ti
     const auto& [counts, tiles, finished_tiles, checksum, seconds] = result;
     std::ostringstream out;
     if (as_json) {
-        json_object object;
-        object.add("scheme", request.scheme_name)
-            .add("tiles", tiles)
-            .add("finished_tiles", finished_tiles)
-            .add("levels", request.levels)
-            .add("vertices", counts.vertices)
-            .add("edges", counts.edges)
-            .add("faces", counts.faces)
-            .add("output", is_complete ? request.output : how.journal);
+        json object{{"scheme", request.scheme_name},
+                    {"tiles", tiles},
+                    {"finished_tiles", finished_tiles},
+                    {"levels", request.levels},
+                    {"vertices", counts.vertices},
+                    {"edges", counts.edges},
+                    {"faces", counts.faces},
+                    {"output", is_complete ? request.output : how.journal}};
         if (is_complete and checksum) {
             std::ostringstream digits;
             digits << std::hex << checksum->bits;
-            object.add("checksum", digits.str());
+            object["checksum"] = digits.str();
         }
         if (how.verify)
-            object.add("verified", true);
+            object["verified"] = true;
         if (with_seconds)
-            object.add("seconds", json_of(seconds));
-        out << object.text();
+            object["seconds"] = json_of(seconds);
+        out << text_of(object);
     } else if (is_complete) {
         out << request.output << ": " << counts.vertices << " vertices, " << counts.edges << " edges, " << counts.faces
             << " faces";

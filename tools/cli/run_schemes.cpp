@@ -44,16 +44,12 @@ scheme_line describe(const scheme_entry<Scheme>& entry)
     return result;
 }
 
-json_object as_json(const scheme_line& line)
+json as_json(const scheme_line& line)
 {
-    json_object options;
+    auto options = json::object();
     for (const auto& [option, words] : line.options)
-        options.add(option, words);
-    return json_object()
-        .add("name", line.name)
-        .add("takes", line.takes)
-        .add("source", line.source)
-        .add("options", options);
+        options[option] = words;
+    return {{"name", line.name}, {"takes", line.takes}, {"source", line.source}, {"options", options}};
 }
 
 } // namespace
@@ -67,10 +63,10 @@ int run_schemes(const verb& verb, const std::vector<std::string>& arguments)
         return 0;
     const auto lines = std::apply([](const auto&... entry) { return std::vector{describe(entry)...}; }, known_schemes);
     if (values->count("json") != 0) {
-        std::vector<json_object> objects;
+        auto objects = json::array();
         for (const auto& line : lines)
             objects.push_back(as_json(line));
-        std::cout << to_json(objects) << '\n';
+        std::cout << text_of(objects) << '\n';
         return 0;
     }
     std::size_t names = 0, kinds = 0;

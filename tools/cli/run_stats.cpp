@@ -25,22 +25,20 @@ double processor_seconds()
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-json_object json_of(const phase_seconds& seconds)
+json json_of(const phase_seconds& seconds)
 {
-    json_object result;
+    auto result = json::object();
     for (std::size_t p = 0; p < phase_names.size(); ++p)
-        result.add(phase_names[p], std::round(1e6 * seconds.all()[p]) / 1e6);
+        result[std::string(phase_names[p])] = std::round(1e6 * seconds.all()[p]) / 1e6;
     return result;
 }
 
 void write_stats(const std::string& path, const phase_seconds& seconds)
 {
     io::output_file file(path);
-    file.stream() << json_object()
-                         .add("seconds", json_of(seconds))
-                         .add("processor_seconds", processor_seconds())
-                         .add("peak_bytes", peak_memory())
-                         .text()
+    file.stream() << text_of({{"seconds", json_of(seconds)},
+                              {"processor_seconds", processor_seconds()},
+                              {"peak_bytes", peak_memory()}})
                   << '\n';
     file.commit();
 }

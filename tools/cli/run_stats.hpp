@@ -16,8 +16,8 @@ inline constexpr const char* stats_help =
 /// What this process has had of the processors, in seconds.
 double processor_seconds();
 
-/// By the name of the phase.
-json_object json_of(const phase_seconds& seconds);
+/// Returns the seconds of each phase by its name.
+json json_of(const phase_seconds& seconds);
 
 /// Writes the phases of this process and what it took in all, a line of JSON. Errors: io::file_error.
 void write_stats(const std::string& path, const phase_seconds& seconds);

@@ -169,12 +169,11 @@ int run_tessellate(const verb& verb, const std::vector<std::string>& arguments)
     note_losses(input, control.not_kept);
 
     const auto vertices = result.mesh.vertex_count(), faces = result.mesh.face_count();
-    json_object object;
-    object.add("scheme", scheme_name).add("vertices", vertices).add("faces", faces).add("output", output);
+    const json object{{"scheme", scheme_name}, {"vertices", vertices}, {"faces", faces}, {"output", output}};
     const std::string line = output + ": " + std::to_string(vertices) + " vertices, " + std::to_string(faces) +
                              " triangles";
     print_result(
-        output == standard_stream ? std::cerr : std::cout, values->count("json") != 0 ? object.text() : line, output);
+        output == standard_stream ? std::cerr : std::cout, values->count("json") != 0 ? text_of(object) : line, output);
     return 0;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bitwise_compare.hpp"
 
-#include "cli/json.hpp"
+#include "cli/shortest_text.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -38,7 +38,7 @@ std::string first_difference(const io::polygon_soup& a, const io::polygon_soup& 
         for (std::size_t i = 0; i < 3; ++i)
             if (const double x = a.points[v][i], y = b.points[v][i];
                 std::bit_cast<std::uint64_t>(x) != std::bit_cast<std::uint64_t>(y))
-                return differing("vertex " + std::to_string(v) + ", " + "xyz"[i], to_json(x), to_json(y));
+                return differing("vertex " + std::to_string(v) + ", " + "xyz"[i], shortest_text(x), shortest_text(y));
     for (std::size_t f = 0; f < a.faces.size(); ++f)
         if (not std::ranges::equal(a.faces[f], b.faces[f]))
             return differing("face " + std::to_string(f), text_of(a.faces[f]), text_of(b.faces[f]));

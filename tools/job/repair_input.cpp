@@ -3,7 +3,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/errors.hpp"
-#include "cli/json.hpp"
+#include "cli/shortest_text.hpp"
 #include "cli/word_list.hpp"
 
 #include <kith/core/base/error.hpp>
@@ -243,7 +243,7 @@ std::string words_of(const input_repair& repair)
     add(repair.options.split, "split");
     add(repair.options.orient, "orient");
     if (repair.options.weld)
-        add(true, "weld=" + to_json(*repair.options.weld));
+        add(true, "weld=" + shortest_text(*repair.options.weld));
     else
         add(repair.welds_rounded, "weld");
     return result;

@@ -21,36 +21,34 @@ namespace {
 
 std::string stats_line(int rank, const mpi::work_done& done, const mpi::traffic& traffic, const phase_seconds& seconds)
 {
-    return json_object()
-               .add("rank", rank)
-               .add("tiles", done.tiles)
-               .add("owned_faces", done.owned_faces)
-               .add("kept_faces", done.kept_faces)
-               .add("useful_faces", done.useful_faces)
-               .add("bytes_sent", traffic.bytes_sent)
-               .add("messages_sent", traffic.messages_sent)
-               .add("bytes_received", traffic.bytes_received)
-               .add("messages_received", traffic.messages_received)
-               .add("peak_bytes", peak_memory())
-               .add("processor_seconds", processor_seconds())
-               .add("seconds", json_of(seconds))
-               .text() +
+    return text_of({{"rank", rank},
+                    {"tiles", done.tiles},
+                    {"owned_faces", done.owned_faces},
+                    {"kept_faces", done.kept_faces},
+                    {"useful_faces", done.useful_faces},
+                    {"bytes_sent", traffic.bytes_sent},
+                    {"messages_sent", traffic.messages_sent},
+                    {"bytes_received", traffic.bytes_received},
+                    {"messages_received", traffic.messages_received},
+                    {"peak_bytes", peak_memory()},
+                    {"processor_seconds", processor_seconds()},
+                    {"seconds", json_of(seconds)}}) +
            "\n";
 }
 
 std::string summary(const std::vector<phase_seconds>& ranks)
 {
-    json_object phases;
+    auto phases = json::object();
     for (std::size_t p = 0; p < phase_names.size(); ++p) {
         double least = std::numeric_limits<double>::max(), most = 0, sum = 0;
         for (const auto& rank : ranks) {
             const double seconds = rank.all()[p];
             least = std::min(least, seconds), most = std::max(most, seconds), sum += seconds;
         }
-        phases.add(phase_names[p],
-                   json_object().add("minimum", least).add("mean", sum / double(ranks.size())).add("maximum", most));
+        phases[std::string(phase_names[p])] = {
+            {"minimum", least}, {"mean", sum / double(ranks.size())}, {"maximum", most}};
     }
-    return json_object().add("ranks", ranks.size()).add("seconds", phases).text() + "\n";
+    return text_of({{"ranks", ranks.size()}, {"seconds", phases}}) + "\n";
 }
 
 } // namespace
