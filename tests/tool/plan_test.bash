@@ -118,12 +118,22 @@ exits 0
 run plan torus.off -s doo-sabin -n 2 --ranks 3 --partitioner block --json
 exits 0
 prints '^\{"rings":2,"bytes_at_once":[0-9]+,"ranks":\[(\{"tiles":1,"faces":16,"ghosts":[0-9]+,"message_bytes":[0-9]+,"last_faces":256,.*){3}\]\}$'
+# As many tiles as keep each small, on each rank as many; the refinement takes as many by itself.
+run plan cube.off -s catmull-clark -n 8 --ranks 1
+prints '^ +0 +1 +6 '
+run plan cube.off -s catmull-clark -n 9 --ranks 1
+prints '^ +0 +4 +6 '
+run plan cube.off -s catmull-clark -n 9 --ranks 3
+for rank in 0 1 2; do prints "^ +$rank +2 +2 "; done
+run refine cube.off -s catmull-clark -n 9 -o out.vtu --json
+prints '"tiles":4,'
+rm out.vtu
 # The messages are as long as kith-mpi counts them, the faces as many: see tests/mpi.
 run plan cube.off -s catmull-clark -n 13 --ranks 8
 exits 0
 prints '^ +7 +1 +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+$'
 # 64 bits suffice for 2.7e16 faces and their bytes, not for those of one level more. Columns do not run into each other.
-run plan cube.off -s catmull-clark -n 26 --ranks 2
+run plan cube.off -s catmull-clark -n 26 --ranks 2 --tiles-per-rank 1
 exits 0
 says_nothing
 prints '^ +0 +1 +3 +[0-9]+ +[0-9]+ +13510798882111488 +[0-9]+ +[0-9]+$'
@@ -131,7 +141,7 @@ check "columns of one width" test "$(sed -n '2,4p' "$results/out" | awk '{ print
 run plan cube.off -s catmull-clark -n 27 --ranks 2
 exits 1
 says 'level 27 has 108086391056891906 vertices and 216172782113783808 edges, whose size in bytes exceeds 64 bits'
-run plan cube.off -s catmull-clark -n 20 --ranks 2
+run plan cube.off -s catmull-clark -n 20 --ranks 2 --tiles-per-rank 1
 exits 0
 prints '^ +1 +1 +3 +[0-9]+ +[0-9]+ +3298534883328 +[0-9]+ +[0-9]+$'
 run plan cube.off -s catmull-clark -n 2 --ranks 2 --mesh cgal
@@ -216,7 +226,7 @@ if test -x /usr/bin/time; then
     done
     planned "$base" cube.off -s catmull-clark -n 8 --limit -- cube.off -s catmull-clark -n 8 --limit -o out.ply --binary
     # The same in tiles, step by step and in patches.
-    planned "$base_of_tiles" control.ply -s doo-sabin -n 4 --ranks 1 -- \
+    planned "$base_of_tiles" control.ply -s doo-sabin -n 4 --ranks 1 --tiles-per-rank 1 -- \
         control.ply -s doo-sabin -n 4 -o out.vtu --tiles 1 --threads 1 --way levels
     for job in "catmull-clark -n 5 --tiles 1" "catmull-clark -n 5 --tiles 8" "doo-sabin -n 4 --tiles 1"; do
         run plan control.ply -s ${job%--*} --ranks 1 --tiles-per-rank ${job##* }

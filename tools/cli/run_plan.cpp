@@ -137,7 +137,9 @@ void print_json(const planned_ranks& plan)
 void print_ranks(const po::variables_map& values, const tile_request& request)
 {
     const std::uint64_t ranks = count_from(values, "ranks", most_ranks);
-    const std::uint64_t per_rank = count_from(values, "tiles-per-rank", most_tiles_per_rank);
+    const std::uint64_t per_rank = values.count("tiles-per-rank") != 0
+                                       ? count_from(values, "tiles-per-rank", most_tiles_per_rank)
+                                       : usual_tiles_per_rank(request, ranks);
     const partition parts = shown("partitioning", {}, [&] {
         return make_partition(partitioner_from(values), request.control, ranks * per_rank);
     });

@@ -90,12 +90,13 @@ int run_refine_tiles(const po::variables_map& values)
     how.verify = values.count("verify") != 0;
     how.with_checksum = values.count("checksum") != 0;
     tile_request request;
-    std::uint64_t tiles = 1;
+    std::optional<std::uint64_t> tiles;
     std::string partitioner = "metis";
     double reading = 0;
     if (names_input(values, {"only", "threads", "json", "memory-limit", "stats", "verify", "checksum"})) {
         request = tile_request_from(values);
-        tiles = count_from(values, "tiles");
+        if (values.count("tiles") != 0)
+            tiles = count_from(values, "tiles");
         partitioner = partitioner_from(values);
         require_reach(request);
         timed(reading, [&] { read_control(request, required(values, "IN")); });
@@ -109,7 +110,9 @@ int run_refine_tiles(const po::variables_map& values)
                   << " is binary, since tiles are written at fixed byte positions\n";
     how.partitioner = partitioner;
     how.memory = memory_limit_from(values);
-    how.make_parts = [&] { return make_partition(partitioner, request.control, tiles); };
+    how.make_parts = [&] {
+        return make_partition(partitioner, request.control, tiles ? *tiles : usual_tiles_per_rank(request));
+    };
     tiled_result result = refine_tiles(request, how);
     result.seconds[phase::read] += reading;
     const bool with_seconds = values.count("stats") != 0;

@@ -105,9 +105,10 @@ double bytes_beside_tiles(const std::vector<planned_level>& levels, const attrib
     return result;
 }
 
+/// The bytes that a tile of so many faces needs at most, which has a share of the corners.
 template <class Scheme>
-double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& levels, double share, double faces,
-                      std::uint64_t at_once, const tiling_kind& kind)
+double bytes_of_tile(const Scheme& scheme, const std::vector<planned_level>& levels, double share, double faces,
+                     const tiling_kind& kind)
 {
     const double all = double(levels[0].counts.faces);
     const auto last_rings = rings_of_last_level(scheme, kind.limit, kind.attributes.any());
@@ -116,9 +117,26 @@ double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& le
     element_bytes last = written_bytes(kind.attributes);
     last.vertex += kind.limit ? bytes_of_limit : 0;
     last.corner += kind.corner_normals ? bytes_of_corner_normal : 0;
-    const std::uint64_t tile = tile_bytes(
-        levels, scheme, share, ghosts, last_rings, last, field_bytes(kind.attributes));
-    return bytes_beside_tiles<Scheme>(levels, kind.attributes) + double(at_once) * double(tile);
+    return double(tile_bytes(levels, scheme, share, ghosts, last_rings, last, field_bytes(kind.attributes)));
+}
+
+template <class Scheme>
+double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& levels, double share, double faces,
+                      std::uint64_t at_once, const tiling_kind& kind)
+{
+    return bytes_beside_tiles<Scheme>(levels, kind.attributes) +
+           double(at_once) * bytes_of_tile(scheme, levels, share, faces, kind);
+}
+
+/// Returns the faces of the largest of so many tiles, about, since parts are not of one size.
+double faces_of_largest(std::uint64_t faces, std::uint64_t tiles)
+{
+    return std::min(double(faces), std::ceil(1.1 * double(faces) / double(tiles)));
+}
+/// Returns a few more tiles, as the next number that a search tries.
+std::uint64_t more_tiles(std::uint64_t tiles, std::uint64_t most)
+{
+    return std::min(most, tiles + 1 + tiles / 8);
 }
 
 /// As tiles_at_once; on ranks, which have a part of the tiles each, it may be less.
@@ -270,15 +288,14 @@ std::uint64_t tiles_that_fit(const any_scheme& scheme, const basic_mesh<>& contr
     const std::uint64_t most = control.face_count();
     return with_reaching(scheme, [&](const auto& s) -> std::uint64_t {
         const auto planned = plan_of_tiles(s, control, levels);
-        // Parts are not of one size.
         const auto fits = [&](std::uint64_t tiles) {
-            const double faces = std::min(double(most), std::ceil(1.1 * double(most) / double(tiles)));
+            const double faces = faces_of_largest(most, tiles);
             const std::uint64_t together = at_once(tiles, kind.threads);
             return bytes_of_tiles(s, planned, faces / double(most), faces, together, kind) <= double(limit);
         };
         std::uint64_t tiles = 1;
         while (tiles < most and not fits(tiles))
-            tiles = std::min(most, tiles + 1 + tiles / 8);
+            tiles = more_tiles(tiles, most);
         const std::string by = partitioner == "block" ? partitioner : "metis";
         const auto is_enough = [&] {
             return bytes_of_tiles(s, planned, control, make_partition(by, control, tiles), kind) <= double(limit);
@@ -290,6 +307,23 @@ std::uint64_t tiles_that_fit(const any_scheme& scheme, const basic_mesh<>& contr
         }
         return tiles;
     });
+}
+
+std::uint64_t usual_tiles(const any_scheme& scheme, const basic_mesh<>& control, int levels, const tiling_kind& kind)
+{
+    constexpr double usual_bytes = 128 << 20; // the time is about the same from a quarter to four times as much
+    const std::uint64_t most = control.face_count();
+    std::uint64_t tiles = 1;
+    with_reaching(scheme, [&](const auto& s) {
+        const auto planned = plan_of_tiles(s, control, levels);
+        const auto is_usual = [&] {
+            const double faces = faces_of_largest(most, tiles);
+            return bytes_of_tile(s, planned, faces / double(most), faces, kind) <= usual_bytes;
+        };
+        while (tiles < most and not is_usual())
+            tiles = more_tiles(tiles, most);
+    });
+    return tiles;
 }
 
 void require_memory(const any_scheme& scheme, const basic_mesh<>& control, int levels, const job_kind& kind,

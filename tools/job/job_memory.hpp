@@ -62,6 +62,12 @@ std::uint64_t tiled_job_bytes(const any_scheme& scheme, const basic_mesh<>& cont
 std::uint64_t tiles_that_fit(const any_scheme& scheme, const basic_mesh<>& control, int levels,
                              const std::string& partitioner, std::uint64_t limit, const tiling_kind& kind = {});
 
+/// Returns how many tiles a job takes if nothing else is said: as many as make a tile so small that it is refined in
+/// memory that the one before has left. Fresh memory must be cleared, which takes as long as the refinement.
+/// Errors: mesh_error for counts beyond 64 bits. Cost: O(levels) for each number that is tried.
+std::uint64_t usual_tiles(const any_scheme& scheme, const basic_mesh<>& control, int levels,
+                          const tiling_kind& kind = {});
+
 /// What a job may use.
 struct memory_limit {
     std::uint64_t bytes = 0;

@@ -49,11 +49,9 @@ planned_ranks plan_by(const Scheme& scheme, const tile_request& request, const p
     const int levels = request.levels;
     const auto last = plan(count(control.topology()), scheme, levels, control.generation(), 24, 8).back().counts;
     const int rings = ring_schedule(scheme, levels, last_rings(request).value_or(0))[0];
-    const tiling_kind kind{.limit = request.limit,
-                           .corner_normals = has_corner_normals(request),
-                           .attributes = count_of(request.kinds, request.linear)};
-    planned_ranks result{
-        rings, tiled_job_bytes(request.scheme, control, levels, parts, kind), std::vector<planned_rank>(ranks)};
+    planned_ranks result{rings,
+                         tiled_job_bytes(request.scheme, control, levels, parts, tiling_of(request)),
+                         std::vector<planned_rank>(ranks)};
     const double of_vertex = bytes_in_file(request.kinds.vertices), of_face = bytes_in_file(request.kinds.faces);
     tile_cutter cutter(control, scheme, parts.part_of, parts.parts);
     for (std::size_t t = 0; t < parts.parts; ++t) {

@@ -202,10 +202,7 @@ tiled_result refine_tiles(const tile_request& request, const tiling& how)
                    parts,
                    how.partitioner,
                    how.memory,
-                   {.threads = tiles_at_once(wanted),
-                    .limit = request.limit,
-                    .corner_normals = has_corner_normals(request),
-                    .attributes = count_of(request.kinds, request.linear)},
+                   tiling_of(request, tiles_at_once(wanted)),
                    "--tiles");
     auto result = std::visit(
         [&]<class Scheme>(const Scheme& scheme) -> tiled_result {

@@ -57,6 +57,20 @@ bool has_corner_normals(const tile_request& request)
     return request.limit and io::extension_of(request.output) == ".ply" and has_sides(request.scheme);
 }
 
+tiling_kind tiling_of(const tile_request& request, std::uint64_t threads)
+{
+    return {.threads = threads,
+            .limit = request.limit,
+            .corner_normals = has_corner_normals(request),
+            .attributes = count_of(request.kinds, request.linear)};
+}
+
+std::uint64_t usual_tiles_per_rank(const tile_request& request, std::uint64_t ranks)
+{
+    const std::uint64_t all = usual_tiles(request.scheme, request.control, request.levels, tiling_of(request));
+    return (all + ranks - 1) / ranks;
+}
+
 void read_control(tile_request& request, const std::string& path)
 {
     control_mesh control = read_mesh(path, request.repair);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "job_memory.hpp"
 #include "repair_input.hpp"
 #include "schemes.hpp"
 
 #include <kith/core/mesh/basic_mesh.hpp>
 
+#include <cstdint>
 #include <string>
 
 namespace kith::tool {
@@ -29,6 +31,13 @@ struct tile_request {
 /// Returns whether the output has normals of the corners: it is .ply, and edges of the control mesh stay sharp for
 /// ever.
 bool has_corner_normals(const tile_request& request);
+
+/// Returns what the memory of a job depends on, whose threads may refine so many tiles at once.
+tiling_kind tiling_of(const tile_request& request, std::uint64_t threads = 1);
+
+/// Returns how many tiles each rank refines if nothing else is said: usual_tiles, which all together have at least.
+/// Precondition: the control mesh has been read. Errors: mesh_error for counts beyond 64 bits.
+std::uint64_t usual_tiles_per_rank(const tile_request& request, std::uint64_t ranks = 1);
 
 /// Reads the control mesh of a request, with what the output holds of its attributes, and what the file says of its
 /// creases. Errors: file_error, mesh_error.

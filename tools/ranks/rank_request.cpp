@@ -91,7 +91,8 @@ std::optional<rank_request> rank_request_from(const verb& verb, const std::vecto
         request.what = tile_request_from(*values);
     }
     request.sharing = sharing_named(text("mode", "spmd"));
-    request.tiles_per_rank = count_from(*values, "tiles-per-rank", most_tiles_per_rank);
+    if (values->count("tiles-per-rank") != 0)
+        request.tiles_per_rank = count_from(*values, "tiles-per-rank", most_tiles_per_rank);
     request.threads = count_from(*values, "threads", most_threads);
     request.memory_per_rank = values->count("memory-per-rank") != 0 ? bytes_from(text("memory-per-rank", "")) : 0;
     request.partitioner = partitioner_from(*values);

@@ -18,8 +18,8 @@ struct rank_request {
     tile_request what; ///< its control mesh is read later, by rank 0; without input all of it
     std::string input; ///< empty: the journal says what is refined
     std::string partitioner, journal, stats;
-    std::uint64_t tiles_per_rank = 1;
-    std::uint64_t memory_per_rank = 0; ///< in bytes; 0: whatever it takes
+    std::optional<std::uint64_t> tiles_per_rank{}; ///< nothing: as many as are usual
+    std::uint64_t memory_per_rank = 0;             ///< in bytes; 0: whatever it takes
     std::uint64_t threads = 1;
     mpi::sharing sharing = mpi::sharing::spmd;
     bool verify = false;

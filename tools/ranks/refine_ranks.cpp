@@ -45,17 +45,16 @@ namespace {
 
 tiling_kind tiling_of(const rank_request& request)
 {
-    return {.threads = tiles_at_once(SIZE_MAX, request.threads),
-            .limit = request.what.limit,
-            .corner_normals = has_corner_normals(request.what),
-            .attributes = count_of(request.what.kinds, request.what.linear)};
+    return tiling_of(request.what, tiles_at_once(SIZE_MAX, request.threads));
 }
 
-/// As many tiles as are asked for, or as it takes to stay within the memory of a rank.
+/// Cuts as many tiles as are asked for or usual, or as it takes to stay within the memory of a rank.
 partition partition_for(const rank_request& request, int ranks)
 {
     const tile_request& what = request.what;
-    auto tiles = request.tiles_per_rank * std::uint64_t(ranks);
+    const std::uint64_t per_rank = request.tiles_per_rank ? *request.tiles_per_rank
+                                                          : usual_tiles_per_rank(what, std::uint64_t(ranks));
+    std::uint64_t tiles = per_rank * std::uint64_t(ranks);
     if (request.memory_per_rank != 0)
         tiles = std::max(tiles,
                          tiles_that_fit(what.scheme,
