@@ -85,6 +85,7 @@ wrong '--angle: give a positive number' cube.off -s catmull-clark --angle inf -o
 wrong 'segments' cube.off -s catmull-clark --segments 0 -o no.off
 wrong 'segments' cube.off -s catmull-clark --segments 100000 -o no.off
 wrong "'doo-sabin' is not possible here; the schemes are catmull-clark and loop" cube.off -s doo-sabin --segments 2 -o no.off
+wrong '--binary: only PLY and STL are either text or binary; leave it out for no.off' cube.off -s loop --segments 2 --binary -o no.off
 wrong 'levels' cube.off -s catmull-clark --levels 2 --segments 2 -o no.off
 run tessellate cube.off -s loop --segments 2 -o no.off
 exits 1

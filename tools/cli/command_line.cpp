@@ -4,6 +4,8 @@
 #include "errors.hpp"
 #include "terminal.hpp"
 
+#include <kith/io/format/mesh_format.hpp>
+
 #include <boost/program_options/parsers.hpp>
 #include <boost/program_options/positional_options.hpp>
 
@@ -100,6 +102,14 @@ std::string output_of(const po::variables_map& values)
     if (values.count("stats") != 0 and path(required(values, "stats")) == path(output))
         throw usage_error("--stats: " + output + " is the output; name another file");
     return output;
+}
+
+bool is_binary_from(const po::variables_map& values, const std::string& output)
+{
+    const bool is_binary = values.count("binary") != 0;
+    if (is_binary and not io::contents_of(io::output_format_of(output)).binary)
+        throw usage_error("--binary: only PLY and STL are either text or binary; leave it out for " + output);
+    return is_binary;
 }
 
 int levels_of(const po::variables_map& values)

@@ -57,6 +57,10 @@ std::string required(const boost::program_options::variables_map& values, const 
 /// empty.
 std::string output_of(const boost::program_options::variables_map& values);
 
+/// Returns true if --binary is given. Errors: usage_error for an output whose format has one form only, and those of
+/// `io::output_format_of`.
+bool is_binary_from(const boost::program_options::variables_map& values, const std::string& output);
+
 /// --levels: 0 or more. Errors: usage_error.
 int levels_of(const boost::program_options::variables_map& values);
 

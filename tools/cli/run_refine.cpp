@@ -218,9 +218,7 @@ int run_refine(const verb& verb, const std::vector<std::string>& arguments)
     const mesh_format format = output_format_of(output);
     const io::format_contents& contents = contents_of(format);
     request.with_tags = contents.tags;
-    const bool binary = given("binary");
-    if (binary and not contents.binary)
-        throw usage_error("--binary: only PLY and STL are either text or binary; leave it out for " + output);
+    const bool binary = is_binary_from(*values, output);
 
     phase_seconds seconds;
     control_mesh control = timed(seconds[phase::read], [&] { return read_mesh(input, repair); });

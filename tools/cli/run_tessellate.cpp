@@ -145,7 +145,7 @@ int run_tessellate(const verb& verb, const std::vector<std::string>& arguments)
     const tessellation_options options = tessellation_options_from(*values);
     any_scheme scheme = make_scheme(scheme_name, words);
     const mesh_format format = output_format_of(output);
-    const bool is_binary = values->count("binary") != 0;
+    const bool is_binary = is_binary_from(*values, output);
 
     control_mesh control = read_mesh(input, repair);
     give_creases(scheme, control, words);
