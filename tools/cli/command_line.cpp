@@ -20,7 +20,8 @@ namespace po = boost::program_options;
 
 namespace {
 
-/// `--weld 0.1` as `--weld=0.1`: Boost gives a value that may be missing to an option only if it is joined to it.
+/// Returns the arguments with `--weld 0.1` joined to `--weld=0.1`. Boost gives an optional value to an option only in
+/// the joined form.
 std::vector<std::string> with_joined_distance(const std::vector<std::string>& arguments)
 {
     std::vector<std::string> result;

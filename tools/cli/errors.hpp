@@ -9,7 +9,7 @@ namespace kith::tool {
 
 using namespace io; // NOLINT(google-build-using-namespace): what files hold has the same names in the programs
 
-/// The program was called in a way it does not know; exit code 2.
+/// An error in the command line of the program; exit code 2.
 struct usage_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -11,10 +11,11 @@
 
 namespace kith::tool {
 
-/// --partitioner: metis, unless told, block or file:PATH. Errors: usage_error.
+/// Returns the value of --partitioner: metis (the default), block or file:PATH. Errors: usage_error.
 std::string partitioner_from(const boost::program_options::variables_map& values);
 
-/// The partition that --partitioner asks for: metis, block or file:PATH. Errors: file_error, mesh_error.
+/// Returns the partition of a mesh that a value of --partitioner asks for: metis, block or file:PATH. Errors:
+/// file_error, mesh_error.
 partition make_partition(const std::string& partitioner, const basic_mesh<>& mesh, std::size_t parts);
 
 } // namespace kith::tool

@@ -55,15 +55,15 @@ void print_box(const Line& line, const mesh_facts& facts)
         line("bounding box", text(facts.box->first) + " to " + text(facts.box->second));
 }
 
-/// What `info` tells beside facts.
+/// The findings of `info` besides the facts.
 struct mesh_verdict {
-    std::vector<std::string> problems;     ///< all that `refine` would refuse, whatever the scheme
-    std::vector<std::string> tags;         ///< "edge 0-1: sharpness 2"
-    std::vector<std::string_view> schemes; ///< that take the mesh
-    std::vector<std::string> attributes;   ///< what else is refined
+    std::vector<std::string> problems;     ///< reasons for which `refine` refuses the mesh, whatever the scheme
+    std::vector<std::string> tags;         ///< lines such as "edge 0-1: sharpness 2"
+    std::vector<std::string_view> schemes; ///< names of the schemes that take the mesh
+    std::vector<std::string> attributes;   ///< kinds of attributes that are refined
     std::vector<std::string> not_refined;
     tool::cracks cracks;
-    std::vector<std::string> remedies; ///< of the problems
+    std::vector<std::string> remedies; ///< options that solve the problems
 };
 
 std::string sharpness_text(double sharpness)
@@ -93,7 +93,7 @@ std::vector<std::string> lines_of(const mesh_tags& tags)
     return result;
 }
 
-/// "2 sharp edges, 1 hole"
+/// Returns the number of tags of each kind: "2 sharp edges, 1 hole".
 std::string numbers_of(const mesh_tags& tags)
 {
     std::string result;
@@ -146,7 +146,8 @@ void print_list(const std::vector<std::string>& lines)
         std::cout << "  and " << lines.size() - most << " more, which --json lists\n";
 }
 
-/// "16 at the boundary coincide with others, 8 exactly, the rest within 1e-06: 8 at 0, ...; --weld joins them"
+/// Returns a text on coinciding vertices: "16 at the boundary coincide with others, 8 exactly, the rest within 1e-06: 8
+/// at 0, ...; --weld joins them".
 std::string cracks_text(const cracks& found, std::size_t first_number)
 {
     constexpr std::size_t most = 4;

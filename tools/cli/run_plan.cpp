@@ -31,19 +31,19 @@ namespace {
 
 namespace po = boost::program_options;
 
-/// What refining once would need, beside the program.
+/// The levels and bytes that one refinement needs, besides the program itself.
 struct planned_job {
     std::vector<planned_level> levels;
     std::uint64_t bytes = 0;
-    std::string why; ///< a sentence about the way; empty if it is not wanted
+    std::string why; ///< a sentence on how the last level is made; empty if not asked for
 };
 
-/// A column of a table: its heading, which may have blanks before it, and its entries.
+/// A column of a table: its heading, which may begin with blanks, and its entries.
 struct table_column {
     std::string heading;
     std::vector<std::uint64_t> entries{};
 
-    /// At least two blanks stand before the longest entry.
+    /// Returns the width of the column in characters. At least two blanks stand before the longest entry.
     [[nodiscard]] std::size_t width() const
     {
         std::size_t result = heading.size();

@@ -87,7 +87,8 @@ po::options_description options_of_refine()
     return options;
 }
 
-/// Points without a face are written behind the vertices, where that is wanted and the format has them.
+/// Keeps the points without a face, which are written after the vertices, unless `drop` is true or the format cannot
+/// hold them.
 void settle_isolated(control_mesh& control, mesh_format format, bool drop)
 {
     if (control.isolated.empty())
@@ -104,7 +105,7 @@ void settle_isolated(control_mesh& control, mesh_format format, bool drop)
     }
 }
 
-/// What the points without a face have comes behind what the vertices have.
+/// Appends the attribute values of the points without a face to those of the vertices.
 void append_isolated(io::mesh_attributes& attributes, const control_mesh& control)
 {
     for (std::size_t i = 0; i < attributes.vertices.size(); ++i) {
@@ -114,7 +115,7 @@ void append_isolated(io::mesh_attributes& attributes, const control_mesh& contro
     }
 }
 
-/// Notes what the floats of binary STL change, where that is more than the last digits of the mesh.
+/// Prints a note on what the floats of binary STL change, if that is more than the last digits of the mesh.
 void note_rounding(const std::string& output, const written_mesh& what)
 {
     double largest_move = 0, size = 0;
@@ -138,8 +139,8 @@ void note_rounding(const std::string& output, const written_mesh& what)
     std::cerr << "; text, .off, .obj and .ply keep doubles\n";
 }
 
-/// Returns the bytes by which memory grows while the last level is made: by that level, or by all of them if they are
-/// meshes of their own. Errors: mesh_error for levels that cannot be planned.
+/// Returns the number of bytes by which memory grows until the last level is made. They hold that level, or all levels
+/// if each is a mesh of its own. Errors: mesh_error for levels that cannot be planned.
 double bytes_of_levels(const refine_request& request, const basic_mesh<>& control, mesh_kind mesh)
 {
     const auto planned = std::visit(
@@ -157,8 +158,8 @@ double bytes_of_levels(const refine_request& request, const basic_mesh<>& contro
                                    .attributes = request.counted}));
 }
 
-/// Measures a refinement by the memory that it fills. Levels that cannot be planned have no share: their refinement is
-/// refused, and says why.
+/// Returns the share of a refinement that is done, measured by the memory that it fills. Returns an empty function for
+/// levels that cannot be planned; their refinement is refused with the reason.
 share_of_work share_of_refinement(const refine_request& request, const basic_mesh<>& control, mesh_kind mesh)
 {
     try {

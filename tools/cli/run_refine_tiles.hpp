@@ -5,10 +5,11 @@
 
 namespace kith::tool {
 
-/// Whether a file can only be written in tiles, even if one will do.
+/// Returns true if the output has a format that is always written in tiles (.vtu, .pvtu), even if there is only one
+/// tile.
 bool is_tile_format_only(const boost::program_options::variables_map& values);
 
-/// `kith refine --tiles` or `--journal`; returns the exit code.
+/// Runs `kith refine --tiles` or `--journal`. Returns the exit code.
 int run_refine_tiles(const boost::program_options::variables_map& values);
 
 } // namespace kith::tool

@@ -19,7 +19,7 @@ struct scheme_line {
     std::string_view name;
     std::string_view takes;
     std::string_view source;
-    std::vector<std::pair<std::string, std::string>> options; ///< and their words
+    std::vector<std::pair<std::string, std::string>> options; ///< names of options and their words
 };
 
 template <class Scheme>

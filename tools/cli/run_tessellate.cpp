@@ -46,7 +46,8 @@ po::options_description options_of_tessellate()
     return options;
 }
 
-/// Errors: usage_error if none of the four is there, and for numbers that are not positive.
+/// Returns the options of a tessellation. Errors: usage_error if none of --segments, --longest-edge, --chord-error and
+/// --angle is given, and for numbers that are not positive.
 tessellation_options tessellation_options_from(const po::variables_map& values)
 {
     tessellation_options result;
@@ -69,14 +70,14 @@ tessellation_options tessellation_options_from(const po::variables_map& values)
     return result;
 }
 
-/// Triangles, and their vertices as places that can be evaluated.
+/// The triangles of a tessellation, and their vertices as places that can be evaluated.
 struct located_triangles {
     triangles made;
     located_places at;
 };
 
-/// Locates the vertices if the mesh has attributes of vertices. Errors: usage_error for another scheme than those that
-/// the program tessellates.
+/// Tessellates a control mesh, and locates the vertices if the mesh has attributes of vertices. Errors: usage_error for
+/// a scheme that the program does not tessellate.
 located_triangles tessellate_with(const any_scheme& scheme, const control_mesh& control,
                                   const tessellation_options& options)
 {
@@ -95,7 +96,8 @@ located_triangles tessellate_with(const any_scheme& scheme, const control_mesh& 
         scheme);
 }
 
-/// Returns the attributes of vertices as smooth as the surface, and those of the faces that the triangles lie in.
+/// Returns the attributes of the triangles. Those of vertices are as smooth as the surface; those of faces come from
+/// the face in which a triangle lies.
 io::mesh_attributes attributes_on(const located_triangles& on, const io::mesh_attributes& of_control,
                                   std::size_t vertices)
 {
@@ -118,7 +120,7 @@ io::mesh_attributes attributes_on(const located_triangles& on, const io::mesh_at
     return result;
 }
 
-/// Moves what a tessellation cannot carry to what is lost.
+/// Moves attributes and points that a tessellation cannot carry to the list of what is lost.
 void settle(control_mesh& control, mesh_format format, const any_scheme& scheme, bool is_binary)
 {
     settle_attributes(control, format, {scheme, 1, true, is_binary});

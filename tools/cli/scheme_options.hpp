@@ -8,15 +8,16 @@
 
 namespace kith::tool {
 
-/// Adds --scheme and what chooses between the forms of a scheme, and --levels unless it is left out.
+/// Adds --scheme and the options that choose between the forms of a scheme, and --levels if `with_levels` is true.
 void add_scheme_options(boost::program_options::options_description& options, bool with_levels = true);
 
 scheme_words scheme_words_of(const boost::program_options::variables_map& values);
 
-/// --uv
+/// Adds --uv.
 void add_uv_option(boost::program_options::options_description& options);
 
-/// --uv, or all. Errors: usage_error for a word that is none, and for seams that the scheme has no rules for.
+/// Returns the value of --uv, or `all` if it is not given. Errors: usage_error for an unknown word, and if the scheme
+/// has no rules for seams.
 face_varying_linear linear_from(const boost::program_options::variables_map& values, const any_scheme& scheme);
 
 } // namespace kith::tool

@@ -23,7 +23,8 @@ namespace kith::tool {
 template <class Choice, std::size_t N>
 using choice_words = std::array<std::pair<std::string_view, Choice>, N>;
 
-/// How the choices of the schemes are written on the command line; one overload for each of their types.
+/// Returns the words by which the command line names the values of a choice. There is one overload for each type of
+/// choice.
 constexpr auto words_for(library)
 {
     return choice_words<library, 5>{{{"kith", library::kith},
@@ -71,7 +72,7 @@ constexpr auto words_for(face_varying_linear)
                                                  {"all", face_varying_linear::all}}};
 }
 
-/// "kept, smoothed"
+/// Returns the words of a type of choice: "kept, smoothed".
 template <class Choice>
 std::string all_words()
 {
@@ -81,7 +82,7 @@ std::string all_words()
     return result;
 }
 
-/// The inverse of choice_from.
+/// Returns the word for a choice; this is the inverse of choice_from.
 template <class Choice>
 std::string word_of(Choice given)
 {
@@ -89,7 +90,7 @@ std::string word_of(Choice given)
     return std::string(std::ranges::find(words, given, &std::pair<std::string_view, Choice>::second)->first);
 }
 
-/// Errors: usage_error for a word that names no choice.
+/// Returns the choice that a word names. Errors: usage_error for a word that names no choice.
 template <class Choice>
 Choice choice_from(std::string_view option, std::string_view given)
 {
@@ -99,7 +100,7 @@ Choice choice_from(std::string_view option, std::string_view given)
     throw usage_error(std::string(option) + ": '" + std::string(given) + "' is not one of " + all_words<Choice>());
 }
 
-/// Calls f with the name of each option that a scheme has and with the member that it sets.
+/// Calls f with the name of each option of a scheme and with the member that it sets.
 template <class Scheme, class F>
 void for_each_option(Scheme& scheme, const F& f)
 {

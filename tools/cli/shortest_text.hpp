@@ -7,7 +7,7 @@
 
 namespace kith::tool {
 
-/// Returns the shortest digits that give the same number back.
+/// Returns the shortest text from which the same number can be read back.
 template <class Number>
 std::string shortest_text(Number value)
 {

@@ -31,7 +31,7 @@ namespace kith::tool {
 
 namespace {
 
-/// "1 s", "2 min 5 s", "3 h 20 min"
+/// Returns a duration as text, in whole seconds, rounded up: "1 s", "2 min 5 s", "3 h 20 min".
 std::string duration(double seconds)
 {
     const auto s = std::uint64_t(std::ceil(seconds));
@@ -42,7 +42,7 @@ std::string duration(double seconds)
     return std::to_string(s / 3600) + " h " + std::to_string(s / 60 % 60) + " min";
 }
 
-/// The bytes that this process has written so far, to whatever files.
+/// Returns the number of bytes that this process has written so far, to any files.
 double written_bytes()
 {
     std::ifstream in("/proc/self/io"); // lines such as wchar: 4096
@@ -53,7 +53,7 @@ double written_bytes()
     return 0;
 }
 
-/// Tests whether standard error is a terminal, or a pipe to mpirun, whose standard error is one.
+/// Returns true if standard error is a terminal, or a pipe to mpirun whose own standard error is a terminal.
 bool leads_to_terminal()
 {
     if (::isatty(STDERR_FILENO) == 1)
@@ -70,7 +70,7 @@ bool leads_to_terminal()
     return result;
 }
 
-/// The bar of this process and the thread that draws it.
+/// The progress bar of this process, and the thread that draws it.
 class progress_bar {
 public:
     void allow(bool wanted)
@@ -81,7 +81,7 @@ public:
         if (is_allowed_ and not drawing_.joinable())
             drawing_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
     }
-    /// Returns whether this phase is the one that is shown.
+    /// Begins a phase. Returns true if the bar shows this phase.
     bool begin(std::string name, share_of_work share)
     {
         const std::lock_guard lock(mutex_);
@@ -104,7 +104,7 @@ public:
         phase_.reset();
         erase();
     }
-    /// Calls write() where there is no bar.
+    /// Calls write() while no bar is on the terminal.
     template <class Write>
     void without_bar(const Write& write)
     {
@@ -118,7 +118,7 @@ private:
         std::string name;
         share_of_work share;
         stopwatch since;
-        double most = 0; ///< of the shares so far: memory that is freed is no step back
+        double most = 0; ///< largest share so far: the bar does not go back when memory is freed
     };
 
     void draw_until(const std::stop_token& stop)
@@ -168,7 +168,7 @@ private:
     stopwatch since_begin_;
     std::optional<phase> phase_;
     bool is_allowed_ = false, is_over_ = false, is_drawn_ = false;
-    std::jthread drawing_; ///< ends first
+    std::jthread drawing_; ///< ends before the other members, which it uses
 };
 
 progress_bar& bar()
@@ -179,7 +179,7 @@ progress_bar& bar()
 
 } // namespace
 
-/// Collects what is written up to the next flush, and writes that on.
+/// A stream buffer that collects text up to the next flush, and then writes it on.
 class printable_output::filter : public std::streambuf {
 public:
     explicit filter(std::ostream& stream) : stream_(stream), to_(stream.rdbuf(this)) {}

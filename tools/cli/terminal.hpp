@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-/// The terminal on which a program runs: texts that cannot upset it, and a bar that shows how far the work is.
+/// The terminal of a program: text without control characters, and a bar that shows the progress of the work.
 namespace kith::tool {
 
-/// Filters std::cerr, and on wish std::cout, during its lifetime: control characters are replaced (io::printable), and
-/// a bar is erased before the text. Made once, at the beginning of main.
+/// A filter of std::cerr and, if wanted, of std::cout, during its lifetime. It replaces control characters
+/// (io::printable), and erases a bar before the text. The program makes one at the beginning of main.
 class printable_output {
 public:
     explicit printable_output(bool with_standard_output);
@@ -24,14 +24,15 @@ private:
     std::unique_ptr<filter> errors_, output_;
 };
 
-/// Lets bars be shown if `wanted` and if standard error is a terminal. Before this call none is shown.
+/// Allows progress bars if `wanted` is true and if standard error is a terminal. Before this call no bar is shown.
 void allow_progress(bool wanted);
 
-/// Returns the share of the work that is done, 0 to 1; called on another thread. Empty if the share is unknown.
+/// A function that returns the share of the work that is done, 0 to 1. It is called on another thread. It is empty if
+/// the share is unknown.
 using share_of_work = std::function<double()>;
 
-/// A phase of the work. Once the program has run for a second, a bar shows the phase, its share and how long the rest
-/// of it will take, ten times a second, until the phase ends. Phases inside of another one are not shown.
+/// A phase of the work. Once the program has run for a second, a bar shows the phase, its share and the time left. The
+/// bar is drawn ten times a second until the phase ends. Phases inside another phase are not shown.
 class shown_phase {
 public:
     explicit shown_phase(std::string name, share_of_work share = {});
@@ -43,7 +44,7 @@ private:
     bool is_outermost_;
 };
 
-/// Returns what `work` returns, which is shown as a phase.
+/// Runs `work` as a phase that is shown, and returns its result.
 template <class Work>
 auto shown(std::string name, share_of_work share, const Work& work)
 {
@@ -51,16 +52,16 @@ auto shown(std::string name, share_of_work share, const Work& work)
     return work();
 }
 
-/// The share of a file that has been read or written (io::file_work).
+/// Returns the share of a file that has been read or written (io::file_work).
 double share_of_file();
 
-/// Measures work that fills memory: the share of so many bytes by which the memory of this process has grown.
+/// Returns a measure of work that fills memory: the growth of this process's memory from now on, as a share of `bytes`.
 share_of_work share_of_memory(double bytes);
 
-/// Measures the share of so many bytes that this process has written.
+/// Returns a measure of work that writes: the bytes that this process writes from now on, as a share of `bytes`.
 share_of_work share_of_output(double bytes);
 
-/// Takes the bar away for good, as before a signal ends the program and on ranks that show none.
+/// Removes the bar for good. The programs call it before a signal ends them, and on ranks that show no bar.
 void erase_progress();
 
 } // namespace kith::tool

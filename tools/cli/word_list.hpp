@@ -6,7 +6,7 @@
 
 namespace kith::tool {
 
-/// "kept", then "kept, smoothed"
+/// Appends a word to a list: "kept" becomes "kept, smoothed".
 inline void append_to_list(std::string& text, std::string_view word)
 {
     if (not text.empty())

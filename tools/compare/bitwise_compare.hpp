@@ -7,8 +7,9 @@
 
 namespace kith::tool {
 
-/// The first element in which two meshes differ, by its number in both: counts, then vertices by the bits of their
-/// coordinates (so -0 is not 0), then faces by their vertices from the first on. Empty if there is none.
+/// Returns a text on the first element in which two meshes differ, with its number in both, or an empty string if there
+/// is none. The comparison begins with counts. Vertices follow, by the bits of their coordinates (so -0 is not 0), then
+/// faces, by their vertices from the first on.
 /// Cost: O(corners).
 std::string first_difference(const io::polygon_soup& a, const io::polygon_soup& b);
 

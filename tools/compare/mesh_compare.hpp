@@ -12,22 +12,23 @@
 
 namespace kith::tool {
 
-/// How two meshes differ, whatever the numbering of their vertices and faces and wherever their faces begin.
+/// The difference of two meshes, independent of the numbering of vertices and faces and of the vertex where a face
+/// begins.
 struct comparison {
-    /// Between vertices that belong together; where some have no partner, from any vertex to the nearest of the other
-    /// mesh.
+    /// The largest distance between partners. If some vertices have no partner: the largest distance from a vertex to
+    /// the nearest vertex of the other mesh.
     double largest_distance = 0;
-    std::size_t unmatched_vertices = 0; ///< of both meshes
-    std::size_t unmatched_faces = 0;    ///< of both meshes; counted only when all vertices are matched
-    bool same_faces = false;            ///< as cycles of matched vertices, with their orientation
+    std::size_t unmatched_vertices = 0; ///< vertices of both without a partner
+    std::size_t unmatched_faces = 0;    ///< faces of both without a partner; counted only if all vertices are matched
+    bool same_faces = false;            ///< the faces are the same cycles of matched vertices, with their orientation
 
     [[nodiscard]] bool equal() const { return unmatched_vertices == 0 and same_faces; }
 };
 
-/// Equal: there is a one-to-one assignment of the vertices, no two of them farther apart than the tolerance, under
-/// which the faces are the same. Vertices that coincide are told apart by the faces around them.
-/// Preconditions: finite points, indices in range, tolerance >= 0. Errors: std::invalid_argument when the tolerance
-/// reaches over so many vertices that it says nothing. Cost: O(n log n).
+/// Compares two meshes. They are equal if their vertices can be assigned one to one, within the tolerance, such that
+/// the faces are the same. Vertices that coincide are distinguished by the faces around them.
+/// Preconditions: finite points, indices in range, tolerance >= 0. Errors: std::invalid_argument for a tolerance that
+/// covers too many vertices to mean anything. Cost: O(n log n).
 inline comparison compare_meshes(std::span<const point3> points_a, const face_list& faces_a,
                                  std::span<const point3> points_b, const face_list& faces_b, double tolerance)
 {
@@ -46,7 +47,7 @@ inline comparison compare_meshes(std::span<const point3> points_a, const face_li
     return result;
 }
 
-/// The faces of a native mesh in the form that compare_meshes takes.
+/// Returns the faces of a native mesh in the form that compare_meshes takes.
 inline face_list faces_of(const basic_mesh<>& mesh)
 {
     face_list result;

@@ -12,7 +12,7 @@
 
 namespace kith::tool {
 
-/// Turns a cycle so that it begins where it is least in the order of words.
+/// Rotates a cycle to the rotation that is lexicographically smallest.
 template <class T>
 void turn_to_least(std::span<T> cycle)
 {
@@ -29,7 +29,7 @@ void turn_to_least(std::span<T> cycle)
     std::ranges::rotate(cycle, cycle.begin() + std::ptrdiff_t(best));
 }
 
-/// The faces of a mesh as cycles of vertex classes, to be looked up by the least class in them.
+/// The faces of a mesh as cycles of vertex classes. They are found by their smallest class.
 class class_faces {
 public:
     using id = vertex_classes::id;
@@ -61,7 +61,7 @@ public:
         return std::span(corners_).subspan((*first_)[face], (*first_)[face + 1] - (*first_)[face]);
     }
 
-    /// How many faces of either have no partner in the other.
+    /// Returns the number of faces of either mesh that have no partner in the other.
     friend std::size_t count_unmatched(const class_faces& a, const class_faces& b)
     {
         std::size_t result = 0;
@@ -82,7 +82,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t buckets() const { return begin_.size() - 1; }
-    /// Faces without any corner have the last one for themselves.
+    /// Returns the bucket of a face: its smallest class, or the last bucket for a face without corners.
     [[nodiscard]] std::size_t bucket(std::size_t face) const
     {
         return (*this)[face].empty() ? buckets() - 1 : (*this)[face][0];

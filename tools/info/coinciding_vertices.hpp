@@ -16,15 +16,16 @@
 
 namespace kith::tool {
 
-/// Finds out which vertex is which where several of one mesh lie within the tolerance of one another, by the faces
-/// around them. Classes are split as long as the faces around their vertices, told in classes, differ; when that comes
-/// to an end with vertices still alike, one is given a partner by hand and splitting goes on. On surfaces that decides
-/// for its whole component, so nothing is ever taken back but a partner that leads to a contradiction at once.
+/// A matching of the vertices of two meshes by the faces around them. It is needed if vertices of one mesh lie within
+/// the tolerance of one another. Classes are split as long as the faces around their vertices, written in classes,
+/// differ. If vertices are still alike when no class can be split, one vertex is given a partner and splitting
+/// continues. On a surface one pair decides for its whole component. So a pair is only undone if it leads to a
+/// contradiction at once.
 class coinciding_vertices {
 public:
     using id = vertex_classes::id;
 
-    /// The two meshes one after the other: vertices and faces of b count on from those of a.
+    /// Joins the two meshes: the numbers of the vertices of b follow those of a.
     coinciding_vertices(std::span<const point3> a, const face_list& faces_a, std::span<const point3> b,
                         const face_list& faces_b, const vertex_classes& classes, double tolerance)
         : points_{a, b}
@@ -47,8 +48,9 @@ public:
                         corners_[v].push_back({mesh, f, i});
     }
 
-    /// The largest distance between partners, if each vertex can be given a partner such that the faces agree.
-    /// Precondition: as cycles of classes the faces agree, and each class has as many vertices of a as of b.
+    /// Returns the largest distance between partners, or nothing if the vertices cannot be paired such that the faces
+    /// agree.
+    /// Preconditions: as cycles of classes the faces agree; each class has as many vertices of a as of b.
     [[nodiscard]] std::optional<double> match()
     {
         for (std::size_t c = 0; c < members_.size(); ++c)
@@ -93,7 +95,8 @@ private:
             queue_.push_back(c);
         }
     }
-    /// The faces around a vertex as words of classes, each beginning at the vertex; sorted, so that order is no matter.
+    /// Returns the faces around a vertex as words of classes, each beginning at the vertex. The words are sorted, so
+    /// the order of the faces does not matter.
     [[nodiscard]] std::vector<std::vector<id>> surroundings(std::size_t v) const
     {
         std::vector<std::vector<id>> result;
@@ -106,14 +109,14 @@ private:
         std::ranges::sort(result);
         return result;
     }
-    /// As many vertices of a as of b; a last pair is not farther apart than the tolerance.
+    /// Returns true if a class has as many vertices of a as of b and, if it is one pair, lies within the tolerance.
     [[nodiscard]] bool is_sound(id c) const
     {
         const auto& all = members_[c];
         return 2 * std::size_t(std::ranges::count_if(all, [this](std::size_t v) { return in_a(v); })) == all.size() and
                (is_open(c) or distance(point(all[0]), point(all[1])) <= tolerance_);
     }
-    /// Takes some vertices out of their class into a new one.
+    /// Moves some vertices from their class to a new class, and returns the new class.
     id set_apart(id from, const std::vector<std::size_t>& vertices)
     {
         const id made = id(members_.size());
@@ -132,8 +135,8 @@ private:
                         wait_for(class_of_[number(mesh, neighbor)]);
         return made;
     }
-    /// Splits a class by the surroundings of its vertices; false when a and b differ there. A last pair is looked at,
-    /// too, whenever something around it has changed.
+    /// Splits a class by the surroundings of its vertices. Returns false if a and b differ there. A class of one pair
+    /// is checked as well, whenever something around it has changed.
     [[nodiscard]] bool split(id c)
     {
         std::map<std::vector<std::vector<id>>, std::vector<std::size_t>> alike;

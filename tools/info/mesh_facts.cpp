@@ -14,7 +14,7 @@ namespace kith::tool {
 
 namespace {
 
-using side = std::pair<std::size_t, std::size_t>; ///< from one corner of a face to the next
+using side = std::pair<std::size_t, std::size_t>; ///< the vertices of a corner of a face and of the next corner
 
 std::vector<side> sorted_sides(const face_list& faces)
 {
@@ -56,7 +56,8 @@ std::size_t components_of(std::size_t vertices, const face_list& faces)
     return result;
 }
 
-/// On a good mesh a boundary vertex has one side in and one side out that no face runs along the other way.
+/// Returns the number of boundary loops. Precondition: a valid mesh. There each boundary vertex has one incoming and
+/// one outgoing side without an opposite side in another face.
 std::size_t boundary_loops_of(std::size_t vertices, const std::vector<side>& sides)
 {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();

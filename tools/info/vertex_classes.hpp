@@ -28,16 +28,16 @@ inline double distance(const point3& a, const point3& b)
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// The points of one mesh, to be found by where they are.
+/// The points of one mesh in a tree that finds them by position.
 class point_finder {
 public:
-    /// Precondition: the points are finite, and stay where they are in memory.
+    /// Builds the tree. Precondition: the points are finite, and stay where they are in memory.
     explicit point_finder(std::span<const point3> points)
         : points_(points), tree_(boost::counting_range(std::size_t(0), points.size()), {}, {points})
     {
     }
 
-    /// Calls f with the number of each point not farther than `reach`, and its distance.
+    /// Calls f with the number and the distance of each point that is not farther from `center` than `reach`.
     template <class F>
     void for_each_within(const point3& center, double reach, const F& f) const
     {
@@ -53,7 +53,7 @@ public:
                             f(found, d);
                     }));
     }
-    /// To the nearest point; infinite when there is none.
+    /// Returns the distance to the nearest point, or infinity if there are no points.
     [[nodiscard]] double nearest_distance(const point3& center) const
     {
         double result = std::numeric_limits<double>::infinity();
@@ -76,19 +76,21 @@ private:
     boost::geometry::index::rtree<std::size_t, boost::geometry::index::linear<16>, place_of> tree_;
 };
 
-/// Which vertices of two meshes may be the same one: those that are joined by steps from a vertex of one mesh to a
-/// vertex of the other not farther than the tolerance. Nearly always a class is one vertex of each.
+/// Classes of vertices of two meshes that may be the same vertex. A vertex and one of the other mesh not farther than
+/// the tolerance are in one class; chains of such pairs form larger classes. Nearly always a class is one vertex of
+/// each mesh.
 struct vertex_classes {
     using id = std::uint32_t;
 
-    std::vector<id> of_a, of_b; ///< by vertex
+    std::vector<id> of_a, of_b; ///< class of each vertex
     std::size_t count = 0;
     std::size_t unmatched = 0;   ///< vertices that have no partner because the other mesh has fewer in their class
-    bool one_to_one = true;      ///< no class has two vertices of one mesh
-    double largest_distance = 0; ///< from any vertex to the nearest of the other mesh
+    bool one_to_one = true;      ///< true if no class has two vertices of one mesh
+    double largest_distance = 0; ///< largest distance from a vertex to the nearest one of the other mesh
 };
 
-/// Errors: std::invalid_argument when the tolerance is so large that it says nothing. Cost: O(n log n).
+/// Returns the classes of the vertices of two meshes. Errors: std::invalid_argument for a tolerance that is too large
+/// to mean anything, and for too many vertices. Cost: O(n log n).
 inline vertex_classes classify(std::span<const point3> a, std::span<const point3> b, double tolerance)
 {
     using id = vertex_classes::id;

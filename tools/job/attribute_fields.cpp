@@ -12,10 +12,10 @@ namespace kith::tool {
 
 namespace {
 
-/// How many attributes are carried together.
+/// The number of attributes that a field carries together.
 constexpr std::size_t together = 4;
 
-/// A field for the attributes from number `first` on.
+/// Returns a field with the values of up to `together` attributes, from number `first` on.
 template <class Field, class Rule>
 Field field_of(const std::vector<io::attribute>& attributes, std::size_t first, std::size_t elements, Rule rule)
 {
@@ -126,7 +126,7 @@ attribute_counts count_of(const io::mesh_attributes& attributes, face_varying_li
 
 namespace {
 
-/// As fields have them, `together` at a time.
+/// Returns the number of values that fields carry for so many attributes: a multiple of `together`.
 double carried(std::size_t numbers)
 {
     return double((numbers + together - 1) / together * together);

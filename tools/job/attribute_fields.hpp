@@ -22,29 +22,30 @@ struct element_bytes;
 
 namespace kith::tool {
 
-/// The attributes of a file on their way through the levels: state of a level, as a field is. Numbers on vertices go by
-/// the masks of the scheme, numbers on corners go by a choice of face_varying, with their seams, and a face has what
-/// its parent has; one that is born by an edge or a vertex has nothing.
+/// The attributes of a file on a level. They are state of the level, as a field is. Values of vertices follow the masks
+/// of the scheme. Values of corners follow a choice of face_varying, with their seams. A face has the values of its
+/// parent; a face made at an edge or a vertex has none.
 class attribute_fields {
 public:
-    using numbers = std::array<double, 4>; ///< of as many attributes, which are carried together
+    using numbers = std::array<double, 4>; ///< values of four attributes, which are carried together
     using parent_field = field<field_on::faces, std::uint32_t, from_parent<>>;
     using fields = std::tuple<field<field_on::vertices, numbers, by_mask>,
                               field<field_on::corners, numbers, face_varying>, parent_field>;
 
     attribute_fields() = default;
-    /// Precondition: a value per element; those of vertices may go on, for points without a face.
+    /// Creates the fields of the control mesh. Precondition: a value per element; the values of vertices may continue,
+    /// for points without a face.
     attribute_fields(const io::mesh_attributes& attributes, const basic_mesh<>& mesh,
                      face_varying_linear corners = face_varying_linear::all);
 
     [[nodiscard]] bool empty() const { return vertices_.empty() and corners_.empty() and parents_.empty(); }
-    /// Those of the next level.
+    /// Returns the attributes of the next level.
     template <class Step>
     [[nodiscard]] attribute_fields after(const Step& step) const
     {
         return carried([&](const auto& field) { return field.after(step); });
     }
-    /// With each field what `carry` makes of it.
+    /// Returns the attributes with `carry` applied to each field.
     template <class Carry>
     [[nodiscard]] attribute_fields carried(const Carry& carry) const
     {
@@ -67,19 +68,20 @@ public:
             f(field);
         f(parents_);
     }
-    /// Those of a part of the level.
+    /// Returns the attributes of a part of the level.
     template <std::unsigned_integral Index>
     [[nodiscard]] attribute_fields of_part(const part_numbers<Index>& part) const
     {
         return carried([&](const auto& field) { return field.of_part(part); });
     }
-    /// Errors: mesh_error for fields of another level.
+    /// Throws mesh_error for fields of another level.
     template <counts_elements Level>
     void require_one_each(const Level& level) const
     {
         for_each_field([&](const auto& field) { field.require_one_each(level); });
     }
-    /// As a message, of the faces of the control mesh those from which the faces here come; and from one.
+    /// Writes the attributes to a message, from which unpack reads them. Of the faces of the control mesh, only the
+    /// parents of faces here are included.
     template <message_writer Out>
     void pack(Out& out) const
     {
@@ -110,43 +112,43 @@ public:
             of_faces = in.template get_array<std::vector<double>>();
         of_control_faces_ = std::make_shared<const control_values>(std::move(values));
     }
-    /// The attributes of this level, of the kinds of those of the control mesh (kinds_of).
+    /// Returns the attributes of this level; `kinds` are the kinds of the control mesh's attributes (kinds_of).
     [[nodiscard]] io::mesh_attributes at_level(const io::mesh_attributes& kinds) const;
 
 private:
-    using control_values = std::vector<std::vector<double>>; ///< of each attribute of faces
+    using control_values = std::vector<std::vector<double>>; ///< on the control faces, for each attribute of faces
 
-    /// The parents and their values, without control faces from which no face here comes.
+    /// Returns the parents and their values, without control faces that are the parent of no face here.
     [[nodiscard]] std::pair<parent_field, control_values> faces_here() const;
 
     std::vector<field<field_on::vertices, numbers, by_mask>> vertices_;
     std::vector<field<field_on::corners, numbers, face_varying>> corners_;
-    parent_field parents_; ///< one more than the control face, 0: none
+    parent_field parents_; ///< number of the control face plus 1, or 0 for none
     std::shared_ptr<const control_values> of_control_faces_;
 };
 
-/// The same attributes without their values.
+/// Returns the attributes without their values.
 io::mesh_attributes kinds_of(const io::mesh_attributes& attributes);
 
-/// How many numbers the elements have, for the memory that they need.
+/// The number of attributes of vertices, faces and corners, on which the memory depends.
 struct attribute_counts {
     std::size_t vertices = 0, faces = 0, corners = 0;
-    bool along_seams = false; ///< those of corners go as smoothly as the surface
+    bool along_seams = false; ///< values of corners are as smooth as the surface
 
     [[nodiscard]] bool any() const { return vertices != 0 or faces != 0 or corners != 0; }
 };
 attribute_counts count_of(const io::mesh_attributes& attributes,
                           face_varying_linear corners = face_varying_linear::all);
 
-/// The bytes that these need beside a level with so many elements, with those of the level before.
+/// Returns the bytes that attributes need besides a level with these counts, including those of the level before.
 double bytes_of(const attribute_counts& attributes, const counts& level);
 
-/// The bytes of the fields of a level, for each vertex, face and corner.
+/// Returns the bytes of the fields of a level, for each vertex, face and corner.
 element_bytes field_bytes(const attribute_counts& attributes);
-/// Of their values when they are written: as numbers of the program, and as those of a file.
+/// Returns the bytes of the values when they are written, as numbers of the program and as those of a file.
 element_bytes written_bytes(const attribute_counts& attributes);
 
-/// Takes the normals of the file out, which do not go by the masks of a scheme. Whether there were any.
+/// Removes the normals of the file, which do not follow the masks of a scheme. Returns true if there were any.
 bool take_normals(io::mesh_attributes& attributes);
 
 } // namespace kith::tool

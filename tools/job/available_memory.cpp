@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
-/// A file that holds one number. Nothing for "max", and where there is no such file.
+/// Returns the number that a file holds, or nothing for "max" or a missing file.
 std::optional<std::uint64_t> number_in_file(const std::string& path)
 {
     std::ifstream in(path);
@@ -31,7 +31,7 @@ std::optional<std::uint64_t> number_in_file(const std::string& path)
     return std::nullopt;
 }
 
-/// The number after a word at the beginning of a line.
+/// Returns the number after the word `wanted` at the beginning of a line of a file.
 std::optional<std::uint64_t> number_after(const std::string& path, const std::string& wanted)
 {
     std::ifstream in(path);
@@ -45,13 +45,13 @@ std::optional<std::uint64_t> number_after(const std::string& path, const std::st
     return std::nullopt;
 }
 
-/// The names of a version of control groups: limit, what is in use, and the part of it that is given back when it is
-/// needed.
+/// The names in a version of control groups: the limit, the memory in use, and the part of it that is given back on
+/// demand.
 struct group_files {
     std::string_view limit, usage, cache;
 };
 
-/// What a group leaves, and every group above it, up to where groups are mounted.
+/// Returns the bytes that a control group and every group above it leave, up to the mount point.
 std::uint64_t left_in_groups(const std::string& mount, const std::string& group, const group_files& names)
 {
     std::uint64_t left = unlimited;

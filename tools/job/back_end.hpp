@@ -17,38 +17,40 @@
 
 namespace kith::tool {
 
-/// Whether a face is a hole; so are those that come from it. Empty: there are none.
+/// A field that is true on holes; faces that come from a hole are holes. It is empty if there are no holes.
 using hole_field = field<field_on::faces, bool, from_parent<>>;
 
 struct refine_request {
     any_scheme scheme;
     int levels = 0;
     memory_limit memory;
-    bool with_tags = false;      ///< the sharpness that is left is wanted
-    bool limit = false;          ///< the last level at its place on the limit surface, with the normals there
-    bool corner_normals = false; ///< and with normals of the corners, which differ on the sides of sharp edges
-    hole_field holes{};          ///< the faces that are left out in the end, if there are any
+    bool with_tags = false;      ///< return the remaining sharpness
+    bool limit = false;          ///< move the last level to the limit surface, with the normals there
+    bool corner_normals = false; ///< also return normals of corners, which differ on the two sides of sharp edges
+    hole_field holes{};          ///< the faces that are left out in the end, if any
     attribute_fields attributes{};
-    attribute_counts counted{}; ///< of them
+    attribute_counts counted{}; ///< number of attributes, by element
 };
 
 struct refined_mesh {
-    basic_mesh<> mesh; ///< of the last level; its edges need not be known
+    basic_mesh<> mesh; ///< the last level; its edges may be unknown
     std::uint64_t edges = 0;
-    storage<std::array<double, 3>> normals{};        ///< of the vertices, if the limit was asked for
-    storage<std::array<double, 3>> corner_normals{}; ///< of the corners of the faces, if they were asked for
-    io::mesh_tags tags{};                            ///< the sharpness that is left, if it was asked for
-    hole_field holes{};                              ///< if there are any
+    storage<std::array<double, 3>> normals{};        ///< normals of vertices, if the limit was requested
+    storage<std::array<double, 3>> corner_normals{}; ///< normals of corners, if they were requested
+    io::mesh_tags tags{};                            ///< the remaining sharpness, if it was requested
+    hole_field holes{};                              ///< the holes of the last level, if any
     attribute_fields attributes{};
 };
 
-/// Refine on one kind of mesh each, level by level, and give the last level back as the native one.
-/// Errors: mesh_error, as kith::refine, but all memory is counted that the job needs.
+/// Refines on one kind of mesh for each function and returns the last level as a native mesh. On meshes of other
+/// libraries the refinement goes level by level.
+/// Errors: mesh_error, as kith::refine, but the limit applies to all memory that the job needs.
 refined_mesh refine_native(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_cgal(basic_mesh<> control, const refine_request& request);
 refined_mesh refine_openmesh(basic_mesh<> control, const refine_request& request);
 
-/// Returns how refine_native makes the last level, and why. Values at corners may need single steps all the same.
+/// Returns the strategy by which refine_native makes the last level, with the reason. Values at corners may need single
+/// steps all the same.
 /// Errors: those of strategy_of.
 strategy strategy_of_native(const basic_mesh<>& control, const refine_request& request);
 

@@ -15,13 +15,14 @@
 
 namespace kith::tool {
 
-/// Whether sharpness is wanted and left, so that the levels are kept on which it was passed on.
+/// Returns true if the remaining sharpness is requested and some edge or vertex is still sharp. All levels, which pass
+/// sharpness on, are then kept.
 inline bool keeps_tags(const refine_request& request)
 {
     return request.with_tags and sharp_after(request.scheme, request.levels).any();
 }
 
-/// Errors: mesh_error for a mesh that the scheme does not take, and for a job that needs more memory than it may have.
+/// Throws mesh_error for a mesh that the scheme does not take, and for a job that needs more memory than it may have.
 inline void require_possible(const refine_request& request, const basic_mesh<>& control, mesh_kind mesh)
 {
     require_scheme_takes(request.scheme, control);
@@ -37,7 +38,7 @@ inline void require_possible(const refine_request& request, const basic_mesh<>& 
                    request.memory);
 }
 
-/// The same mesh with points of another type.
+/// Returns the mesh with points of another type.
 template <class To, class From>
 basic_mesh<To> with_points(const basic_mesh<From>& mesh, int generation)
 {
@@ -48,7 +49,7 @@ basic_mesh<To> with_points(const basic_mesh<From>& mesh, int generation)
     return {std::move(points), mesh.topology(), generation};
 }
 
-/// Refines on meshes of type M, each level one of them.
+/// Refines on meshes of type M, with one mesh for each level.
 template <class M>
 refined_mesh refine_on(const basic_mesh<>& control, const refine_request& request)
 {

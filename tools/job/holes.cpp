@@ -15,7 +15,7 @@ namespace kith::tool {
 
 namespace {
 
-/// Leaves the values of some elements out.
+/// Removes the values of the elements for which is_left(element) is false.
 template <class IsLeft>
 void keep_values(std::vector<io::attribute>& attributes, const IsLeft& is_left)
 {

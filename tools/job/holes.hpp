@@ -8,16 +8,16 @@
 
 namespace kith::tool {
 
-/// The faces of a control mesh that its tags make holes: those they name, and where the boundary is not to be
-/// interpolated all that touch it. Empty: there are none. Errors: mesh_error for a face that is not there, and when
-/// nothing is left.
+/// Returns the faces of a control mesh that its tags make holes: the faces that they name and, if the boundary is not
+/// interpolated, all faces that touch it. The result is empty if there are none. Errors: mesh_error for a face that
+/// does not exist, and if no face is left.
 hole_field holes_of(const io::mesh_tags& tags, const basic_mesh<>& mesh);
 
-/// For surfaces in tiles, of which holes are not left out. Errors: mesh_error.
+/// Throws mesh_error if a mesh has holes, which surfaces in tiles cannot leave out.
 void require_no_holes(const control_mesh& control);
 
-/// As OpenSubdiv has it: holes shape the surface around them like other faces, and are left out in the end, with the
-/// vertices that no other face has.
+/// Removes the holes of a refined mesh, with the vertices that no other face has, as OpenSubdiv does. Until then holes
+/// shape the surface around them like other faces.
 void leave_out_holes(refined_mesh& result, io::mesh_attributes& attributes);
 
 } // namespace kith::tool

@@ -7,7 +7,7 @@
 
 namespace kith::tool {
 
-/// All bytes of a file, or of standard input for "-". Errors: file_error.
+/// Returns all bytes of a file, or of standard input for "-". Errors: file_error.
 inline std::string read_bytes(const std::string& path)
 {
     return std::string(io::file_bytes(path).view());

@@ -26,7 +26,7 @@ namespace kith::tool {
 
 namespace {
 
-/// As mesh_kind has them.
+/// The names of the mesh kinds, in the order of mesh_kind.
 constexpr std::array<std::string_view, 3> names_of_kinds{"native", "cgal", "openmesh"};
 
 double bytes_of(double vertices, double edges, double faces, const planned_level& level)
@@ -35,7 +35,7 @@ double bytes_of(double vertices, double edges, double faces, const planned_level
     return vertices * double(c.vertices) + edges * double(c.edges) + faces * double(c.faces);
 }
 
-/// A level on the mesh that the job refines on.
+/// Returns the bytes of a level on the kind of mesh on which the job refines.
 double bytes_on_mesh(const planned_level& level, mesh_kind mesh)
 {
     switch (mesh) {
@@ -47,24 +47,25 @@ double bytes_on_mesh(const planned_level& level, mesh_kind mesh)
     return double(level.bytes);
 }
 
-/// Of a vertex on the way to the limit surface: its place there, a mark, the normal with the vertex that it is of, and
-/// the normals in order, with an exponent and a length while they are made.
+/// Bytes of a vertex while its limit is evaluated: the limit position, a mark, the normal with the number of its
+/// vertex, and the normal in order. An exponent and a length are needed while the normals are made.
 constexpr double bytes_of_limit = 24 + 1 + 32 + 24 + 4 + 8;
 
-/// Of a corner: its normal, its numbers for the writer and the line that it refers to.
+/// Bytes of a corner: its normal, its numbers for the writer, and the line that it refers to.
 constexpr double bytes_of_corner_normal = 24 + 24 + 12;
 
-/// What a job on a mesh that is not kith's takes whatever its size: pages of the program's code that it alone runs, and
-/// blocks that the other library's allocator begins.
+/// Bytes that a job on a mesh of another library takes, whatever its size: pages of code that only this job runs, and
+/// blocks that the allocator of the other library begins.
 constexpr double bytes_of_other_library = 2 << 20;
 
-/// The corners, half-edges and starts of fans that are listed where a scheme walks on a mesh that is not kith's.
+/// Returns the bytes of the corners, half-edges and starts of fans that are listed if a scheme runs on a mesh of
+/// another library.
 double bytes_of_view(const planned_level& level, mesh_kind mesh)
 {
     return mesh == mesh_kind::native ? 0 : bytes_of(4, 8, 0, level) + 4 * double(level.counts.corners());
 }
 
-/// Refining level by level, where each is kept and the last is made a native mesh in the end.
+/// Returns the bytes of a refinement level by level that keeps each level and converts the last one to a native mesh.
 double bytes_of_hierarchy(const std::vector<planned_level>& levels, const job_kind& kind)
 {
     double kept = kind.mesh == mesh_kind::native ? 0 : bytes_of_other_library;
@@ -76,7 +77,7 @@ double bytes_of_hierarchy(const std::vector<planned_level>& levels, const job_ki
     return kept + double(last.bytes) + std::max(double(last.bytes), bytes_of(bytes_of_limit, 0, 0, last));
 }
 
-/// The counts of a plan with the bytes of a 32-bit index, although that may not number them.
+/// Returns the plan with the bytes of a 32-bit index, even if 32 bits cannot number all elements.
 std::vector<planned_level> with_short_index(std::vector<planned_level> levels)
 {
     for (planned_level& level : levels) {
@@ -93,8 +94,8 @@ std::vector<planned_level> plan_of_tiles(const Scheme& scheme, const basic_mesh<
     return with_short_index(plan(count(control.topology()), scheme, levels, control.generation(), 24, 8));
 }
 
-/// The control mesh twice, for it is cut, its attributes, with which the scheme goes from hand to hand, and the
-/// boundary of the last level but one where the numbers depend on it.
+/// Returns the bytes of the control mesh, twice since it is cut, and of its attributes, which are passed on with the
+/// scheme. If the numbers depend on the boundary of the last level but one, its bytes are included.
 template <class Scheme>
 double bytes_beside_tiles(const std::vector<planned_level>& levels, const attribute_counts& attributes)
 {
@@ -105,7 +106,7 @@ double bytes_beside_tiles(const std::vector<planned_level>& levels, const attrib
     return result;
 }
 
-/// The bytes that a tile of so many faces needs at most, which has a share of the corners.
+/// Returns the bytes that a tile with `faces` faces and a share of the corners needs at most.
 template <class Scheme>
 double bytes_of_tile(const Scheme& scheme, const std::vector<planned_level>& levels, double share, double faces,
                      const tiling_kind& kind)
@@ -128,24 +129,25 @@ double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& le
            double(at_once) * bytes_of_tile(scheme, levels, share, faces, kind);
 }
 
-/// Returns the faces of the largest of so many tiles, about, since parts are not of one size.
+/// Returns the approximate number of faces of the largest of so many tiles; parts differ in size.
 double faces_of_largest(std::uint64_t faces, std::uint64_t tiles)
 {
     return std::min(double(faces), std::ceil(1.1 * double(faces) / double(tiles)));
 }
-/// Returns a few more tiles, as the next number that a search tries.
+/// Returns a slightly larger number of tiles, the next one that a search tries.
 std::uint64_t more_tiles(std::uint64_t tiles, std::uint64_t most)
 {
     return std::min(most, tiles + 1 + tiles / 8);
 }
 
-/// As tiles_at_once; on ranks, which have a part of the tiles each, it may be less.
+/// Returns the number of tiles that are refined at once, as tiles_at_once does. Each rank has only a part of the tiles,
+/// so the number there may be smaller.
 std::uint64_t at_once(std::uint64_t tiles, std::uint64_t threads)
 {
     return tiles < threads ? 1 : threads;
 }
 
-/// That of the tile with the most corners, of which new faces come.
+/// Returns the bytes of a job, computed with the tile that has the most corners, since new faces come from corners.
 template <class Scheme>
 double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& levels, const basic_mesh<>& control,
                       const partition& parts, const tiling_kind& kind)
@@ -163,7 +165,8 @@ double bytes_of_tiles(const Scheme& scheme, const std::vector<planned_level>& le
     return bytes_of_tiles(scheme, levels, share, double(largest.faces), at_once(parts.parts, kind.threads), kind);
 }
 
-/// Calls f with a scheme that is refined in tiles; for others the result is that of an empty call.
+/// Calls f with a scheme that can be refined in tiles. For other schemes the result is an empty value of the return
+/// type of f.
 template <class F>
 auto with_reaching(const any_scheme& scheme, const F& f)
 {
@@ -182,7 +185,7 @@ std::uint64_t whole_number(double bytes)
     return std::uint64_t(std::min(bytes, 1e19));
 }
 
-/// "1024", "2147483648 (2.0 GiB)"
+/// Returns a number of bytes as text: "1024", "2147483648 (2.0 GiB)".
 std::string bytes_text(std::uint64_t bytes)
 {
     constexpr std::array units{"MiB", "GiB", "TiB", "PiB", "EiB"};

@@ -48,7 +48,7 @@ std::optional<recipe> find_recipe(const std::string& directory)
     }
 }
 
-/// Waits for the lock, where the file system has locks.
+/// Waits for the lock, if the file system has locks.
 void lock(int descriptor, int kind)
 {
     while (::flock(descriptor, kind) != 0 and errno == EINTR)
@@ -181,7 +181,8 @@ bool journal_share::hold()
     return false;
 }
 
-/// A surface is empty until there is a recipe, and held as long as a job is at work after another one took that away.
+/// Returns true if the surface is a file of another program. A surface of a journal is empty until there is a recipe.
+/// It is locked while a job works on after another job has removed the recipe.
 bool journal_share::is_of_others() const
 {
     struct stat mine = {};
@@ -196,7 +197,7 @@ bool journal_share::holds_surface() const
            mine.st_ino == there.st_ino and mine.st_dev == there.st_dev;
 }
 
-/// A journal that is over: what this job has made there in between is removed, unless others use it.
+/// Leaves a journal that is over: removes what this job has created there meanwhile, unless other jobs use it.
 void journal_share::leave() noexcept
 {
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 and holds_surface()) {

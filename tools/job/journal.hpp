@@ -15,43 +15,45 @@ struct found_recipe {
     bool is_kept = false;
 };
 
-/// The recipe that a journal's directory keeps. Errors: file_error when there is none, or it is damaged.
+/// Returns the recipe that a journal's directory keeps. Errors: file_error if there is none, or if it is damaged.
 recipe kept_recipe(const std::string& directory);
 
-/// The recipe that a journal's directory keeps or, where there is none, one of this request with the partition that
-/// `make` gives. Errors: file_error for the recipe of another refinement.
+/// Returns the recipe that a journal's directory keeps. If there is none, returns a recipe of this request with the
+/// partition that `make` returns. Errors: file_error for the recipe of another refinement.
 found_recipe recipe_for(const std::string& directory, const tile_request& request,
                         const std::function<partition()>& make);
 
-/// The surface gets its name by renaming, which no file system does for another. Errors: file_error.
+/// Throws file_error if the output and the journal are on different file systems. The surface gets its name by
+/// renaming, which works within one file system only.
 void require_one_file_system(const std::string& output, const std::string& directory);
 
-/// A journal has files of its own, which an output must not be. Errors: file_error.
+/// Throws file_error if the output is one of the journal's own files.
 void require_apart(const std::string& output, const std::string& directory);
 
-/// A job's share in a journal. Jobs may be at work in one at the same time: each holds the surface (flock, shared)
-/// while it lives, so that none takes the surface away from another. Move only.
+/// A job's share in a journal. Several jobs may work in one journal at the same time. Each job locks the surface
+/// (flock, shared) during its lifetime, so that no job takes the surface away from another. The class is move-only.
 class journal_share {
 public:
-    /// Begins the journal, unless it is there already. The recipe appears when it is complete, so that a process that
-    /// is ended meanwhile leaves no half of one.
-    /// Errors: file_error, also when the output is on another file system, when another job has begun otherwise, and
-    /// for a file in the place of the surface that is none.
+    /// Begins the journal, unless it exists already. The recipe appears when it is complete, so that a process that
+    /// ends early leaves no partial recipe.
+    /// Errors: file_error. Causes include an output on another file system, and a journal that another job has begun
+    /// with another recipe. A file in the place of the surface that is not a surface is an error as well.
     journal_share(std::string directory, const found_recipe& recipe, const std::string& output);
     journal_share(journal_share&& other) noexcept;
     journal_share& operator=(journal_share&&) = delete;
     ~journal_share();
 
     [[nodiscard]] static std::string surface_in(const std::string& directory);
-    /// Where the records of a surface lie while it gets its name.
+    /// Returns the path of the records of a surface while the surface gets its name.
     [[nodiscard]] static std::string records_in(const std::string& directory);
 
-    /// Whether another job has given the surface its name since the recipe was read, so that there is nothing to share.
+    /// Returns true if another job has given the surface its name since the recipe was read; there is nothing left to
+    /// share.
     [[nodiscard]] bool is_over() const { return descriptor_ < 0; }
-    /// When all tiles are finished: waits until no other job is at work here. False when one of those has given the
-    /// surface its name meanwhile.
+    /// Waits until no other job works in the journal. Returns false if another job has given the surface its name
+    /// meanwhile. Precondition: all tiles are finished.
     [[nodiscard]] bool own();
-    /// When the surface has its name: nothing of the journal is left, nor of the directory if nothing else is in it.
+    /// Removes the journal, and its directory if nothing else is in it. Precondition: the surface has its name.
     void remove() noexcept;
 
 private:

@@ -18,7 +18,7 @@ namespace kith::tool {
 
 namespace {
 
-/// The ends of all edges, the smaller one first.
+/// Returns the ends of all edges, the smaller number first.
 std::set<std::pair<std::size_t, std::size_t>> edges_of(const polygon_soup& soup)
 {
     const auto& faces = soup.faces;
@@ -29,7 +29,7 @@ std::set<std::pair<std::size_t, std::size_t>> edges_of(const polygon_soup& soup)
     return result;
 }
 
-/// Takes the vertices without a face out, and gives the others their new numbers.
+/// Removes the vertices without a face, renumbers the others, and returns the points of the removed vertices.
 std::vector<std::array<double, 3>> take_isolated(polygon_soup& soup)
 {
     const std::vector<bool> used = vertices_with_faces(soup);

@@ -15,41 +15,42 @@
 namespace kith::tool {
 
 struct control_mesh {
-    basic_mesh<> mesh; ///< of the vertices that have a face
+    basic_mesh<> mesh; ///< the mesh, with the vertices that have a face only
     io::mesh_tags tags{};
-    std::vector<std::array<double, 3>> isolated{}; ///< where the other vertices are
-    std::vector<std::string> not_kept{};           ///< what else the file holds, which refining loses
-    io::mesh_attributes attributes{};              ///< the isolated vertices come last
+    std::vector<std::array<double, 3>> isolated{}; ///< the points of the other vertices
+    std::vector<std::string> not_kept{};           ///< the contents of the file that refining loses
+    io::mesh_attributes attributes{};              ///< the values of the isolated vertices come last
 };
 
-/// The content of a file. Notes of the reader are written to standard error. Errors: file_error.
+/// Returns the content of a file, and writes notes of the reader to standard error. Errors: file_error.
 io::polygon_soup read_soup(const std::string& path);
 
-/// Same as read_soup, but after a repair; what it did is written to standard error. Errors: file_error.
+/// Returns the content of a file after a repair, and writes what the repair did to standard error. Errors: file_error.
 io::polygon_soup read_soup(const std::string& path, const input_repair& repair);
 
-/// The mesh in a file. Vertices without a face are put aside, those after them move up. Errors: file_error for what the
-/// file is, and with everything that is wrong with the mesh and the options that mend it. Elements have the numbers of
-/// the file, or those after the repair.
+/// Returns the mesh in a file. Vertices without a face are put aside, and the vertices after them move up. Errors:
+/// file_error for an unreadable file, and for a mesh with problems. The text then names all problems and the options
+/// that solve them. Elements have the numbers of the file, or those after the repair.
 control_mesh read_mesh(const std::string& path, const input_repair& repair);
 
-/// The same of its content. Errors: mesh_error.
+/// Returns the mesh of a file's content, with isolated vertices put aside as in read_mesh. Errors: mesh_error.
 control_mesh control_mesh_of(const io::polygon_soup& soup);
 
-/// The vertices that faces have.
+/// Returns a flag for each vertex: true if a face has the vertex.
 std::vector<bool> vertices_with_faces(const io::polygon_soup& soup);
 
-/// What is wrong with a file's mesh, in its numbers. Vertices without a face are told only where something else is
-/// wrong.
+/// Returns the problems of a file's mesh, in the numbers of the file. Vertices without a face are reported only if
+/// there is another problem.
 mesh_report report_of(const io::polygon_soup& soup);
 
-/// Notes in one line what of a file is lost on the way; nothing if that is nothing.
+/// Prints a note of one line on the contents of a file that are lost; prints nothing if the list is empty.
 void note_losses(const std::string& input, const std::vector<std::string>& lost);
 
-/// Notes in one line what an output has 0 for, as its format has no word for "none"; nothing if that is nothing.
+/// Prints a note of one line on the values for which an output has 0, since its format cannot mark missing values.
+/// Prints nothing if the list is empty.
 void note_zeros(const std::string& output, const std::vector<std::string>& zeros);
 
-/// Adds the sharp edges and vertices that are left to what is lost, where there are any.
+/// Adds the edges and vertices that are still sharp to what is lost, if there are any.
 void add_lost_sharpness(std::vector<std::string>& lost, std::size_t edges, std::size_t vertices);
 
 } // namespace kith::tool

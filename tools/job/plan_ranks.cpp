@@ -18,14 +18,15 @@ namespace kith::tool {
 
 namespace {
 
-/// As the last step of a tile makes it: points, face lists, and the numbers of vertices and faces in the whole mesh.
+/// Returns the bytes of a tile after its last step: points, face lists, and the global numbers of vertices and faces.
 double bytes_of_tile(double vertices, double faces, double corners)
 {
     constexpr double vertex = 24 + 8 + 1, face = 8 + 4 + 1, corner = 4;
     return vertex * vertices + face * faces + corner * corners;
 }
 
-/// Coordinates, with normals where there are such, faces and their cell data: see vtu_file.
+/// Returns the bytes of a part of the output: coordinates, normals if there are any, faces, and their cell data; see
+/// vtu_file.
 double bytes_of_output(double vertices, double faces, double corners, bool with_normals)
 {
     const double vertex = with_normals ? 24 + 24 : 24;
@@ -33,7 +34,7 @@ double bytes_of_output(double vertices, double faces, double corners, bool with_
     return vertex * vertices + face * faces + corner * corners;
 }
 
-/// The bytes of the attributes of an element in a file.
+/// Returns the bytes of the attributes of an element in a file.
 double bytes_in_file(const std::vector<io::attribute>& attributes)
 {
     double result = 0;

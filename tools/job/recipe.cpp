@@ -29,7 +29,7 @@ std::string text_of(const std::optional<Number>& value)
     return value ? shortest_text(*value) : "";
 }
 
-/// The words that choose the form of the scheme; creases are kept with the control mesh.
+/// Returns the words that choose the form of the scheme, with their names. Creases are kept with the control mesh.
 std::array<std::pair<const char*, std::string>, 7> words_with_names(const scheme_words& words)
 {
     return {{{"preset", words.preset},
@@ -65,7 +65,7 @@ std::vector<std::byte> pack_control(const tile_request& request)
     return out.take();
 }
 
-/// The inverse.
+/// Reads the control mesh that pack_control has written.
 void unpack_control(const std::vector<std::byte>& bytes, tile_request& request)
 {
     unpacker in(bytes);
@@ -80,7 +80,7 @@ void add_settings(packer& out, const recipe& recipe)
     for (const auto& [name, value] : recipe.settings)
         out.add_array(name).add_array(value);
 }
-/// What the surface and its tiles are made of.
+/// Adds the data from which the surface and its tiles are made: the control mesh and the partition.
 void add_mesh(packer& out, const recipe& recipe)
 {
     out.add_array(recipe.control).add_array(recipe.parts.part_of).add(std::uint64_t(recipe.parts.parts));

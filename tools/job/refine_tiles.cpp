@@ -31,7 +31,7 @@ namespace kith::tool {
 
 namespace {
 
-/// What the tiles have come to, added up by the threads that refine them.
+/// The sums over finished tiles, to which the threads that refine tiles add.
 struct sums {
     std::mutex mutex;
     std::uint64_t tiles = 0, faces = 0;
@@ -53,7 +53,7 @@ struct sums {
     }
 };
 
-/// A tile that is missing, or one that is looked after.
+/// Refines and writes a missing tile, or checks a finished one. Returns its record.
 template <class Refinement>
 finished_tile finish(Refinement& refinement, const tile_request& request, tile_output& file, std::size_t number,
                      bool is_finished, phase_seconds& spent)

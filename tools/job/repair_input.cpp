@@ -40,7 +40,8 @@ bool is_same(double a, double b)
     return a == b or (std::isnan(a) and std::isnan(b));
 }
 
-/// Texture coordinates of vertices that are joined, and differ, become those of corners: a seam stays a seam.
+/// Moves the texture coordinates of vertices to corners, for joined vertices with different coordinates. A seam then
+/// stays a seam.
 void move_textures_to_corners(io::mesh_attributes& attributes, const face_list& faces)
 {
     std::vector<io::attribute> kept;
@@ -56,7 +57,7 @@ void move_textures_to_corners(io::mesh_attributes& attributes, const face_list& 
     attributes.vertices = std::move(kept);
 }
 
-/// Values of joined vertices other than those that stay are lost; tells how many.
+/// Notes the number of joined vertices whose values are lost, since they differ from those of the vertex that stays.
 void note_other_values(const io::polygon_soup& soup, const repaired<std::array<double, 3>>& mended,
                        io::mesh_attributes& attributes, std::vector<std::string>& notes)
 {
@@ -88,7 +89,7 @@ void note_other_values(const io::polygon_soup& soup, const repaired<std::array<d
                         " had other values than the vertex that is kept");
 }
 
-/// Creases follow the sides of faces, sharp vertices their corners.
+/// Returns the tags after a repair. Creases follow the sides of faces, and sharp vertices follow the corners of faces.
 io::mesh_tags mended_tags(const io::polygon_soup& soup, const repaired<std::array<double, 3>>& mended,
                           std::vector<std::string>& notes)
 {
@@ -155,7 +156,7 @@ io::mesh_tags mended_tags(const io::polygon_soup& soup, const repaired<std::arra
     return tags;
 }
 
-/// "vertex 9 coincides with vertex 1, one of 16 such vertices at the boundary"
+/// Returns a text on coinciding vertices: "vertex 9 coincides with vertex 1, one of 16 such vertices at the boundary".
 std::string crack_text(const io::polygon_soup& soup, const std::vector<edge>& pairs)
 {
     const auto number = [&](std::size_t v) { return std::to_string(v + soup.first_number); };

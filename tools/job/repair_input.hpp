@@ -17,10 +17,10 @@
 
 namespace kith::tool {
 
-/// How the faces of a file may be changed so that they form a manifold.
+/// The changes that are allowed to make the faces of a file a manifold.
 struct input_repair {
     repair_options options{};
-    bool welds_rounded = false; ///< within the rounding distance of the points
+    bool welds_rounded = false; ///< weld within the rounding distance of the points
 
     [[nodiscard]] bool empty() const;
 };
@@ -28,29 +28,30 @@ struct input_repair {
 /// Adds --repair and --weld.
 void add_repair_options(boost::program_options::options_description& options);
 
-/// Reads --repair and --weld. Errors: usage_error.
+/// Returns the repair that --repair and --weld ask for. Errors: usage_error.
 input_repair input_repair_from(const boost::program_options::variables_map& values);
 
-/// A repair by its words, such as "drop,weld=0.001", and the words of one. Errors: usage_error.
+/// Returns the repair that words such as "drop,weld=0.001" name (repair_named), or the words of a repair (words_of).
+/// Errors: usage_error.
 input_repair repair_named(std::string_view words);
 std::string words_of(const input_repair& repair);
 
-/// The content of a file after a repair, with all that belongs to its elements: attributes, creases, sharp vertices and
-/// holes. `report` is told what was done; `notes` what it does to attributes and tags. Errors: mesh_error for tags of
-/// elements that do not exist, and as `repair`.
+/// Returns the content of a file after a repair, with everything that belongs to its elements: attributes, creases,
+/// sharp vertices and holes. `report` receives what was done, and `notes` the effects on attributes and tags. Errors:
+/// mesh_error for tags of elements that do not exist, and the errors of `repair`.
 io::polygon_soup repaired_soup(const io::polygon_soup& soup, const input_repair& repair, repair_report& report,
                                std::vector<std::string>& notes);
 
-/// Vertices at the boundary that lie where others do.
+/// Vertices at the boundary that lie at the same place as other vertices.
 struct cracks {
-    std::vector<std::pair<std::size_t, std::size_t>> equal; ///< the vertex and the one it lies on
+    std::vector<std::pair<std::size_t, std::size_t>> equal; ///< each with the vertex at exactly its place
     std::vector<std::pair<std::size_t, std::size_t>>
-        rounded;         ///< those within the rounding distance, the equal ones, too
+        rounded;         ///< pairs within the rounding distance, including those in `equal`
     double distance = 0; ///< the rounding distance
 };
 cracks cracks_of(const io::polygon_soup& soup);
 
-/// The options that would mend what a report tells, in sentences; none if there are no such.
+/// Returns sentences on the options that would solve the problems of a report; none if there are no such options.
 std::vector<std::string> remedies(const io::polygon_soup& soup, const mesh_report& report);
 
 } // namespace kith::tool

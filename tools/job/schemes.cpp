@@ -46,7 +46,7 @@ Scheme scheme_like(const std::string& preset)
     }
 }
 
-/// Other weights follow from the tension; which ones a scheme takes, it says itself.
+/// Sets the tension of a scheme, from which its other weights follow. The scheme itself checks which tensions it takes.
 template <class Scheme>
 void set_tension(Scheme& scheme, double tension)
 {

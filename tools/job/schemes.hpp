@@ -16,12 +16,13 @@
 
 namespace kith::tool {
 
-/// A scheme that the program knows, and where it comes from. Its name, what it takes and its options its type says.
+/// A scheme that the program knows, and its source. The type of the scheme has its name, the faces that it takes and
+/// its options.
 template <class Scheme>
 struct scheme_entry {
     std::string_view source;
     basic_mesh<> (*prepare)(const basic_mesh<>&,
-                            attribute_fields&) = nullptr; ///< makes of any mesh one that the scheme can start from
+                            attribute_fields&) = nullptr; ///< turns any mesh into one that the scheme can start from
 };
 
 namespace detail {
@@ -46,11 +47,11 @@ std::variant<Schemes...> variant_of(const std::tuple<Schemes...>*);
 
 } // namespace detail
 
-/// All verbs take their schemes from here: those of the registry.
+/// The schemes of all verbs: those of the registry.
 inline constexpr auto known_schemes = detail::entries_of(static_cast<const all_schemes*>(nullptr));
 using any_scheme = decltype(detail::variant_of(static_cast<const all_schemes*>(nullptr)));
 
-/// What the command line says about the form of a scheme; empty: nothing.
+/// The words of the command line on the form of a scheme; members that are empty were not given.
 struct scheme_words {
     std::string preset;
     std::string boundary_corners;
@@ -65,59 +66,66 @@ struct scheme_words {
     bool triangulate = false;
 };
 
-/// Edges and vertices of the control mesh.
+/// The number of sharp edges and vertices of a control mesh.
 struct sharp_elements {
     std::size_t edges = 0, vertices = 0;
 
     [[nodiscard]] bool any() const { return edges != 0 or vertices != 0; }
 };
 
-/// Those that are sharp for more levels than this; averages of neighbours (Chaikin) may end that earlier.
+/// Returns the number of edges and vertices that are sharp for more than `levels` levels. Averages of neighbours
+/// (Chaikin) may end their sharpness earlier.
 sharp_elements sharp_after(const any_scheme& scheme, int levels);
 
-/// Adds to what goes along with the mesh what the next step of the scheme would read of the last level, or names it as
+/// Adds what the next step of the scheme would read of the last level to the attributes of the mesh, or to what is
 /// lost.
 void tell_next_step(control_mesh& control, const any_scheme& scheme, int levels);
 
-/// "catmull-clark and loop"
+/// Returns the names of the schemes with creases: "catmull-clark and loop".
 std::string schemes_with_creases();
 
-/// Whether texture coordinates may be other than linear in faces: with creases, and where nothing else is, too.
+/// Returns true if texture coordinates need not be linear in faces, which holds for schemes with creases. It also holds
+/// for linear schemes, in which everything is linear.
 bool refines_along_seams(const any_scheme& scheme);
 
-/// What of a scheme's creases and boundary the tags of an OBJ file have to say besides the sharp elements.
+/// Adds the scheme's rule for boundary corners to the tags of an OBJ file, unless it is the default. The sharp elements
+/// are added elsewhere.
 void add_boundary_tag(io::mesh_tags& tags, const any_scheme& scheme);
-/// Adds the rule of corners at the boundary to what is lost, where the input said one that is not the default of the
-/// scheme, for faces that stay.
+/// Adds the rule for boundary corners to what is lost. Conditions: the input names a rule, the scheme's rule is not its
+/// default, and the faces at the boundary are not holes.
 void add_lost_boundary_rule(std::vector<std::string>& lost, const io::mesh_tags& given, const any_scheme& scheme);
 
-/// Errors: usage_error for a name that is not known, and for words that this scheme does not take.
+/// Returns the scheme of this name, in the form that the words choose. Errors: usage_error for an unknown name, and for
+/// words that this scheme does not take.
 any_scheme make_scheme(const std::string& name, const scheme_words& words);
 
-/// Cuts the faces of a control mesh into triangles where the words ask for it, and tells the scheme of its creases:
-/// those of the file, and edges sharper than the angle.
-/// Tags that mean something else are noted on standard error; where tags are to be ignored, the mesh has none then. The
-/// rule of the file for corners at the boundary, if it counts, is a word then: for who has not read the file.
+/// Cuts the faces of a control mesh into triangles if the words ask for it, and gives the scheme its creases: those of
+/// the file, and edges sharper than the angle.
+/// Tags that are not understood are noted on standard error. If the words say that tags are ignored, the mesh has none
+/// afterwards. The rule of the file for boundary corners, if it counts, is stored in `words`, for ranks that have not
+/// read the file.
 /// Errors: mesh_error for tags that do not fit the mesh, and for creases and holes if the scheme has no rules for them.
 void give_creases(any_scheme& scheme, control_mesh& control, scheme_words& words);
 
-/// Refuses a mesh that the scheme does not take, with what the programs have to make it one. Errors: mesh_error.
+/// Throws mesh_error for a mesh that the scheme does not take. The message names the options or verbs of the programs
+/// that make the mesh one that it takes.
 void require_scheme_takes(const any_scheme& scheme, const basic_mesh<>& control);
 
-/// The mesh that the scheme starts from, with its attributes: the control mesh itself, except for 4-8.
+/// Returns the mesh that the scheme starts from, with its attributes: the control mesh itself, except for 4-8.
 basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control, attribute_fields& attributes);
 basic_mesh<> prepared(const any_scheme& scheme, basic_mesh<> control);
 
-/// Whether that is another mesh.
+/// Returns true if `prepared` returns another mesh than the control mesh.
 bool is_prepared(const any_scheme& scheme);
 
-/// "catmull-clark, loop, ..."
+/// Returns the names of all schemes: "catmull-clark, loop, ...".
 std::string scheme_names();
 
-/// The schemes that take a mesh as it is, with the creases and holes of its file. Precondition: the tags fit the mesh.
+/// Returns the names of the schemes that take a mesh as it is, with the creases and holes of its file. Precondition:
+/// the tags fit the mesh.
 std::vector<std::string_view> schemes_that_take(const control_mesh& control);
 
-/// "unified is not refined in tiles: ...", of a scheme that is not.
+/// Returns the message on a scheme that is not refined in tiles: "unified is not refined in tiles: ...".
 std::string not_in_tiles(std::string_view scheme);
 
 } // namespace kith::tool

@@ -36,7 +36,8 @@ void add_not_kept(control_mesh& control, const std::vector<std::string>& topics)
             control.not_kept.push_back(topic);
 }
 
-/// What some vertices have no value of: what is made of such a vertex has none, either.
+/// Adds attributes that some vertices have no value of to what is not kept. A vertex made from such a vertex has no
+/// value, either.
 void add_spreading_lack(control_mesh& control, int levels)
 {
     std::vector<std::string> topics;
@@ -56,7 +57,7 @@ void move_if(std::vector<io::attribute>& from, std::vector<io::attribute>& to, c
     from.erase(moved, from.end());
 }
 
-/// Takes out what VTK's format has no room for.
+/// Removes and returns the attributes that VTK's format cannot hold.
 io::mesh_attributes not_in_vtu(io::mesh_attributes& attributes)
 {
     io::mesh_attributes rest;
@@ -68,7 +69,7 @@ io::mesh_attributes not_in_vtu(io::mesh_attributes& attributes)
     return rest;
 }
 
-/// Whether a face has values at some corners and at others none: in PLY it has none then.
+/// Returns true if some face has values at some corners and none at others. In PLY such a face has no values.
 bool some_faces_lack_some(const control_mesh& control)
 {
     for (std::size_t f = 0; f < control.mesh.face_count(); ++f) {

@@ -28,7 +28,7 @@ file_array array_of(const io::attribute& a, field_on where, std::size_t numbers)
     return {a.name, where, word + std::to_string(8 * a.type.bytes), numbers, numbers * a.type.bytes, a.labels};
 }
 
-/// For each element the numbers of these attributes, one after the other.
+/// Returns the bytes of these attributes: for each element its values, one after the other.
 std::vector<std::byte> bytes_of(const attribute_list& attributes, bool is_ply)
 {
     std::vector<std::byte> result;
@@ -52,7 +52,7 @@ std::vector<std::byte> bytes_of(const attribute_list& attributes, bool is_ply)
     return result;
 }
 
-/// The attributes of each array, in the order of the arrays.
+/// Returns the attributes of each array, in the order of the arrays.
 std::vector<attribute_list> lists_of(const io::mesh_attributes& attributes)
 {
     std::vector<attribute_list> result;

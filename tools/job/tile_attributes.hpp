@@ -13,20 +13,20 @@
 
 namespace kith::tool {
 
-/// Whether there are attributes that tiles carry.
+/// Returns true if there are attributes that tiles carry.
 inline bool has_attributes(const tile_request& request)
 {
     return not request.kinds.empty();
 }
 
-/// Calls f with the scheme and, where there are attributes, with these beside it.
+/// Calls f with the scheme, and with the attributes of the request beside it if there are any.
 template <scheme Scheme, class F>
 auto with_attributes(const Scheme& scheme, const tile_request& request, const F& f)
 {
     return has_attributes(request) ? f(with_fields(scheme, request.attributes)) : f(scheme);
 }
 
-/// The scheme without attributes.
+/// Returns the scheme without attributes.
 template <scheme Scheme>
 const auto& plain(const Scheme& scheme)
 {
@@ -36,7 +36,7 @@ const auto& plain(const Scheme& scheme)
         return scheme;
 }
 
-/// As rings_of_last_level.
+/// Returns the result of rings_of_last_level for a request.
 inline std::optional<int> last_rings(const tile_request& request)
 {
     return rings_of_last_level(request.scheme, request.limit, has_attributes(request));
@@ -45,16 +45,17 @@ inline std::optional<int> last_rings(const tile_request& request)
 /// The attributes of a level as arrays of a file of tiles.
 class tile_attributes {
 public:
-    /// The values that a tile has for these arrays.
+    /// The bytes of the values of a tile, for each of these arrays.
     using values = std::vector<std::vector<std::byte>>;
 
-    /// Precondition: the output has room for what is of these kinds (settle_tile_attributes).
+    /// Creates the arrays for the attributes of a request. Precondition: the output can hold attributes of these kinds
+    /// (settle_tile_attributes).
     explicit tile_attributes(const tile_request& request);
 
     [[nodiscard]] const std::vector<file_array>& arrays() const { return arrays_; }
-    /// In the types of the file.
+    /// Returns the values of the fields, in the types of the file.
     [[nodiscard]] values values_of(const attribute_fields& fields) const;
-    /// Those of the fields beside a scheme; none where there are no attributes.
+    /// Returns the values of the fields beside a scheme, or none if there are no attributes.
     template <scheme Scheme>
     [[nodiscard]] values values_beside(const Scheme& scheme) const
     {
@@ -67,7 +68,7 @@ public:
 private:
     io::mesh_attributes kinds_;
     std::vector<file_array> arrays_;
-    bool is_ply_; ///< in which values that are missing are 0, as without tiles
+    bool is_ply_; ///< the output is .ply, where missing values are 0, as without tiles
 };
 
 } // namespace kith::tool

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What is replaced holds nothing but pieces. Errors: file_error.
+/// Throws file_error if a directory that would be replaced holds anything but pieces.
 void require_pieces_only(const std::string& directory)
 {
     std::error_code failed;
@@ -46,8 +46,8 @@ std::vector<value_bytes> as_bytes(const tile_output::tile_values& values)
     return {values.begin(), values.end()};
 }
 
-/// Looks whether a file or directory can get this name at the end: whether what holds it takes new names, and what is
-/// there may be replaced. Errors: file_error.
+/// Throws file_error if a file or directory cannot get this name at the end. The directory around it must take new
+/// names, and a file or directory that has the name already must be replaceable.
 void require_nameable(const std::string& path, const std::string& target)
 {
     const auto require = [&](const fs::path& place, int mode) {
@@ -60,7 +60,7 @@ void require_nameable(const std::string& path, const std::string& target)
     require(fs::absolute(target).parent_path(), W_OK | X_OK);
 }
 
-/// Tiles are written at their places, which a pipe does not have. Errors: file_error.
+/// Throws file_error for an output such as a pipe, which has no positions; tiles are written at their positions.
 void require_places(const output_request& request, const std::string& target, bool in_pieces)
 {
     std::error_code failed;
@@ -74,7 +74,8 @@ void require_places(const output_request& request, const std::string& target, bo
                          (in_pieces ? "the index of pieces" : "the output of a journal") + " must be one; name a file");
 }
 
-/// By which a directory is told from others that have its name later; it keeps it when it is renamed.
+/// Returns a number that distinguishes a directory from others that have its name later. The directory keeps the number
+/// when it is renamed.
 std::string file_number(const std::string& path)
 {
     struct stat status{};
@@ -136,14 +137,16 @@ tile_output::tile_output(const output_request& request, const output_surface& su
         journal_.emplace(layout_->size(), surface.tiles, surface.recipe);
 }
 
-/// Where the pieces are going to be, or in the journal.
+/// Returns the directory that holds the pieces until the output is complete: next to their final place, or in the
+/// journal.
 std::string tile_output::incomplete_pieces() const
 {
     const std::string name = incomplete_ + ".pieces";
     return request_.journal.empty() ? (fs::path(pieces_).parent_path() / fs::path(name).filename()).string() : name;
 }
 
-/// What `commit` is going to need, before any work. Without a journal the file is made next to its place, which tells.
+/// Throws file_error if `commit` cannot give the output its names; `begin` calls it before any work. Without a journal
+/// the file is created next to its place, which is test enough.
 void tile_output::require_names() const
 {
     if (journal_)
@@ -152,9 +155,9 @@ void tile_output::require_names() const
         require_nameable(pieces_, pieces_);
 }
 
-/// Cuts the records off the surface, which so is complete. Until it has its name they lie in a file of their own, so
-/// that nothing is lost when it gets none or the process is killed; behind them are the number of the directory of
-/// pieces and the place where it goes.
+/// Cuts the records off the surface, which is then complete. Until the surface has its name, a separate file holds the
+/// records, so that nothing is lost if naming fails or the process is killed. The file ends with the number of the
+/// directory of pieces and the place where the directory goes.
 void tile_output::cut_records()
 {
     auto surface = offset_file::open(incomplete_);
@@ -171,7 +174,7 @@ void tile_output::cut_records()
     surface.close();
 }
 
-/// The inverse, where a job has cut the records off and the surface has no name yet.
+/// Restores the records that cut_records has cut off, if the surface has no name yet.
 void tile_output::restore_records()
 {
     const std::string path = journal_share::records_in(request_.journal);
@@ -291,7 +294,7 @@ byte_sum tile_output::sum_of_share(std::uint64_t share, std::uint64_t shares)
     return result;
 }
 
-/// Compares with the sums that the journal has of its tiles, and that of the frame.
+/// Throws file_error if `found` differs from the sum of the bytes of the journal's tiles and of the frame.
 void tile_output::require_bytes(byte_sum found)
 {
     summed_bytes frame(nullptr);

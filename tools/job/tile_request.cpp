@@ -22,7 +22,7 @@ namespace kith::tool {
 
 namespace {
 
-/// Tests whether a scheme has faces that are born by edges or vertices, and so have no value of a face.
+/// Returns true if a scheme makes faces at edges or vertices; such faces have no parent face, and so no value.
 bool has_faces_without_parent(const any_scheme& scheme)
 {
     return std::visit(
@@ -36,7 +36,7 @@ bool has_faces_without_parent(const any_scheme& scheme)
         scheme);
 }
 
-/// Returns the list of values that the output has 0 for, as far as the control mesh tells.
+/// Returns the names of the values for which the output has 0, as far as the control mesh shows.
 std::vector<std::string> zeros_of(const tile_request& request, const io::mesh_attributes& attributes)
 {
     const auto format = io::extension_of(request.output) == ".ply" ? io::mesh_format::ply : io::mesh_format::vtu;

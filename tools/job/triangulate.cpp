@@ -30,7 +30,7 @@ using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using point = kernel::Point_3;
 using polygon = CGAL::Surface_mesh<point>;
 
-/// A triangulation in a plane whose vertices know which corner of the face they are.
+/// The traits of a triangulation in a plane whose vertices store the number of their corner of the face.
 using plane = CGAL::Projection_traits_3<kernel>;
 using plane_vertex = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, plane>;
 using plane_face = CGAL::Constrained_triangulation_face_base_2<
@@ -38,7 +38,7 @@ using plane_face = CGAL::Constrained_triangulation_face_base_2<
 using plane_triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     plane, CGAL::Triangulation_data_structure_2<plane_vertex, plane_face>, CGAL::No_constraint_intersection_tag>;
 
-using triangle = std::array<std::size_t, 3>; ///< the numbers of corners
+using triangle = std::array<std::size_t, 3>; ///< the numbers of three corners
 
 /// Marks the triangles that can be reached from the infinite ones without crossing a side of the face.
 void mark_outside(plane_triangulation& all)
@@ -58,9 +58,9 @@ void mark_outside(plane_triangulation& all)
     }
 }
 
-/// Returns the triangles of a face with many corners: as CGAL's triangulate_face finds them, but where corners lie on a
-/// circle, in time that is not quadratic. Nothing where its sides cross. Cost: O(n log n) where corners do not
-/// conspire.
+/// Returns the triangles of a face with many corners, or nothing if its sides cross. They are those of CGAL's
+/// triangulate_face, except where corners lie on a circle, but the time is not quadratic. Cost: O(n log n), except for
+/// adversarial positions of the corners.
 std::vector<triangle> large_face(const std::vector<point>& corners, const kernel::Vector_3& normal)
 {
     std::vector<std::pair<point, std::size_t>> numbered;
@@ -88,7 +88,7 @@ std::vector<triangle> large_face(const std::vector<point>& corners, const kernel
     return result;
 }
 
-/// Returns the triangles of a face, or nothing where it has no plane or its sides cross.
+/// Returns the triangles of a face, or nothing if it has no plane or its sides cross.
 std::vector<triangle> triangles_of(const std::vector<point>& corners)
 {
     namespace pmp = CGAL::Polygon_mesh_processing;
@@ -134,7 +134,7 @@ void cut(const basic_mesh<>& mesh, std::size_t face, face_list& triangles)
         triangles.push_back(std::array{corners[part[0]], corners[part[1]], corners[part[2]]});
 }
 
-/// Gives triangles and their corners what the faces have from which they were cut.
+/// Copies the values of faces and their corners to the triangles that were cut from them.
 void cut_attributes(io::mesh_attributes& attributes, const basic_mesh<>& mesh, const basic_mesh<>& triangles,
                     const std::vector<std::size_t>& first)
 {

@@ -41,7 +41,7 @@ void print_help()
                  "Exit codes: 0 success, 1 bad input, 2 wrong use, other codes if MPI ended the job.\n";
 }
 
-/// Exit codes as `kith`; what goes wrong is told once, by rank 0.
+/// Runs the program on this rank and returns the exit code, as `kith` does. Rank 0 alone reports an error, once.
 int run(mpi::communicator& comm, const std::vector<std::string>& arguments)
 {
     const auto tell = [&](const std::string& text) {

@@ -8,8 +8,8 @@
 
 namespace kith::tool {
 
-/// Collective: what each rank may use, the same on all: --memory-per-rank, or nine tenths of what is available where it
-/// is least; ranks on one host share its memory. Errors: mpi::error.
+/// Returns the memory that each rank may use, the same on all ranks: --memory-per-rank, or nine tenths of the available
+/// memory of the rank that has least. Ranks on one host share its memory. Collective. Errors: mpi::error.
 memory_limit memory_of_ranks(mpi::communicator& comm, const rank_request& request);
 
 } // namespace kith::tool

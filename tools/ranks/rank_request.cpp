@@ -55,7 +55,7 @@ po::options_description options_of_rank_refine()
     return options;
 }
 
-/// With slices no rank has the whole mesh, which these need.
+/// Throws usage_error for options that need the whole mesh on one rank; with --slices no rank has it.
 void require_slices_alone(const po::variables_map& values)
 {
     for (const char* option : {"mode",

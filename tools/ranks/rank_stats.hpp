@@ -8,8 +8,8 @@
 
 namespace kith::tool {
 
-/// Writes what each rank did, a JSON object a line, in the order of the ranks, and last the least, the mean and the
-/// most seconds of all ranks, phase by phase. Collective. Errors: phase_error.
+/// Writes the work of each rank, a JSON object per line, in the order of the ranks. The last line has the minimum, mean
+/// and maximum of the seconds of all ranks, phase by phase. Collective. Errors: phase_error.
 void write_rank_stats(mpi::communicator& comm, const std::string& path, const mpi::work_done& done,
                       const phase_seconds& seconds);
 

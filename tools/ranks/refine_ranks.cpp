@@ -48,7 +48,7 @@ tiling_kind tiling_of(const rank_request& request)
     return tiling_of(request.what, tiles_at_once(SIZE_MAX, request.threads));
 }
 
-/// Cuts as many tiles as are asked for or usual, or as it takes to stay within the memory of a rank.
+/// Returns a partition into the requested or usual number of tiles, or into more if the memory per rank requires it.
 partition partition_for(const rank_request& request, int ranks)
 {
     const tile_request& what = request.what;
@@ -66,8 +66,8 @@ partition partition_for(const rank_request& request, int ranks)
     return make_partition(request.partitioner, what.control, tiles);
 }
 
-/// Reads what is refined on rank 0; without IN the others hear of it from there. The recipe of a journal stays on rank
-/// 0.
+/// Reads the request on rank 0 and, without IN, sends it to the other ranks. Returns the recipe of a journal, on rank 0
+/// only.
 std::optional<recipe> read_request(mpi::communicator& comm, rank_request& request, phase_seconds& seconds)
 {
     std::vector<std::byte> settings;
@@ -99,16 +99,16 @@ std::optional<recipe> read_request(mpi::communicator& comm, rank_request& reques
     return kept;
 }
 
-/// What stands in the output already, and what is to be done.
+/// The state of the output when the job begins, and the work that is left.
 struct begun {
-    bool is_over = false;                ///< another job has given the output its name
-    std::vector<std::uint64_t> numbers;  ///< of the tiles to refine
-    std::vector<std::uint64_t> finished; ///< those of them that are looked after only
-    std::uint64_t faces = 0;             ///< of tiles that are left out, on rank 0, and their checksum
+    bool is_over = false;                ///< true if another job has given the output its name
+    std::vector<std::uint64_t> numbers;  ///< numbers of the tiles to refine
+    std::vector<std::uint64_t> finished; ///< tiles among `numbers` that are finished, and only checked
+    std::uint64_t faces = 0;             ///< faces of the tiles that are left out, and their checksum; on rank 0
     mesh_checksum checksum{};
 };
 
-/// Begins the output on rank 0 and tells all ranks what is to be done.
+/// Begins the output on rank 0 and sends all ranks the work that is left.
 begun begin(mpi::communicator& comm, tile_output& output, std::uint64_t tiles, const found_recipe& kept, bool verify)
 {
     begun result;
@@ -140,13 +140,13 @@ begun begin(mpi::communicator& comm, tile_output& output, std::uint64_t tiles, c
     return result;
 }
 
-/// Collective: a number that rank 0 has, on all ranks.
+/// Returns the number of rank 0 on all ranks. Collective.
 std::uint64_t number_on_root(mpi::communicator& comm, std::uint64_t number)
 {
     return comm.sum(std::array{comm.is_root() ? number : 0})[0];
 }
 
-/// Collective: the largest of the numbers of all ranks.
+/// Returns the largest of the numbers of all ranks. Collective.
 std::uint64_t largest_on_all(mpi::communicator& comm, std::size_t number)
 {
     return std::uint64_t(comm.maximum(std::array{double(number)})[0]);
@@ -180,8 +180,8 @@ mesh_checksum checksum_on_one_rank(const tile_request& what, const Scheme& schem
             .mesh);
 }
 
-/// Refines and writes the surface. `kept` is on rank 0, `largest_degree` that of the last level as far as this rank
-/// knows its control mesh, and `seconds` what was spent so far.
+/// Refines and writes the surface. `kept` is on rank 0. `largest_degree` is that of the last level, as far as this rank
+/// knows the control mesh. `seconds` holds the time spent so far.
 template <class Scheme>
 void write_surface(mpi::communicator& comm, const rank_request& request, const Scheme& scheme, const found_recipe& kept,
                    mpi::rank_refinement<std::array<double, 3>, std::uint32_t, Scheme>& refinement,

@@ -5,9 +5,9 @@
 
 namespace kith::tool {
 
-/// Refines in tiles on all ranks, into one file or, for .pvtu, a file per tile, and prints what they hold. With a
-/// journal, tiles that are finished are left out. Collective. Errors: usage_error for a scheme without reach;
-/// phase_error, after which there is no file but the journal.
+/// Refines in tiles on all ranks, into one file or, for .pvtu, a file per tile, and prints the counts of the surface.
+/// With a journal, finished tiles are left out. Collective. Errors: usage_error for a scheme without reach;
+/// phase_error, after which no file is left but the journal.
 void refine_ranks(mpi::communicator& comm, rank_request& request);
 
 } // namespace kith::tool

@@ -12,15 +12,16 @@
 
 namespace kith::tool {
 
-/// The attributes of a control mesh that no rank reads as a whole: each reads those of the elements that its tile has.
+/// The attributes of a control mesh that no rank reads as a whole. Each rank reads the attributes of the elements of
+/// its tile.
 class slice_attributes {
 public:
-    /// Tells the request what is carried. Errors: mesh_error for a file that cannot be read in slices.
+    /// Sets the kinds of attributes of the request. Errors: mesh_error for a file that cannot be read in slices.
     slice_attributes(tile_request& request, const std::string& path);
 
-    /// What else the file holds, or the output has no room for.
+    /// Returns the contents of the file that are not read, or that the output cannot hold.
     [[nodiscard]] const std::vector<std::string>& not_kept() const { return not_kept_; }
-    /// Those of a tile of level 0. Errors: mesh_error for numbers of words that the file does not have.
+    /// Returns the attributes of a tile of level 0. Errors: mesh_error for label numbers that the file does not have.
     [[nodiscard]] attribute_fields of_tile(const tile<std::array<double, 3>>& part);
 
 private:
