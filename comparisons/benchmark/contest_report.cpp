@@ -129,7 +129,7 @@ void write_json(const std::string& path, const std::map<std::string, std::string
                                {"peak_bytes", bytes}});
         }
     std::ofstream file(path);
-    file << text_of(tool::json{{"about", facts}, {"results", results}}) << '\n';
+    file << tool::text_of(tool::json{{"about", facts}, {"results", results}}) << '\n';
     if (not file.flush())
         throw io::file_error(path + ": could not be written completely");
 }
