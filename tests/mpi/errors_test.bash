@@ -86,7 +86,7 @@ says 'PLY numbers 2147483647 vertices at most'
 one_message
 on 3 refine cube.off -s catmull-clark -n 40 -o out.vtu
 exits 1
-says 'refine fewer times|more elements than'
+says 'whose size in bytes exceeds 64 bits; refine at most 26 times'
 printf '0 1 2\n' >short.part
 on 2 refine cube.off -s catmull-clark -n 1 -o out.vtu --partitioner file:short.part
 exits 1
