@@ -6,6 +6,7 @@
 
 #include <kith/engine/neighbourhood/affine_columns.hpp>
 #include <kith/engine/neighbourhood/descents.hpp>
+#include <kith/engine/neighbourhood/face_classes.hpp>
 #include <kith/engine/patch/patched_level.hpp>
 #include <kith/numbering/step/children.hpp>
 #include <kith/tiles/number/column_facts.hpp>
@@ -23,16 +24,17 @@
 
 namespace kith {
 
-/// A scheme whose last steps on a tile may be made in patches: its numbers follow in one way from the first level on.
+/// Requirements of a scheme whose last steps on a tile may be made in patches: one formula gives the numbers of all
+/// steps.
 template <class Scheme, class Point, class Index>
 concept patchable_in_tiles = patchable_scheme<Scheme, Point, Index> and not has_numbers_by_marks<Scheme> and
                              not detail::may_ask_state<Scheme>() and owners_keep_descendants<Scheme>;
 
 namespace detail {
 
-/// Returns the plan of patches for the mesh of a tile, with the numbers of a closed mesh: what lies beyond its rim has
-/// numbers, too. Where faces have several degrees it is a mesh with as many corners as four per vertex, so that there
-/// are numbers for the corners of all new faces. Returns nothing where there are no patches. Cost: O(levels).
+/// Returns the plan of patches for the mesh of a tile, or nothing if there are no patches. It counts as for a closed
+/// mesh, so that elements beyond the cut have numbers, too. If faces have several degrees, the counts are those of a
+/// mesh with four corners per vertex. These suffice for the corners of all new faces. Cost: O(levels).
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<patch_plan> plan_for_tile(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels)
 {
@@ -47,19 +49,21 @@ std::optional<patch_plan> plan_for_tile(const basic_mesh<Point, Index>& mesh, co
 
 #ifdef KITH_HAS_LANES
 
-/// Makes the last level of the owned faces of a tile at its final places, if the vertices of faces descend from the
-/// faces' own elements. Then elements of the owned faces have numbers of their own, from which all others follow.
+/// The last level of a tile's owned faces, made directly at its final places. It is for schemes whose faces have only
+/// vertices that descend from elements of the same coarse face. The elements of the owned faces are then numbered
+/// alone, and all other numbers follow from these.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 class owned_in_patches {
 public:
-    /// Plans the steps from this tile and its scheme on, whose columns in the whole mesh are `there`.
+    /// Plans the steps that begin with this tile and its scheme. `there` are the columns of the steps in the whole
+    /// mesh.
     owned_in_patches(const tile<Point, Index>& coarse, const Scheme& scheme, const patch_plan& plan,
                      std::span<const column_bases> there)
         : coarse_(coarse), scheme_(scheme), steps_(int(plan.bases.size())), there_(there)
     {
     }
 
-    /// Returns the last level; nothing where patches are no gain at these costs. Cost: that of the patches.
+    /// Returns the last level, or nothing if patches do not pay at these costs. Cost: that of the patches.
     [[nodiscard]] std::optional<tile<Point, Index>> make(const face_classes<Index>& classes,
                                                          const strategy_costs& costs) const
     {
@@ -87,7 +91,7 @@ public:
 private:
     static constexpr std::size_t degree = numbering_of<Scheme, Index>::common_degree;
 
-    /// Some faces with their patches, which are numbered from the elements of these faces alone.
+    /// Some faces with their patches, numbered within the closure of these faces.
     struct numbered_patches {
         closure_of_faces<Index> closure;
         patch_plan plan;
@@ -129,7 +133,7 @@ private:
     {
         return face_of_patch(coarse_.mesh.topology(), kind, element);
     }
-    /// Returns the other faces whose patches make points of owned ones, increasing.
+    /// Returns the faces that are not owned and whose patches make points of owned faces, increasing.
     [[nodiscard]] std::vector<Index> makers_of(const closure_of_faces<Index>& owned) const
     {
         std::vector<unsigned char> is_maker(coarse_.mesh.face_count(), 0);
@@ -143,7 +147,7 @@ private:
                 result.push_back(Index(f));
         return result;
     }
-    /// Copies the points between owned faces and others that the patches of the others make.
+    /// Copies the points on the border of the owned faces that patches of other faces make.
     void take_points_of_rim(const numbered_patches& ours, const numbered_patches& rim, storage<Point>& points) const
     {
         storage<Point> of_rim(rim.plan.last().vertices);
@@ -163,8 +167,8 @@ private:
                                 points.begin() + to[i].first + to[i].each * x);
         }
     }
-    /// Writes what the tile knows of the vertices. One between two tiles belongs to that of the element from which it
-    /// descends.
+    /// Writes the numbers and marks of the vertices. A vertex between two tiles belongs to the tile that owns the
+    /// element from which the vertex descends.
     void number_vertices(const numbered_patches& ours, tile<Point, Index>& result) const
     {
         result.vertex_ids = storage<global_id>(ours.plan.last().vertices);
@@ -188,7 +192,7 @@ private:
         }
     }
 
-    /// Writes what the tile knows of the faces that descend from these, in their order.
+    /// Writes the numbers, marks and roots of the faces that descend from `owned`, in their order.
     void number_faces(const std::vector<Index>& owned, tile<Point, Index>& result) const
     {
         const auto there = descents_of(tuple_kind::f, there_, degree);
@@ -221,8 +225,8 @@ private:
 
 } // namespace detail
 
-/// Returns the level from which the remaining steps of a tile of level 0 may be made in patches; `levels` if there is
-/// none. Cost: O(levels).
+/// Returns the level from which the remaining steps of a tile of level 0 may be made in patches, or `levels` if there
+/// is none. Cost: O(levels).
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 int first_in_patches([[maybe_unused]] const tile<Point, Index>& control, [[maybe_unused]] const Scheme& scheme,
                      int levels)
@@ -235,16 +239,23 @@ int first_in_patches([[maybe_unused]] const tile<Point, Index>& control, [[maybe
     return levels;
 }
 
-/// Returns the costs from which follows whether patches are worth while for a tile.
-inline strategy_costs costs_in_tiles()
+/// Returns the costs that decide whether patches pay for a tile of this level. A template is taken to serve as many
+/// tiles as classes have faces in a sample, which are many where faces are alike. Cost: O(faces of the tile).
+template <tile_like Tile, reaching_scheme Scheme>
+strategy_costs costs_in_tiles(const Tile& coarse, int level, const global_levels<Scheme>& whole)
 {
-    return usual_costs(strategy_costs().if_in_tiles());
+    constexpr std::size_t looks = 128;
+    const auto owned = std::max<std::uint64_t>(owned_count(coarse.face_marks), 1);
+    const double tiles = double(whole.counts(level).faces) / double(owned);
+    const auto& t = coarse.mesh.topology();
+    const double faces_of_class = t.faces == 0 ? 1 : 1 / share_of_classes(t, 1, looks);
+    return usual_costs(strategy_costs().if_in_tiles(std::max(std::min(tiles, faces_of_class), 1.)));
 }
 
-/// Makes the remaining steps of a tile of level `level` at once, in patches: returns the faces of the last level that
-/// the tile owns with their vertices, without edges and ghosts, as refine_once and refine_last make them, to the bit.
-/// Returns nothing where patches are no gain at these costs. `scheme` is that of the tile.
-/// Errors: as refine_once. Cost: about that of `refine` with connect::faces, and of copying the level once.
+/// Makes the remaining steps of a tile of level `level` at once, in patches. Returns the owned faces of the last level
+/// with their vertices, without edges and ghosts. Returns nothing if patches do not pay at these costs. The bits are
+/// those of refine_once and refine_last. `scheme` is the scheme of the tile. Errors: as refine_once. Cost: about that
+/// of `refine` with connect::faces, and of copying the level once.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<tile<Point, Index>> last_in_patches([[maybe_unused]] const tile<Point, Index>& coarse,
                                                   [[maybe_unused]] const Scheme& scheme, [[maybe_unused]] int level,

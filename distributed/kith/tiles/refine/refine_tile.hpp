@@ -17,9 +17,9 @@
 
 namespace kith {
 
-/// Refines a tile of level `level` once: by the unchanged scheme, over its ghosts; what lies beyond the rings that the
-/// levels to come need is cut off. `scheme` is that of this tile and becomes that of the next. No communication.
-/// The result has the bits of the whole mesh's next level. Errors: as `refine`. Cost: that of the step.
+/// Refines a tile of level `level` once with the unchanged scheme, over its ghosts, and cuts off ghosts beyond the
+/// rings that later levels need. `scheme` is the scheme of this tile and becomes that of the next. There is no
+/// communication. The result has the bits of the whole mesh's next level. Errors: as `refine`. Cost: that of the step.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme, int level,
                                const global_levels<Scheme>& whole)
@@ -33,8 +33,8 @@ tile<Point, Index> refine_once(const tile<Point, Index>& coarse, Scheme& scheme,
 
 namespace detail {
 
-/// Makes the remaining steps of a tile in patches of the next level, whose rim stays. Returns nothing where numbers
-/// do not allow it or patches are no gain. Errors and cost: as last_in_patches.
+/// Makes the remaining steps of a tile in patches of the next level, which is not trimmed. Returns nothing if the
+/// numbering does not allow it or patches do not pay. Errors and cost: as last_in_patches.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 std::optional<tile<Point, Index>> last_in_patches_of_next(const tile<Point, Index>& coarse, Scheme scheme, int level,
                                                           const global_levels<Scheme>& whole)
@@ -43,16 +43,16 @@ std::optional<tile<Point, Index>> last_in_patches_of_next(const tile<Point, Inde
         if (numbers_are_affine<Scheme>(false) and
             std::size_t(coarse.mesh.topology().degree) == numbering_of<Scheme, Index>::common_degree) {
             const auto next = refine_untrimmed(coarse, scheme, whole.counts(level).as_counts());
-            return last_in_patches(next, scheme, level + 1, whole, costs_in_tiles());
+            return last_in_patches(next, scheme, level + 1, whole, costs_in_tiles(next, level + 1, whole));
         }
     return {};
 }
 
 } // namespace detail
 
-/// Refines a tile of level 0 through all levels that `whole` was made for, and its scheme with it. `connect::faces`
-/// gives the last level without edges and ghosts; its last steps may be made at once, in patches, and the scheme is
-/// that of the level before them. `each(tile)` is called with every level that is made but the first.
+/// Refines a tile of level 0, and its scheme, through all levels of `whole`. With `connect::faces` the last level has
+/// neither edges nor ghosts. Its last steps may then be made at once, in patches, and the scheme stays that of the
+/// level before them. `each(tile)` is called with every level that is made, but not with level 0.
 template <tile_like Tile, reaching_scheme Scheme, class Each>
 void refine(tile_job<Tile, Scheme>& job, const global_levels<Scheme>& whole, connect last, const Each& each)
 {
@@ -60,7 +60,7 @@ void refine(tile_job<Tile, Scheme>& job, const global_levels<Scheme>& whole, con
     for (int level = 0; level < whole.levels(); ++level) {
         std::optional<Tile> made;
         if (level == patches)
-            made = last_in_patches(job.part, job.scheme, level, whole, costs_in_tiles());
+            made = last_in_patches(job.part, job.scheme, level, whole, costs_in_tiles(job.part, level, whole));
         else if (level + 1 == patches and patches < whole.levels())
             made = detail::last_in_patches_of_next(job.part, job.scheme, level, whole);
         if (made) {
@@ -74,9 +74,9 @@ void refine(tile_job<Tile, Scheme>& job, const global_levels<Scheme>& whole, con
         each(std::as_const(job.part));
     }
 }
-/// Refines tile `number` of level 0 through all levels, and hands over each of them with its scheme, from level 0 to
-/// the last: keep(kept_tile). All have their edges, and so many rings of ghosts as `whole` says. Two levels are in
-/// memory meanwhile, and those that are kept.
+/// Refines tile `number` of level 0 through all levels, and hands over each level with its scheme, from level 0 to the
+/// last: keep(kept_tile). All levels have their edges, and as many rings of ghosts as `whole` says. Two levels are in
+/// memory, and the levels that `keep` stores.
 template <tile_like Tile, reaching_scheme Scheme, std::invocable<kept_tile<Tile, Scheme>> Keep>
 void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const global_levels<Scheme>& whole,
                    const Keep& keep)
@@ -91,7 +91,7 @@ void refine_levels(std::uint64_t number, tile_job<Tile, Scheme> job, const globa
     }
     keep(std::move(here));
 }
-/// The last level of a tile of level 0. `last` and `each` are those of the refinement of a job.
+/// Returns the last level of a tile of level 0. `last` and `each` are those of `refine` for a tile_job.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme, class Each>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_levels<Scheme>& whole, connect last,
                           const Each& each)
@@ -100,7 +100,7 @@ tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_l
     refine(job, whole, last, each);
     return std::move(job.part);
 }
-/// The same for those who do not want to see the levels between.
+/// Returns the last level of a tile of level 0, without calls for the levels between.
 template <class Point, std::unsigned_integral Index, reaching_scheme Scheme>
 tile<Point, Index> refine(tile<Point, Index> part, Scheme scheme, const global_levels<Scheme>& whole,
                           connect last = connect::everything)
