@@ -23,8 +23,8 @@ namespace kith {
 
 namespace detail {
 
-/// The rules by which values on elements with such handles go, unless another is asked for: those of which there are
-/// means, which vertices and corners have, and those that one element has from another.
+/// Returns the default rule by which averaged values on elements with handles of this type are carried; vertices and
+/// corners have such values. rule_of_heirs returns the default rule for values that one element inherits from another.
 template <mesh M, class Handle>
 auto rule_of_means()
 {
@@ -46,7 +46,7 @@ auto rule_of_heirs()
     else
         return along_sides();
 }
-/// That of values of type T.
+/// Returns the default rule for values of type T: rule_of_means if they have a mean, else rule_of_heirs.
 template <mesh M, class Handle, class T>
 auto usual_rule()
 {
@@ -63,10 +63,11 @@ inline constexpr field_on kind_of_handle = std::same_as<Handle, typename mesh_tr
 
 } // namespace detail
 
-/// Gives a map the values at the elements of level `to` with such handles that follow from those of another map at
-/// level `from`, by a rule of fields; the usual one is that of carry_properties. A half-edge stands for the corner at
-/// its target. Maps are property maps, of any kind and type, or what takes handles in brackets, such as CGAL's dynamic
-/// maps and OpenMesh's property managers; to read, a function is as good. Errors and cost: those of hierarchy::carry.
+/// Writes to `target` the values at the elements of level `to` with handles of type Handle. The values follow from
+/// those of `source` at level `from` by a rule of fields; the default is the rule of carry_properties. A half-edge
+/// stands for the corner at its target. Maps are property maps of any kind and type, or objects that take handles in
+/// brackets, such as CGAL's dynamic maps and OpenMesh's property managers. `source` may also be a function. Errors and
+/// cost: those of hierarchy::carry.
 template <class Handle, mesh M, scheme Scheme, class Source, class Target,
           class Rule = decltype(detail::usual_rule<M, Handle, typename detail::map_value_type<Source, Handle>::type>())>
 void carry_map(const hierarchy<M, Scheme>& levels, int from, int to, const Source& source, Target&& target,
@@ -83,9 +84,10 @@ void carry_map(const hierarchy<M, Scheme>& levels, int from, int to, const Sourc
         detail::put_value(target, fine_handles[i], fine[i]);
 }
 
-/// A property that goes by a rule of the user, on elements with such handles and of type T, which may be any. Handle is
-/// a handle of the mesh that is refined: mesh_traits<M>::halfedge, which is Surface_mesh's Halfedge_index and
-/// OpenMesh's HalfedgeHandle. The value of a half-edge stands for the corner at its target.
+/// A property that is carried by a rule of the user, on elements with handles of type Handle. T is the type of its
+/// values, which may be any. Handle is a handle of the refined mesh. For half-edges it is mesh_traits<M>::halfedge,
+/// which is Surface_mesh's Halfedge_index and OpenMesh's HalfedgeHandle. The value of a half-edge stands for the corner
+/// at its target.
 template <class Handle, class T, class Rule>
 struct property_by_rule {
     std::string name;
@@ -97,11 +99,11 @@ property_by_rule<Handle, T, Rule> by_rule(std::string name, Rule rule)
     return {std::move(name), std::move(rule)};
 }
 
-/// The outcome for the properties of a mesh, by their names.
+/// The names of the properties of a mesh that were carried, and of those that were left out.
 struct property_report {
     std::vector<std::string> carried;
-    /// Those of a type that is not known, normals, those without a name of their own, and those that by_rule names
-    /// where there is none of that name and type.
+    /// The properties of unknown types, normals and properties without a name of their own. Names in by_rule are here,
+    /// too, if there is no property of that name and type.
     std::vector<omission> left_out;
 };
 
@@ -110,8 +112,8 @@ namespace detail {
 /// A property in a report, with the kind of elements on which it lies: properties of several kinds may share a name.
 struct told_property {
     std::string name;
-    std::optional<field_on> where; ///< nothing for those of the mesh as a whole
-    std::string why;               ///< empty for those that are carried
+    std::optional<field_on> where; ///< nothing for properties of the mesh as a whole
+    std::string why;               ///< empty for carried properties
 
     [[nodiscard]] bool is(const std::string& other, std::optional<field_on> other_where) const
     {
@@ -127,7 +129,7 @@ inline constexpr const char* edges_unknown =
 inline constexpr const char* absent = "by_rule names it, but no property has that name; check the name";
 inline constexpr const char* other_type = "by_rule names it with a type that it does not have; name its own type";
 
-/// The reason for which values of this name are not carried by their type.
+/// Returns the reason why values of this name are not carried by their type.
 template <mesh_with_properties M>
 const char* why_unknown(const std::string& name)
 {
@@ -150,7 +152,7 @@ void carry_values(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
         values.write_heirs(fine, carried(values.own_heirs(), rule_of_heirs<M, Handle>()).values());
 }
 
-/// Carries a property by a rule; returns whether there is one of this name and type.
+/// Carries a property by a rule. Returns true if level `from` has a property of this name and type.
 template <class Handle, class T, class Rule, mesh M, scheme Scheme>
 bool carry_property(const hierarchy<M, Scheme>& levels, int from, int to, M& fine, unset_values<M>& unset,
                     const std::string& name, const Rule& rule)
@@ -166,11 +168,11 @@ bool carry_property(const hierarchy<M, Scheme>& levels, int from, int to, M& fin
     return true;
 }
 
-/// Types of the user that have a mean, but are not coordinates, go apart.
+/// A type of the user whose values have a mean, but are not coordinates. Its properties are carried one by one.
 template <class T, class Handle, class M>
 concept has_mean_of_its_own = affine_value<T> and not can_be_averaged<T> and has_means<Handle, M>;
 
-/// The same by the usual rule, if the type is one that goes apart.
+/// Carries a property by rule_of_means if its type has a mean of its own. Returns true if there was such a property.
 template <class Handle, class T, mesh M, scheme Scheme>
 bool carry_mean(const hierarchy<M, Scheme>& levels, int from, int to, M& fine, unset_values<M>& unset,
                 const std::string& name)
@@ -186,17 +188,19 @@ using types_without_own_means = decltype(std::tuple_cat(
 
 } // namespace detail
 
-/// Gives `fine`, which has the elements of level `to` of a hierarchy, the properties of level `from` under their names:
-/// on vertices, half-edges, edges and faces, of the types that property_access knows, and More.
-/// On vertices, what can be averaged goes by the masks of the scheme, as the points do, and the rest stays with the
-/// vertices that come from a vertex. Faces inherit from their parent, edges from the edge along which they lie. On
-/// half-edges what can be averaged is that of corners, linear in each face, with its seams; the rest stays with those
-/// that lie along a half-edge. All others have what the map gives to new elements, where the library has such values
-/// that are no coordinates, else T(), zero where that is left open. What by_rule names goes by that rule instead. What
-/// has no name of its own is left out, as in `fine` that name may stand for anything.
-/// Errors: mesh_error unless from <= to, or where `fine` has other elements. Cost: a step of the scheme without
-/// connectivity per property that is averaged or has a rule, and once over the levels for the others of a kind; a
-/// copy of the values of level `from`.
+/// Writes the properties of level `from` of a hierarchy to `fine`, under their names; `fine` has the elements of level
+/// `to`. The properties lie on vertices, half-edges, edges and faces, and have types that property_access knows or one
+/// of the types More.
+/// On vertices, values that can be averaged are carried by the masks of the scheme, as points are. Other values stay
+/// with the vertices that come from a vertex. Faces inherit from their parent, edges from the edge along which they
+/// lie. On half-edges, values that can be averaged are carried as values of corners: linearly in each face, with seams.
+/// Other values stay with the half-edges that lie along a half-edge. Elements that inherit nothing get the value that
+/// the map gives to new elements, if the library has such values and they are no coordinates. Else they get T(), or
+/// zero if T() is uninitialised. A property that by_rule names is carried by that rule instead. A property without a
+/// name of its own is left out, because its name may stand for anything in `fine`.
+/// Errors: mesh_error unless from <= to, and if `fine` has other elements. Cost: for each property that is averaged or
+/// has a rule, a step of the scheme without connectivity; for the other properties of a kind of elements, one pass over
+/// the levels; a copy of the values of level `from`.
 template <class... More, mesh M, scheme Scheme, class... Handle, class... T, class... Rule>
 property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, int to, M& fine,
                                  const property_by_rule<Handle, T, Rule>&... rules)
@@ -271,8 +275,9 @@ property_report carry_properties(const hierarchy<M, Scheme>& levels, int from, i
     return report;
 }
 
-/// `refine`, to the same points, with all properties that can be carried. Errors: as hierarchy::refine. Cost: that of
-/// both; keeps all levels meanwhile.
+/// Returns the mesh that `refine` makes, with the same points and all properties that can be carried, and a report.
+/// Errors: as hierarchy::refine. Cost: that of hierarchy::refine and carry_properties; all levels are in memory
+/// meanwhile.
 template <class... More, mesh M, scheme Scheme, class... Handle, class... T, class... Rule>
 std::pair<M, property_report> refine_with_properties(const M& mesh, const Scheme& scheme, int levels,
                                                      const property_by_rule<Handle, T, Rule>&... rules)

@@ -9,9 +9,10 @@
 #include <memory>
 #include <span>
 
-/// KITH_COMPILED_REFINE(scheme, mesh): `refine` of this type of mesh by this scheme is compiled once, in the one file
-/// of the program that says `#define KITH_COMPILE_SCHEMES` before it includes this; the others take little longer than
-/// their mesh library's header. At namespace scope, after the mesh's adapter; the results are the same bits.
+/// KITH_COMPILED_REFINE(scheme, mesh) makes a program compile `refine` of this type of mesh by this scheme in one file
+/// only. That file says `#define KITH_COMPILE_SCHEMES` before it includes this header. The other files compile little
+/// longer than the header of their mesh library. The macro stands at namespace scope, after the adapter of the mesh.
+/// The results are the same bits.
 #ifdef KITH_COMPILE_SCHEMES
 #define KITH_COMPILED_REFINE(Scheme, ...)                                                                              \
     template __VA_ARGS__ kith::refine(const __VA_ARGS__&, const Scheme&, int, const kith::refine_options&);
@@ -20,11 +21,11 @@
     extern template __VA_ARGS__ kith::refine(const __VA_ARGS__&, const Scheme&, int, const kith::refine_options&);
 #endif
 
-/// KITH_SCHEME_STEPS(How, Scheme): the steps of a scheme on native meshes of doubles. A program that links
-/// kith::compiled_schemes, which defines KITH_COMPILED_SCHEMES, finds them there. It compiles only what reads and
-/// writes its own meshes. The results are the same bits. KITH_STEPS_OVER is what of it depends on the type of
-/// coordinates. KITH_PATCH_PARTS is what patches of all schemes share, KITH_PATCH_NUMBERS what of that has no
-/// coordinates.
+/// KITH_SCHEME_STEPS(How, Scheme) lists the steps of a scheme on native meshes of doubles; How is `template` or `extern
+/// template`. A program that links kith::compiled_schemes, which defines KITH_COMPILED_SCHEMES, finds the steps there.
+/// It compiles only the code that reads and writes its own meshes. The results are the same bits. KITH_STEPS_OVER lists
+/// the steps that depend on the type of coordinates. KITH_PATCH_PARTS lists the code that the patches of all schemes
+/// share. KITH_PATCH_NUMBERS lists the part of that code that has no coordinates.
 
 #define KITH_STEPS_OVER(How, Scheme, Number)                                                                           \
     How basic_mesh<std::array<Number, 3>> refine_mesh<connect::everything>(                                            \
@@ -46,8 +47,8 @@
     How basic_mesh<> refine_mesh<connect::faces>(                                                                      \
         const basic_mesh<>&, const Scheme&, numbering_of<Scheme, std::uint32_t>&);                                     \
     How basic_mesh<> refine(const basic_mesh<>&, const Scheme&, int, const refine_options&);
-/// KITH_STEP_PARTS(How, Number): what the steps of all schemes share. KITH_STEP_NUMBERS is what of that has no
-/// coordinates.
+/// KITH_STEP_PARTS(How, Number) lists the code that the steps of all schemes share. KITH_STEP_NUMBERS lists the part of
+/// that code that has no coordinates.
 #define KITH_STEP_PARTS(How, Number)                                                                                   \
     How void write_level(level_writer<std::array<Number, 3>, std::uint32_t>&,                                          \
                          const basic_mesh<std::array<Number, 3>, std::uint32_t>&);                                     \

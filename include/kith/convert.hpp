@@ -17,7 +17,7 @@
 
 namespace kith {
 
-/// A mesh that `convert` has made, and what it left out or narrowed.
+/// A mesh that `convert` has made, and a report of what was left out or narrowed.
 template <mesh M>
 struct conversion {
     M mesh;
@@ -26,7 +26,7 @@ struct conversion {
 
 namespace detail {
 
-/// Points of one type as points of another.
+/// The conversion of points of one type to points of another type.
 template <class To, class From>
 struct point_conversion {
     static To convert(const From& point)
@@ -45,7 +45,7 @@ struct point_conversion {
     }
 };
 
-/// The mesh with points of another type.
+/// Returns the mesh with points of another type, and reports if that narrowed them.
 template <class To, class From>
 basic_mesh<To, std::uint32_t> with_points(basic_mesh<From, std::uint32_t>&& mesh, conversion_report& report)
 {
@@ -64,7 +64,8 @@ basic_mesh<To, std::uint32_t> with_points(basic_mesh<From, std::uint32_t>&& mesh
     }
 }
 
-/// Reads a mesh that can be refined, or one without elements. Errors: mesh_error with everything that `validate` finds.
+/// Returns the native mesh of a mesh that can be refined, or of a mesh without elements. Errors: mesh_error with
+/// everything that `validate` finds.
 template <mesh From>
 auto lift_valid_or_empty(const From& mesh)
 {
@@ -72,23 +73,24 @@ auto lift_valid_or_empty(const From& mesh)
     const auto is_empty = [](auto&& elements) { return elements.begin() == elements.end(); };
     if (is_empty(traits::vertices(mesh)) and is_empty(traits::edges(mesh)) and is_empty(traits::faces(mesh)))
         return to_native(mesh);
-    if constexpr (requires { mesh.topology(); }) // where vertices start is looked at in native meshes
+    if constexpr (requires { mesh.topology(); }) // in native meshes `validate` checks where fans start, too
         validate(mesh).require_ok();
     return to_native_valid<From, typename traits::point>(mesh);
 }
 
 } // namespace detail
 
-/// A mesh of another library with the same elements, in the same order, direction and start of each, and with all
-/// properties that both can hold. Removed elements are left out.
-/// A property keeps its name, its type and its values, on half-edges beyond the boundary, too. Colours, normals and
-/// texture coordinates that have the name that the library of `mesh` gives them get that of the other one, and its type
-/// (with the names of CGAL: "v:color", "v:normal", "v:texcoord"; of OpenMesh: "v:colors", "v:normals",
-/// "v:texcoords2D"). Coordinates are rounded where To has other numbers. What was left out, or narrowed, is told.
-/// Looked for are the types of values that property_access knows for either library, and More.
-/// Errors: mesh_error with everything that `validate` finds, and for faces that To cannot hold; a mesh without elements
-/// becomes one without elements.
-/// Cost: O(elements), and that for each property.
+/// Returns a mesh of another library with the same elements and with all properties that both types can hold. The
+/// order, direction and start of each element are the same. Removed elements are left out.
+/// A property keeps its name, its type and its values, also on half-edges beyond the boundary. Libraries have their own
+/// names for colours, normals and texture coordinates: CGAL "v:color", "v:normal" and "v:texcoord", OpenMesh
+/// "v:colors", "v:normals" and "v:texcoords2D". A property with such a name of the library of `mesh` gets the name and
+/// type of the other library. Coordinates are rounded if To has another type of numbers. The report names everything
+/// that was left out or narrowed. `convert` looks for values of the types that property_access knows for either
+/// library, and of the types More.
+/// Errors: mesh_error with everything that `validate` finds, and for faces that To cannot hold. A mesh without elements
+/// becomes a mesh without elements.
+/// Cost: O(elements), and as much for each property.
 template <refinable_mesh To, class... More, mesh From>
 conversion<To> convert(const From& mesh)
 {

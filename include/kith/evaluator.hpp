@@ -13,14 +13,14 @@
 
 namespace kith {
 
-// Defined where there are lanes.
+// Defined only if there are lanes (KITH_HAS_LANES).
 template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patched_level;
 
 namespace detail {
 
-/// The patches of a scheme, and the kinds of values that they make; for a scheme without patches the kinds alone.
+/// The types of the patches of a scheme and of the kinds of values that they make; std::monostate if it has no patches.
 template <class Point, class Index, class Scheme>
 struct possible_patches {
     using kind = std::monostate;
@@ -33,16 +33,16 @@ struct possible_patches<Point, Index, Scheme> {
     using type = patched_level<Point, Index>;
 };
 
-/// The levels of a refinement up to where patches begin, and the patches of all that is made of the last level again
-/// and again; all levels where there are no patches.
+/// The levels of a refinement up to the level at which patches begin, and patches that make values of the last level
+/// repeatedly. Without patches it holds all levels.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class patched_levels {
 public:
     using levels_type = hierarchy<basic_mesh<Point, Index>, Scheme>;
     using kind = typename possible_patches<Point, Index, Scheme>::kind;
 
-    /// `kinds`: of the values that `make` makes. `last_rings`: around a face of the last level from which the values of
-    /// its vertices follow. Errors and cost: as evaluator.
+    /// Takes the `kinds` of the values that `make` makes. The values at the vertices of a face of the last level follow
+    /// from `last_rings` rings around it. Errors and cost: as evaluator.
     patched_levels(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                    const std::vector<kind>& kinds, int last_rings, const refine_options& options)
         : levels_(control, scheme, options), count_(levels)
@@ -60,11 +60,11 @@ public:
 
     [[nodiscard]] bool has_patches() const { return not patches_.empty(); }
     [[nodiscard]] levels_type& levels() { return levels_; }
-    /// Of the last level. Precondition: there are patches.
+    /// Returns the number of vertices of the last level. Precondition: there are patches.
     [[nodiscard]] std::size_t last_vertices() const { return last_vertices_; }
 
-    /// Returns values of the kind with this place in the list of kinds, by the points that the levels have now.
-    /// Precondition: there are patches.
+    /// Returns the values of the kind at place `of_kind` in the list of kinds, computed from the current points of the
+    /// levels. Precondition: there are patches.
     [[nodiscard]] storage<Point> make(std::size_t of_kind) const
     {
         storage<Point> result(last_vertices_);
@@ -105,7 +105,7 @@ private:
         for (const auto& kind : kinds) {
             auto made = make_patches(mesh, classes, scheme, plan, costs, false, kind);
             if (not made)
-                return patches_.clear(); // templates may be kept of one kind alone
+                return patches_.clear(); // templates may exist for one kind only
             patches_.push_back(std::move(*made));
         }
     }
@@ -113,35 +113,36 @@ private:
     levels_type levels_;
     int count_;
     std::size_t last_vertices_ = 0;
-    std::vector<patches> patches_; // by kinds; empty where there are no patches
+    std::vector<patches> patches_; // by kind; empty if there are no patches
 };
 
 } // namespace detail
 
-/// The points of the last level of a refinement, made again and again while the control points move and what is
-/// connected stays. Where faces look alike the last steps are templates, made once and replayed (docs/design.md,
-/// Patches). It may be used by one thread at a time; it works on those of OpenMP itself.
+/// An evaluator of the points of the last level of a refinement. It computes them repeatedly while the control points
+/// move and the connectivity stays. Where faces look alike, the last steps are templates, which are made once and
+/// replayed (docs/patches.md). One thread at a time may use an evaluator; it runs on the threads of OpenMP itself.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 class evaluator {
 public:
-    /// For the vertices of `refine(control, scheme, levels)`. Errors: those of `refine`. Cost: that of refining and,
-    /// where there are patches, of looking around each face of a level in between; keeps the levels before the patches
-    /// and some hundred bytes for each of their faces (more for those of rare classes), else all levels. Points of
-    /// another library's types have no patches.
+    /// Makes an evaluator for the vertices of `refine(control, scheme, levels)`. Errors: those of `refine`. Cost: that
+    /// of refining and, if there are patches, of looking around each face of a level in between. With patches it keeps
+    /// the levels before them and some hundred bytes for each of their faces (more for faces of rare classes). Without
+    /// patches it keeps all levels. Points of another library's types have no patches.
     evaluator(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
               const refine_options& options = {})
         : levels_(control, scheme, levels, {{}}, 0, options)
     {
     }
-    /// For a mesh of another library, whose points are told in the order of its vertices.
+    /// Makes an evaluator for a mesh of another library. `evaluate` takes points in the order of the vertices of that
+    /// mesh.
     template <refinable_mesh M>
     evaluator(const M& control, const Scheme& scheme, int levels, const refine_options& options = {})
         : evaluator(to_native_valid<M, Point>(control), scheme, levels, options)
     {
     }
 
-    /// The points of the last level for these control points: the bits of refining a mesh that has them.
-    /// Errors: mesh_error unless there is a point for each control vertex, all finite. Cost: that of the masks.
+    /// Returns the points of the last level for these control points, bit for bit those of refining a mesh that has
+    /// them. Errors: mesh_error unless there is a point for each control vertex, all finite. Cost: that of the masks.
     [[nodiscard]] storage<Point> evaluate(std::span<const Point> control)
     {
         auto& levels = levels_.levels();
@@ -164,10 +165,11 @@ template <class Point, std::unsigned_integral Index, scheme Scheme>
 evaluator(const basic_mesh<Point, Index>&, const Scheme&, int, const refine_options& = {})
     -> evaluator<Point, Index, Scheme>;
 
-/// An evaluator of values at the vertices of level `from` of a hierarchy, of a type that masks combine. It makes what
-/// `levels.carry(from, to, values)` makes, again and again. Where faces look alike, templates make colours, weights or
-/// times, which are numbers or arrays of up to four; `evaluate` refuses those that are not finite. Errors: mesh_error
-/// unless from <= to; those of the evaluator. Cost: that of the evaluator; the hierarchy need not stay.
+/// Returns an evaluator of values at the vertices of level `from` of a hierarchy, of a type that masks combine. It
+/// makes the values that `levels.carry(from, to, values)` makes, repeatedly. Where faces look alike, templates make
+/// colours, weights or times, which are numbers or arrays of up to four. `evaluate` refuses values that are not finite.
+/// Errors: mesh_error unless from <= to; those of the evaluator. Cost: that of the evaluator, which does not need the
+/// hierarchy any more.
 template <affine_value T, mesh M, scheme Scheme>
     requires(not selecting_scheme<Scheme, level_of<M>>)
 auto evaluator_of(const hierarchy<M, Scheme>& levels, int from, int to, const refine_options& options = {})

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Includes the doors that most users of kith::kith need. Properties of meshes are in <kith/carry_properties.hpp> and
-// <kith/convert.hpp>.
+// Includes the headers that most users of kith::kith need. Headers for properties of meshes are
+// <kith/carry_properties.hpp> and <kith/convert.hpp>.
 #include "evaluator.hpp"
 #include "hierarchy.hpp"
 #include "mesh.hpp"

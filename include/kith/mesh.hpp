@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Meshes: `make_mesh` from points and faces; `mesh_builder`, vertex by vertex and face by face; `mesh_traits`, by
-/// which a mesh of another library is refined as it is; `to_native`, which makes a native mesh of it; and queries.
+/// Meshes: `make_mesh` makes a mesh from points and faces, `mesh_builder` vertex by vertex and face by face.
+/// `mesh_traits` lets kith refine a mesh of another library as it is; `to_native` makes a native mesh of it. Queries
+/// are here, too.
 
 #include <kith/core/level/to_native.hpp>
 #include <kith/core/mesh/make_mesh.hpp>
@@ -21,7 +22,7 @@
 
 namespace kith {
 
-/// Builds a native mesh element by element. Numbers count from 0 in the order of the calls, and the mesh keeps them.
+/// A builder of a native mesh, element by element. Numbers count from 0 in the order of the calls; the mesh keeps them.
 template <affine_value Point = std::array<double, 3>>
 class mesh_builder {
 public:
@@ -55,7 +56,7 @@ public:
     [[nodiscard]] std::size_t vertex_count() const { return points_.size(); }
     [[nodiscard]] std::size_t face_count() const { return faces_.size(); }
 
-    /// Makes the mesh of what was added so far. Errors and cost: as make_mesh.
+    /// Returns the mesh of the vertices and faces that were added so far. Errors and cost: as make_mesh.
     template <std::unsigned_integral Index = std::uint32_t>
     [[nodiscard]] basic_mesh<Point, Index> mesh() const
     {

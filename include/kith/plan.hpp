@@ -15,14 +15,14 @@
 
 namespace kith {
 
-/// What a level will have and need.
+/// The counts of a level and the memory that it needs, before it is made.
 struct planned_level {
     kith::counts counts;
     std::uint64_t bytes = 0;       ///< of the level itself with all its connectivity
     std::uint64_t least_bytes = 0; ///< of the level as the last one, with points and face-vertex lists only
 };
 
-/// Bytes of a native level with these counts; `degree` is that of all faces alike, else 0.
+/// Returns the counts and bytes of a native level; `degree` is the degree of all faces, or 0 if degrees differ.
 inline planned_level plan_level(const counts& c, int degree, std::size_t point_bytes, std::size_t index_bytes)
 {
     const std::uint64_t mixed = degree == 3 or degree == 4 ? 0 : (c.faces + 1 + c.corners()) * index_bytes;
@@ -30,7 +30,8 @@ inline planned_level plan_level(const counts& c, int degree, std::size_t point_b
     return {c, least + (c.corners() + 2 * c.edges + c.vertices) * index_bytes, least};
 }
 
-/// The levels of a plan that can be numbered, and what is wrong with the next one; nothing where all are there.
+/// The levels of a plan that can be numbered. `problem` says what is wrong with the next one; it is empty if all are
+/// there.
 struct partial_plan {
     std::vector<planned_level> levels;
     std::string problem{}; ///< "level 14 has 1610612738 vertices ..., more than a 32-bit index can number"
@@ -38,19 +39,20 @@ struct partial_plan {
 
 namespace detail {
 
-/// What knows no scheme but its name.
+/// Throws mesh_error for a number of levels. This function and the next two need only the name of the scheme.
 [[noreturn]] void refuse_levels(std::string_view scheme, int levels);
 [[noreturn]] void refuse_boundary(std::string_view scheme, std::uint64_t boundary_edges);
 [[noreturn]] void refuse_plan(std::string_view scheme, const partial_plan& plan, std::size_t index_bytes);
-/// Whether the counts of the next level can be told, which a step multiplies by 16 at most; else what is wrong is told.
+/// Returns true if the counts of the next level fit 64 bits; a step multiplies them by 16 at most. Else sets the
+/// problem.
 bool is_countable(partial_plan& plan);
-/// Adds the next level; false where it cannot be numbered, and what is wrong is told.
+/// Adds the next level to the plan. If the level cannot be numbered, sets the problem and returns false.
 bool add_level(partial_plan& plan, const counts& next, int degree, std::size_t point_bytes, std::size_t index_bytes);
 
 } // namespace detail
 
-/// Levels 0 to n, or those before the first that has more elements than 64 bits count or `index_bytes` number.
-/// Errors: mesh_error for negative n and for a boundary that the scheme refuses. Cost: O(n).
+/// Returns levels 0 to n, or the levels before the first that has more elements than 64 bits count or `index_bytes`
+/// number. Errors: mesh_error for negative n and for a boundary that the scheme refuses. Cost: O(n).
 template <countable_scheme S>
 partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, int generation = 0,
                             std::size_t point_bytes = 3 * sizeof(double), std::size_t index_bytes = 4)
@@ -74,7 +76,7 @@ partial_plan plan_what_fits(const counts& control, const S& scheme, int levels, 
     return result;
 }
 
-/// V, E, F and bytes of levels 0 to n before anything is allocated; thesis table 1.1.
+/// Returns V, E, F and bytes of levels 0 to n before anything is allocated; thesis table 1.1.
 /// Errors: mesh_error for negative n, for a boundary that the scheme refuses, and for a level with more elements than
 /// 64 bits count or `index_bytes` number.
 /// Cost: O(n).
@@ -88,8 +90,8 @@ std::vector<planned_level> plan(const counts& control, const S& scheme, int leve
     return std::move(result.levels);
 }
 
-/// The most memory that is in use at once while levels 0 to n are made: all of them where they are kept, else the last
-/// two.
+/// Returns the most memory that is in use at once while levels 0 to n are made: that of all levels if `keep_levels` is
+/// true, else that of two consecutive levels. If `least_last` is true, the last level has face-vertex lists only.
 inline std::uint64_t peak_bytes(const std::vector<planned_level>& plan, bool keep_levels, bool least_last = false)
 {
     std::uint64_t peak = 0, kept = 0;
@@ -102,8 +104,9 @@ inline std::uint64_t peak_bytes(const std::vector<planned_level>& plan, bool kee
     return peak;
 }
 
-/// The same where level 0 and the last `kept` levels are kept, and those before them until the next one is made; of
-/// the levels up to `first`, which are there already, the last `kept` ones until all others are made.
+/// Returns the most memory that is in use at once if level 0 and the last `kept` levels are kept. An earlier level
+/// stays until the next one is made. Levels up to `first` exist already; the last `kept` of these stay until all others
+/// are made.
 inline std::uint64_t peak_bytes_keeping_last(const std::vector<planned_level>& plan, int kept, int first = 0)
 {
     std::uint64_t held = plan.front().bytes, peak = held;
@@ -116,8 +119,8 @@ inline std::uint64_t peak_bytes_keeping_last(const std::vector<planned_level>& p
     return peak;
 }
 
-/// Which share of the work to n levels is done when level 0, 1, ... n is there, 0 to 1: by the faces of the levels
-/// where they can be counted ahead, else in equal parts. Errors: as `plan`. Cost: O(n).
+/// Returns the share of the work that is done, 0 to 1, when level 0, 1, ... n has been made. Shares go by the faces of
+/// the levels if these can be counted ahead, else they are equal. Errors: as `plan`. Cost: O(n).
 template <scheme S>
 std::vector<double> shares_of_work(const counts& control, const S& scheme, int levels, int generation = 0)
 {
@@ -169,7 +172,7 @@ KITH_IN_LIBRARY bool add_level(partial_plan& plan, const counts& next, int degre
     const std::string level = "level " + std::to_string(plan.levels.size()) + " has " + std::to_string(next.vertices) +
                               " vertices and " + std::to_string(next.edges) + " edges, ";
     const double indices = double(next.vertices) + 8 * double(next.edges) +
-                           double(next.faces); // at most, and twice in all levels
+                           double(next.faces); // an upper bound; all levels together have at most twice as many
     if (index_bytes < 8 and std::max(next.vertices, 2 * next.edges) >= (std::uint64_t(1) << (8 * index_bytes)) - 1)
         plan.problem = level + "more than a " + std::to_string(8 * index_bytes) + "-bit index can number";
     else if (double(next.vertices) * double(point_bytes) + indices * double(index_bytes) >= 0x1p63)

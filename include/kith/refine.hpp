@@ -19,21 +19,23 @@
 
 namespace kith {
 
-/// What `refine` may be told beside the scheme and the number of levels.
+/// Options of `refine` beside the scheme and the number of levels.
 struct refine_options {
-    /// Of the last level: `connect::faces` leaves out its edges, which saves about a third of the time and nearly half
-    /// of the memory. When such a mesh is refined again its edges are found by matching: the same surface, other
-    /// edge numbers. For native meshes; those of other libraries and the levels of a `hierarchy` have everything.
+    /// The connectivity of the last level. `connect::faces` leaves out its edges, which saves about a third of the time
+    /// and nearly half of the memory. If such a mesh is refined again, its edges are found by matching: the surface is
+    /// the same, edge numbers differ. Only native meshes can do without edges; meshes of other libraries and the levels
+    /// of a `hierarchy` have everything.
     connect last_level = connect::everything;
-    /// In bytes; a refinement whose native levels would need more is refused before they are made. Meshes of other
-    /// libraries that are copied or built are not counted, nor are the levels of a scheme that is no countable_scheme:
-    /// one with matched edges, or with a column condition that does not say how many tuples it picks.
+    /// The limit of memory in bytes. A refinement whose native levels would need more is refused before they are made.
+    /// The limit does not count meshes of other libraries that are copied or built. Nor does it count the levels of a
+    /// scheme that is no countable_scheme. Such a scheme has matched edges, or a column condition that does not say how
+    /// many tuples it picks.
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// Returns true if a refinement gains by the order of the surface where it is made level by level: the control mesh is
-/// scattered, and the last level is so large that this costs more than sorting. Levels after the control mesh are as
-/// scattered, but look less so. Cost: O(levels).
+/// Returns true if a refinement that is made level by level gains from the order of the surface: the control mesh is
+/// scattered, and the last level is so large that the scattering costs more than sorting. Levels after the control mesh
+/// are as scattered, but look less so. Cost: O(levels).
 template <scheme Scheme, class Point, std::unsigned_integral Index>
     requires orderable_scheme<Scheme, Index>
 bool is_worth_ordering(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, connect last_level)
@@ -55,7 +57,7 @@ void require_levels(int levels)
         refuse_levels(scheme_name<Scheme>(), levels);
 }
 
-/// Errors: mesh_error if the levels need more bytes than the limit.
+/// Throws mesh_error if the levels need more bytes than the limit.
 void require_bytes(std::string_view scheme, std::uint64_t need, int levels, std::uint64_t limit);
 #ifdef KITH_HAS_BODIES
 KITH_IN_LIBRARY void require_bytes(std::string_view scheme, std::uint64_t need, int levels, std::uint64_t limit)
@@ -66,8 +68,8 @@ KITH_IN_LIBRARY void require_bytes(std::string_view scheme, std::uint64_t need, 
 }
 #endif
 
-/// Refuses what cannot be numbered or does not fit and returns how many bytes are left; schemes that cannot say their
-/// counts are checked step by step.
+/// Throws mesh_error if levels cannot be numbered or do not fit; else returns the number of bytes that are left.
+/// Schemes that cannot count their levels are checked step by step.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::uint64_t require_room(const counts& control, const Scheme& scheme, int levels, int generation, bool keep_levels,
                            const refine_options& options)
@@ -82,7 +84,7 @@ std::uint64_t require_room(const counts& control, const Scheme& scheme, int leve
     }
 }
 
-/// Returns the bytes that the numbers of another order take in the last step.
+/// Returns the bytes that the element numbers of a reordered mesh take in the last step.
 template <class Point, std::unsigned_integral Index, countable_scheme Scheme>
 std::uint64_t bytes_of_numbers(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels)
 {
@@ -97,7 +99,7 @@ std::uint64_t bytes_of_numbers(const basic_mesh<Point, Index>& control, const Sc
     return (coarse.vertices + coarse.edges + coarse.faces) * sizeof(Index);
 }
 
-/// Refuses what `refine` cannot do with a valid mesh and returns how many bytes are left.
+/// Throws mesh_error if `refine` cannot refine a valid mesh; else returns the number of bytes that are left.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels,
                                 const refine_options& options)
@@ -108,9 +110,9 @@ std::uint64_t require_refinable(const basic_mesh<Point, Index>& control, const S
     return require_room<Point, Index>(count(control.topology()), scheme, levels, control.generation(), false, options);
 }
 
-/// What f returns, which refines the lifted mesh, of this generation. Where it is refused for its faces, they are told
-/// by the numbers of the mesh itself, which are others beside removed elements. Cost: that of f; where it throws, of
-/// lifting the mesh once more.
+/// Returns f(), which refines the native copy of a mesh of this generation. If the scheme refuses faces, the error
+/// names them by the numbers of the mesh itself, which differ if it has removed elements. Cost: that of f; if f throws,
+/// also that of making the native copy once more.
 template <scheme Scheme, mesh M, class F>
 auto with_numbers_of(const M& mesh, const Scheme& scheme, int generation, const F& f)
 {
@@ -126,7 +128,7 @@ auto with_numbers_of(const M& mesh, const Scheme& scheme, int generation, const 
     }
 }
 
-/// Refines a control mesh that may have any faces, with the last level written into a mesh of another library.
+/// Refines a control mesh with any faces and writes the last level into a mesh of another library.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Index> control, Scheme scheme, int levels,
                         const refine_options& options)
@@ -136,7 +138,7 @@ void refine_levels_into(level_writer<Point, Index>& fine, basic_mesh<Point, Inde
     refinement_run(std::move(control), scheme, levels).make(last);
 }
 
-/// Returns whether the last steps are made in patches, and why.
+/// Returns the strategy of the last steps, which says if they are made in patches, and why.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 strategy strategy_in_patches(basic_mesh<Point, Index> control, Scheme scheme, int levels, connect last_level)
 {
@@ -146,7 +148,7 @@ strategy strategy_in_patches(basic_mesh<Point, Index> control, Scheme scheme, in
     return run.so_far();
 }
 
-/// A copy whose edges are known; a copy made with face-vertex lists only gets them by matching.
+/// Returns a copy with edges. If the mesh has face-vertex lists only, its edges are found by matching.
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
 {
@@ -162,10 +164,10 @@ basic_mesh<Point, Index> with_edges(const basic_mesh<Point, Index>& mesh)
 } // namespace detail
 
 /// Refines a mesh `levels` times and returns a mesh of the same type; the input is not touched.
-/// A foreign mesh is lifted to the native one and refined there, the last level straight into a mesh of its type: the
-/// same bits as refining on the mesh itself, level by level, which is what `hierarchy` does.
-/// Errors: mesh_error for everything `validate` finds, for faces the scheme does not take, for negative levels and for
-/// levels that no index can number or no memory holds; association_error for faults of the scheme.
+/// A mesh of another library is converted to a native mesh and refined there. The last level is written straight into a
+/// mesh of its type. The bits are those of refining on the mesh itself, level by level, as `hierarchy` does.
+/// Errors: mesh_error for everything `validate` finds, for faces the scheme does not take and for negative levels;
+/// mesh_error for levels that no index can number or no memory holds; association_error for faults of the scheme.
 /// Cost: that of the last level, times 4/3 for a scheme that quadruples faces.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 basic_mesh<Point, Index> refine(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
@@ -208,7 +210,7 @@ M refine(const M& mesh, const Scheme& scheme, int levels, const refine_options& 
 
 /// Returns how `refine` makes the last level, and why; explain(strategy) says it in a sentence. Errors: those of
 /// `refine`. Cost: that of the level with which patches begin, if they are a gain, and of their templates, which are
-/// kept.
+/// cached.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
 strategy strategy_of(const basic_mesh<Point, Index>& mesh, const Scheme& scheme, int levels,
                      const refine_options& options = {})
@@ -234,9 +236,9 @@ strategy strategy_of(const M& mesh, const Scheme& scheme, int levels, const refi
     return detail::strategy_in_patches(std::move(control), scheme, levels, connect::everything);
 }
 
-/// Refines a list of points and a list of faces, such as vectors of std::array<double, 3> and std::array<int, 4>, and
-/// returns the native mesh, whose points() and faces() are lists again; `faces_as` gives faces in a type of the
-/// caller's. Points may be of any type with an `affine`. Errors: as `make_mesh`, and those of `refine`.
+/// Refines a list of points and a list of faces, such as vectors of std::array<double, 3> and std::array<int, 4>.
+/// Returns the native mesh, whose points() and faces() are lists again; `faces_as` gives faces in a type of the caller.
+/// Points may be of any type with an `affine`. Errors: as `make_mesh`, and those of `refine`.
 template <std::ranges::sized_range Points, class Faces, class Scheme>
     requires std::same_as<Faces, face_list> or
              (std::ranges::input_range<Faces> and std::ranges::range<std::ranges::range_reference_t<const Faces&>>)
@@ -246,7 +248,7 @@ auto refine(const Points& points, const Faces& faces, const Scheme& scheme, int 
     return refine(make_mesh(points, faces), scheme, levels, options);
 }
 
-/// Takes what the others do not, to say in one sentence what the type lacks.
+/// Takes arguments that no other overload takes, and says in one sentence what their type lacks.
 template <class M, class Scheme>
     requires(not scheme<Scheme>)
 const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
@@ -258,7 +260,7 @@ template <class M, scheme Scheme>
     requires(not refinable_mesh<M>)
 const M& refine(const M& mesh, const Scheme&, int, const refine_options& = {})
 {
-    // A concept that is asserted itself would have the compiler tell all that it asks.
+    // To assert the concept itself would make the compiler list all its requirements.
     constexpr bool has_points = requires { requires affine_value<typename mesh_traits<M>::point>; };
     constexpr bool has_point = requires { typename mesh_traits<M>::point; };
     static_cast<void>(diagnostics::point_without_affine<has_point and not has_points>());

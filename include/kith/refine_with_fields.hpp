@@ -15,8 +15,8 @@ namespace kith {
 
 namespace detail {
 
-/// Fields, a std::tuple of references or values, that go along with a refinement. They become those of the last level,
-/// and so does the scheme if it is needed.
+/// The fields that a refinement carries along: a std::tuple of references or values. They become those of the last
+/// level, and so does the scheme if NeedsScheme is true.
 template <class Fields, scheme Scheme, std::unsigned_integral Index, bool NeedsScheme>
 class carried_fields {
 public:
@@ -62,15 +62,15 @@ private:
 #endif
 };
 
-/// Errors: mesh_error for a field that has another number of values than the level has elements.
+/// Throws mesh_error for a field whose number of values is not the number of elements of the level.
 template <level Level, class Fields>
 void require_fields(const Level& level, const Fields& fields)
 {
     std::apply([&](const auto&... each) { (each.require_one_each(level), ...); }, fields);
 }
 
-/// Refines a native mesh that the scheme takes. Fields become those of the last level, and so does the scheme if it is
-/// needed.
+/// Refines a native mesh that the scheme accepts. The fields become those of the last level, and so does the scheme if
+/// NeedsScheme is true.
 template <bool NeedsScheme, class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with_fields_along(basic_mesh<Point, Index> control, Scheme& scheme, Fields& fields,
                                                   int levels, connect last_level)
@@ -83,7 +83,7 @@ basic_mesh<Point, Index> refine_with_fields_along(basic_mesh<Point, Index> contr
     return last.take();
 }
 
-/// Refines as `refine` does. Fields become those of the last level, and so does the scheme if it is needed.
+/// Refines as `refine` does. The fields become those of the last level, and so does the scheme if NeedsScheme is true.
 template <bool NeedsScheme, class Point, std::unsigned_integral Index, scheme Scheme, class Fields>
 basic_mesh<Point, Index> refine_with(const basic_mesh<Point, Index>& mesh, Scheme& scheme, Fields& fields, int levels,
                                      const refine_options& options)
@@ -106,10 +106,10 @@ M refine_with(const M& mesh, Scheme& scheme, Fields& fields, int levels, const r
 
 } // namespace detail
 
-/// `refine`, to the same bits, with fields of the mesh, which become those of the mesh that is returned, by its dense
-/// numbers: refine_with_fields(mesh, loop{}, 3, std::tie(material, uv)).
-/// Errors: as `refine`, and mesh_error for a field of another number of values, and for one on edges where the last
-/// level has none; the fields are as before then. Cost: that of `refine` and of the rules of the fields.
+/// Refines as `refine` does, to the same bits, and carries fields of the mesh along. They become the fields of the
+/// returned mesh, in its dense numbers: refine_with_fields(mesh, loop{}, 3, std::tie(material, uv)).
+/// Errors: as `refine`; mesh_error for a field with another number of values, and for a field on edges if the last
+/// level has none. After an error the fields are as before. Cost: that of `refine` and of the rules of the fields.
 template <refinable_mesh M, scheme Scheme, class... Fields>
 M refine_with_fields(const M& mesh, const Scheme& scheme, int levels, std::tuple<Fields&...> fields,
                      const refine_options& options = {})
@@ -121,8 +121,8 @@ M refine_with_fields(const M& mesh, const Scheme& scheme, int levels, std::tuple
     return fine;
 }
 
-/// The same with the fields, and all other state (creases), that the scheme has; it becomes the scheme of the last
-/// level.
+/// Refines and carries along the fields and all other state (creases) of the scheme, which becomes the scheme of the
+/// last level.
 template <refinable_mesh M, scheme Scheme>
 M refine_with_fields(const M& mesh, Scheme& scheme, int levels, const refine_options& options = {})
 {

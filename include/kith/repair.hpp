@@ -19,23 +19,23 @@
 
 namespace kith {
 
-/// Points and faces after `repair`, and where they come from.
+/// The points and faces after `repair`, and the elements from which they come.
 template <class Point>
 struct repaired {
     static constexpr std::size_t none = std::size_t(-1);
 
     std::vector<Point> points;
     face_list faces;
-    std::vector<std::size_t> from_vertex; ///< by new vertex: the old one whose point and values it has
-    std::vector<std::size_t> from_face;   ///< by new face: the old one
-    std::vector<std::size_t> from_corner; ///< by new corner, in the order of `faces.vertices`: the old one
+    std::vector<std::size_t> from_vertex; ///< by new vertex: the old vertex whose point and values it has
+    std::vector<std::size_t> from_face;   ///< by new face: the old face
+    std::vector<std::size_t> from_corner; ///< by new corner, in the order of `faces.vertices`: the old corner
     std::vector<std::size_t> vertex_at;   ///< by old corner: the new vertex there, or `none` if its face is left out
     repair_report report;                 ///< what was done, in the numbers of the input
 };
 
 namespace detail {
 
-/// Errors: mesh_error for a distance that is none.
+/// Throws mesh_error unless the distance is a finite number of 0 or more.
 inline void require_distance(double tolerance)
 {
     if (not(tolerance >= 0) or std::isinf(tolerance))
@@ -45,9 +45,9 @@ inline void require_distance(double tolerance)
 } // namespace detail
 
 /// Changes points and faces as the options allow, so that `make_mesh` takes them: `weld`, `drop`, `orient` and `split`
-/// in this order, each only if it is chosen. What is still wrong then, make_mesh refuses. The result depends on the
-/// order of vertices and faces and on nothing else. Vertices and faces that stay keep their order, new vertices come
-/// last; the maps tell where all come from, so that values and creases can go along.
+/// in this order, each only if it is chosen. `make_mesh` refuses what is still wrong then. The result depends on the
+/// order of vertices and faces and on nothing else. Vertices and faces that stay keep their order; new vertices come
+/// last. The maps name the old element of each new one, so that values and creases can be carried along.
 /// Errors: mesh_error for vertices that do not exist, in numbers from `first_number` on, and for a `weld` that is no
 /// distance. Cost: O(corners log corners).
 template <std::ranges::sized_range Points>
@@ -74,7 +74,7 @@ auto repair(const Points& points, const face_list& faces, const repair_options& 
     return result;
 }
 
-/// Same as above, but from a range of ranges, e.g. std::vector<std::vector<int>>.
+/// Repairs faces that are given as a range of ranges, e.g. std::vector<std::vector<int>>.
 template <std::ranges::sized_range Points, std::ranges::input_range Faces>
     requires(not std::same_as<Faces, face_list>)
 auto repair(const Points& points, const Faces& faces, const repair_options& options)
@@ -82,9 +82,9 @@ auto repair(const Points& points, const Faces& faces, const repair_options& opti
     return repair(points, face_list(faces), options);
 }
 
-/// Same as above, but of the faces of a mesh, such as one of CGAL with a vertex that has several fans. The report names
-/// elements by their places among those that are not removed. A face without half-edges, or whose half-edges do not
-/// lead back to the first, has no corners here. `make_mesh` makes a mesh of the result, `convert` one of another type.
+/// Repairs the faces of a mesh, such as a mesh of CGAL with a vertex that has several fans. The report names elements
+/// by their places among the elements that are not removed. A face without half-edges, or whose half-edges do not lead
+/// back to the first, has no corners here. `make_mesh` makes a mesh of the result, `convert` a mesh of another type.
 template <mesh M>
 auto repair(const M& mesh, const repair_options& options)
 {
@@ -105,8 +105,8 @@ auto repair(const M& mesh, const repair_options& options)
     return repair(points, faces, options);
 }
 
-/// Returns the vertices that `repair` would join within a distance, each with the one that it is joined with: such
-/// vertices at the boundary are cracks in most files. Errors: as `repair`. Cost: O(corners log corners).
+/// Returns the vertices that `repair` would join within a distance, each with the vertex that it is joined with. In
+/// most files such vertices at the boundary are cracks. Errors: as `repair`. Cost: O(corners log corners).
 template <std::ranges::sized_range Points>
 std::vector<std::pair<std::size_t, std::size_t>> coinciding_vertices(const Points& points, const face_list& faces,
                                                                      double tolerance = 0)

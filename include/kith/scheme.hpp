@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Parts of a scheme of one's own: columns, elements and masks, rules for them, weights by valence.
+/// Parts for writing a scheme: columns, elements and masks, rules for elements, weights by valence.
 
 #include <kith/core/mask/by_valence.hpp>
 #include <kith/core/mask/choose.hpp>

@@ -11,19 +11,20 @@
 
 namespace kith {
 
-/// The last level of a refinement as a native mesh, with the connectivity that is wanted.
+/// The last level of a refinement as a native mesh, with as much connectivity as is wanted.
 template <class Point, std::unsigned_integral Index>
 class native_last_level {
 public:
     explicit native_last_level(connect wanted) : wanted_(wanted) {}
 
     [[nodiscard]] connect wanted() const { return wanted_; }
-    /// Returns the level when it has been made.
+    /// Returns the level after it has been made.
     [[nodiscard]] basic_mesh<Point, Index> take() { return std::move(mesh_); }
 
     /// Takes a mesh that is not refined.
     void keep(basic_mesh<Point, Index>&& mesh) { mesh_ = std::move(mesh); }
-    /// Makes it by one step, after which the scheme and what goes along are those of it. Returns what `carried` says.
+    /// Makes the level by one step, which advances the scheme and the carried values to it. Returns false if `carried`
+    /// stops the refinement.
     template <scheme Scheme, class Carried>
     bool step(basic_mesh<Point, Index>&& mesh, Scheme& scheme, Carried& carried)
     {
@@ -31,7 +32,7 @@ public:
         return wanted_ == connect::faces ? make_next_level<connect::faces>(mesh_, scheme, carried)
                                          : make_next_level<connect::everything>(mesh_, scheme, carried);
     }
-    /// Makes it by one step from a mesh. Nothing goes along.
+    /// Makes the level by one step from a mesh. Nothing is carried along.
     template <scheme Scheme>
     void step(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
     {
@@ -39,7 +40,7 @@ public:
         mesh_ = wanted_ == connect::faces ? refine_mesh<connect::faces>(mesh, scheme, ids)
                                           : refine_mesh<connect::everything>(mesh, scheme, ids);
     }
-    /// Makes it by one step from the elements of a level.
+    /// Makes the level by one step from the elements of the level before.
     template <level Level, scheme Scheme>
     void step(const Level& coarse, int generation, const Scheme& scheme)
     {
@@ -48,7 +49,8 @@ public:
                                           : refine_level<connect::everything>(coarse, scheme, generation, ids);
     }
 #ifdef KITH_HAS_LANES
-    /// Makes it in patches of the faces of a level, whose elements may have other numbers.
+    /// Makes the level in patches of the faces of an earlier level. `numbers` are the numbers of its elements, if it is
+    /// in another order.
     template <class Patches>
     void fill(const basic_mesh<Point, Index>& level, const Patches& patches, const patch_plan& plan,
               const element_numbers<Index>* numbers)
@@ -90,7 +92,7 @@ public:
 
     /// Writes a mesh that is not refined.
     void keep(const basic_mesh<Point, Index>& mesh) { write_level(fine_, mesh); }
-    /// Writes it by one step from a mesh. Nothing goes along.
+    /// Writes the level by one step from a mesh. Nothing is carried along.
     template <scheme Scheme>
     void step(const basic_mesh<Point, Index>& mesh, const Scheme& scheme)
     {
@@ -98,7 +100,8 @@ public:
         refine_mesh_into(fine_, mesh, scheme, ids);
     }
 #ifdef KITH_HAS_LANES
-    /// Writes it in patches of the faces of a level, whose elements may have other numbers.
+    /// Writes the level in patches of the faces of an earlier level. `numbers` are the numbers of its elements, if it
+    /// is in another order.
     template <class Patches>
     void fill(const basic_mesh<Point, Index>& level, const Patches& patches, const patch_plan& plan,
               const element_numbers<Index>* numbers)
@@ -114,7 +117,7 @@ private:
     level_writer<Point, Index>& fine_;
 };
 
-/// A last level of which nothing is kept: for those who ask how it would be made.
+/// A last level of which nothing is kept, for callers that only ask how it would be made.
 class no_last_level {
 public:
     explicit no_last_level(connect wanted) : wanted_(wanted) {}
@@ -127,14 +130,14 @@ private:
 };
 
 #ifdef KITH_HAS_LANES
-/// The values at the vertices of the last level of a refinement, which go by the masks of points.
+/// The values at the vertices of the last level of a refinement, which follow the masks of points.
 template <class T>
 class last_values {
 public:
-    /// Returns the values when they have been made.
+    /// Returns the values after they have been made.
     [[nodiscard]] storage<T> take() { return std::move(values_); }
 
-    /// Makes them in patches of the faces of a level, of which the values at the vertices are the points.
+    /// Makes the values in patches of the faces of an earlier level, whose points are the values at its vertices.
     template <std::unsigned_integral Index, class Patches>
     void fill(const basic_mesh<T, Index>& level, const Patches& patches, const patch_plan& plan,
               const element_numbers<Index>* numbers)

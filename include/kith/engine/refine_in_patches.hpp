@@ -15,21 +15,21 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// The last steps of a refinement, face by face: a face of the level before them owns a patch of the last
-/// level. Faces with alike neighbourhoods share a template, which is replayed in SIMD lanes; the few others are refined
-/// as meshes of their own. The numbers and the bits are those of refining level by level.
+/// The last steps of a refinement, made face by face. Each face of the level before these steps owns a patch of the
+/// last level. Faces with alike neighbourhoods share a template, which is replayed in SIMD lanes. The few other faces
+/// are refined as meshes of their own. Numbers and bits are the same as level by level.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>
 class patch_refinement {
 public:
-    /// Plans `levels` steps from a control mesh that has its edges; of the last level what is asked for. Cost:
-    /// O(levels), and that of a look at some of its faces.
+    /// Plans `levels` steps from a control mesh that has its edges. `last_level` is the connectivity that the last
+    /// level gets. Cost: O(levels), and that of a look at some faces of the mesh.
     patch_refinement(const basic_mesh<Point, Index>& control, const Scheme& scheme, int levels, connect last_level,
                      const strategy_costs& costs = usual_costs())
         : patch_refinement(control.topology(), control.generation(), scheme, levels, last_level, costs)
     {
     }
-    /// Plans the same for points or values at the vertices of a control mesh of this connectivity and generation.
+    /// Plans the steps for points, or values at vertices, of a control mesh with this connectivity and generation.
     patch_refinement(const connectivity<Index>& control, int generation, const Scheme& scheme, int levels,
                      connect last_level, const strategy_costs& costs = usual_costs())
         : choice_(costs, last_level)
@@ -48,21 +48,21 @@ public:
         if (not choice_.is_open())
             return;
         const std::size_t looks = std::clamp<std::size_t>(plan_->last().faces / 1024, 128, 1024);
-        if (share_of_classes(control, 1, looks) > choice_.costs().share_if_alike) // one ring tells
+        if (share_of_classes(control, 1, looks) > choice_.costs().share_if_alike) // one ring is enough
             begin_where_faces_are_alike(scheme, levels, generation);
     }
 
-    /// Returns true if patches may be worth while: there are so many faces, or there have been again and again. They
-    /// must not just have been looked at in vain.
+    /// Returns true if patches may be worth while. The last level must be large, or such levels must have been made
+    /// again and again. After a look in vain patches are not worth while for some time.
     [[nodiscard]] bool is_worth_looking() const { return choice_.is_open(); }
-    /// The level whose faces own patches, counted from the control mesh. Precondition: is_worth_looking().
+    /// Returns the level whose faces own patches, counted from the control mesh. Precondition: is_worth_looking().
     [[nodiscard]] int begin() const { return plan_->begin; }
     /// Returns which steps are made in patches. Precondition: is_worth_looking().
     [[nodiscard]] const patch_plan& plan() const { return *plan_; }
-    /// Returns what is decided so far.
+    /// Returns the strategy as far as it is decided.
     [[nodiscard]] const strategy& so_far() const { return choice_.so_far(); }
 
-    /// Calls f() if patches may be worth while, and keeps for the next time whether they were a gain.
+    /// Calls f() if patches may be worth while. Keeps for later refinements whether patches were a gain.
     template <class F>
     void look(const F& f)
     {
@@ -71,7 +71,8 @@ public:
         if (kept_)
             kept_->keep(plan_->last().faces, last_level_, choice_.next_demand());
     }
-    /// Returns true if patches may gain where faces lie in no order, or else if they lie in one.
+    /// Returns true if patches may be a gain. If the faces lie in no order, small patches are no gain, and false closes
+    /// the choice.
     bool gains_if(bool lies_in_no_order)
     {
         const double least = choice_.least_if_scattered(plan_->sizes(), orderable_scheme<Scheme, Index>);
@@ -80,8 +81,8 @@ public:
         choice_.refuse(strategy_reason::scattered_faces, least);
         return false;
     }
-    /// Makes the last level from the level begin(), whose elements may have other numbers. Returns false if that is no
-    /// gain. Precondition: called by look(). Cost: that of `refine`.
+    /// Makes the last level from the level begin(). If that level is in another order, `numbers` are the numbers of its
+    /// elements. Returns false if patches are no gain. Precondition: called by look(). Cost: that of `refine`.
     template <class LastLevel>
     bool fill(const basic_mesh<Point, Index>& level, const Scheme& scheme, const element_numbers<Index>* numbers,
               LastLevel& last)
@@ -91,7 +92,7 @@ public:
             last.fill(level, *made, *plan_, numbers);
         return made.has_value();
     }
-    /// Makes the last level from the level begin() as it is. Returns false if that is no gain.
+    /// Makes the last level from the level begin() in its own order. Returns false if patches are no gain.
     template <class LastLevel>
     [[nodiscard]] bool refine_from(const basic_mesh<Point, Index>& level, const Scheme& scheme, LastLevel& last)
     {
@@ -104,8 +105,9 @@ private:
     using patches = patched_level<Point, Index>;
     using templates = kept_templates<scalar_of<Point>, Index>;
 
-    /// Begins where few classes are left. If edges run and fans start in no order, as in many files, nearly each face
-    /// of a control mesh is of its own class. After as many steps as a patch has rings there are few classes.
+    /// Moves the beginning of patches to a level with few classes. In many files edges run and fans start in no order;
+    /// then nearly every face of a control mesh is a class of its own. After as many steps as a patch has rings there
+    /// are few classes.
     void begin_where_faces_are_alike(const Scheme& scheme, int levels, int generation)
     {
         bool is_late = false;
@@ -118,8 +120,8 @@ private:
         else
             choice_.hear_unlike_faces(plan_->sizes(), is_late);
     }
-    /// Returns the patches of the level that the plan begins with, which may be in the order of the surface; nothing
-    /// where they are no gain.
+    /// Returns the patches of the level with which the plan begins, or nothing if they are no gain. `is_ordered` says
+    /// that the level is in the order of the surface.
     [[nodiscard]] std::optional<patches> patches_of(const basic_mesh<Point, Index>& level, const Scheme& scheme,
                                                     bool is_ordered)
     {
@@ -138,7 +140,7 @@ private:
     strategy_choice choice_;
     connect last_level_;
     std::optional<patch_plan> plan_;
-    std::optional<templates> kept_; // where there are enough faces for these
+    std::optional<templates> kept_; // set if there are enough faces
 };
 
 #endif

@@ -9,8 +9,8 @@
 
 namespace kith {
 
-/// Returns true if a refinement can be made in the order of the surface. The first level alone is not worth the
-/// sorting. Cost: O(1).
+/// Returns true if a refinement can be made in the order of the surface, and if sorting pays: not for a single level.
+/// Cost: O(1).
 template <std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>
 bool can_be_ordered(const connectivity<Index>& control, const Scheme& scheme, int levels)
@@ -18,9 +18,9 @@ bool can_be_ordered(const connectivity<Index>& control, const Scheme& scheme, in
     return levels >= 2 and ignores_numbers(scheme) and detail::is_free_of_order<Scheme>(control.is_closed());
 }
 
-/// Refines a mesh that is in another order, so that it becomes a later level, in that order, with the numbers that
-/// its elements have where the given mesh is refined, and the scheme that of this level. Precondition:
-/// can_be_ordered. Cost: that of the steps, and for each element of their levels its number.
+/// Refines a reordered mesh `steps` times in place. Its `numbers` then map each element to its number in the refinement
+/// of the original mesh. `scheme` is advanced to the new level. Precondition: can_be_ordered. Cost: that of the steps,
+/// and of one number for each element of their levels.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires orderable_scheme<Scheme, Index>
 void refine_ordered(ordered_mesh<Point, Index>& mesh, Scheme& scheme, int steps)
@@ -36,8 +36,8 @@ void refine_ordered(ordered_mesh<Point, Index>& mesh, Scheme& scheme, int steps)
     }
 }
 
-/// Makes the last level of a refinement by one step from a mesh in another order, as if it had the given one.
-/// Precondition: can_be_ordered.
+/// Makes the last level of a refinement by one step from a reordered mesh. Its elements get the numbers that follow
+/// from the original mesh. Precondition: can_be_ordered.
 template <class Point, std::unsigned_integral Index, scheme Scheme, class LastLevel>
     requires orderable_scheme<Scheme, Index>
 void step_to_last(const ordered_mesh<Point, Index>& mesh, const Scheme& scheme, LastLevel& last)

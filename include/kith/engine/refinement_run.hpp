@@ -16,13 +16,14 @@
 
 namespace kith {
 
-/// Values that go along with a refinement, such as fields. Their class has, beside `advance` (see nothing_carried),
+/// Values that are carried along with a refinement, such as fields. Beside `advance` (see nothing_carried) their class
+/// has
 ///
-///   static constexpr bool needs_scheme   whether the scheme must become that of the last level
-///   bool may_go_in_patches() const       whether it may go through several steps at once
-///   bool enter_patches(level, scheme, plan, connect)
-///                                        whether it can from this level on, which lives until
-///   bool leave_patches()                 makes it that of the last level; false stops the refinement
+///   static constexpr bool needs_scheme;  // true if the scheme must become that of the last level
+///   bool may_go_in_patches() const;      // true if the values may go through several steps at once
+///   bool enter_patches(level, scheme, plan, connect);
+///                                        // true if they can do so from this level on, which lives until
+///   bool leave_patches();                // advances them to the last level; false stops the refinement
 template <class T>
 concept carried_in_patches = requires(T& carried) {
     { T::needs_scheme } -> std::convertible_to<bool>;
@@ -30,14 +31,15 @@ concept carried_in_patches = requires(T& carried) {
     { carried.leave_patches() } -> std::convertible_to<bool>;
 };
 
-/// The refinement of a native mesh: the one loop behind `refine`, `refine_with_fields` and calls in place. It goes
-/// level by level, in the order of the surface or in patches, to the same bits. The strategy is chosen on the way.
+/// The refinement of a native mesh: the loop behind `refine`, `refine_with_fields` and calls in place. It goes level by
+/// level, in the order of the surface or in patches, always to the same bits. It chooses its strategy on the way.
 template <class Point, std::unsigned_integral Index, scheme Scheme, class Carried = const nothing_carried>
     requires std::same_as<Carried, const nothing_carried> or carried_in_patches<Carried>
 class refinement_run {
 public:
-    /// Refines this mesh `levels` times. The scheme and what goes along become those of the last level. Where nothing
-    /// goes along the scheme need not. Preconditions: the mesh has its edges, and the scheme takes it.
+    /// Takes a mesh that is to be refined `levels` times. The scheme and the carried values become those of the last
+    /// level; if nothing is carried, the scheme may stay behind. Preconditions: the mesh has its edges, and the scheme
+    /// takes it.
     refinement_run(basic_mesh<Point, Index> control, Scheme& scheme, int levels, Carried& carried,
                    const strategy_costs& costs = usual_costs())
         : mesh_(std::move(control))
@@ -54,7 +56,7 @@ public:
     {
     }
 
-    /// Makes the last level. Returns false if `carried` stops it. Errors: as `refine`.
+    /// Makes the last level. Returns false if `carried` stops the refinement. Errors: as `refine`.
     template <class LastLevel>
     bool make(LastLevel& last)
     {
@@ -64,7 +66,7 @@ public:
         return make_by_levels(last);
     }
     /// Makes the last level in patches or, if these are no gain, in the order of the surface. Errors: as `refine`.
-    /// Precondition: there are levels to be made.
+    /// Precondition: there is at least one level to make.
     template <class LastLevel>
         requires std::same_as<Carried, const nothing_carried> and orderable_scheme<Scheme, Index>
     void make_in_order(LastLevel& last)
@@ -79,8 +81,8 @@ public:
         refine_ordered(ordered, scheme_, last_generation_ - ordered.mesh.generation() - 1);
         step_to_last(ordered, scheme_, last);
     }
-    /// Makes the last level in patches. Returns false if what goes along stops the refinement. Returns nothing if
-    /// patches are no gain: then mesh(), the scheme and what goes along are of a level to go on from.
+    /// Makes the last level in patches. Returns false if the carried values stop the refinement. Returns nothing if
+    /// patches are no gain: mesh(), the scheme and the carried values then belong to a level from which to go on.
     template <class LastLevel>
     std::optional<bool> make_in_patches([[maybe_unused]] LastLevel& last)
     {
@@ -96,7 +98,7 @@ public:
         return goes_on;
     }
 
-    /// Returns the level that has been made.
+    /// Returns the level that has been made so far.
     [[nodiscard]] const basic_mesh<Point, Index>& mesh() const { return mesh_; }
     /// Returns how the last level is made, as far as it is decided, and why.
     [[nodiscard]] const strategy& so_far() const { return how_; }
@@ -153,7 +155,7 @@ private:
             return leave();
         return {};
     }
-    /// Returns true if all that goes along can go through the steps of the patches at once.
+    /// Returns true if all carried values can go through the steps of the patches at once.
     template <class Patches, class LastLevel>
     bool can_enter(const Patches& patches, const LastLevel& last)
     {

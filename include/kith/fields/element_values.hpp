@@ -21,15 +21,15 @@ namespace kith {
 /// The elements on which a field has its values.
 enum class field_on : unsigned char { vertices, edges, faces, corners };
 
-/// A value for each element of one kind of a level, by its dense number, or none at all: cut, joined and sent as state
-/// of a level is.
+/// The values of a field on the elements of one kind of a level, by dense number, or none at all. They are cut, joined
+/// and sent as state of a level is.
 template <field_on Where, class T>
 class element_values {
 public:
     element_values() = default;
     explicit element_values(storage<T> values) : values_(std::move(values)) {}
 
-    /// How many elements of this kind a level has, or a part of one.
+    /// Returns how many elements of this kind a level, or a part of a level, has.
     template <counts_elements Level>
     static std::size_t count_on(const Level& level)
     {
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] const T& operator[](std::size_t element) const { return values_[element]; }
     [[nodiscard]] T& operator[](std::size_t element) { return values_[element]; }
 
-    /// Errors: mesh_error where there are values, and not one for each element of the level.
+    /// Throws mesh_error if there are values, but not one for each element of the level.
     template <counts_elements Level>
     void require_one_each(const Level& level) const
     {
@@ -57,7 +57,7 @@ public:
             throw mesh_error("a field has " + std::to_string(size()) + " values, the level has " +
                              std::to_string(count_on(level)) + " " + name() + "; give it one for each");
     }
-    /// Those of a part of the level. Errors: mesh_error where an element of the part has none.
+    /// Returns the values of a part of the level. Errors: mesh_error if an element of the part has none.
     template <std::unsigned_integral Index>
     [[nodiscard]] element_values of_part(const part_numbers<Index>& part) const
     {
@@ -89,7 +89,7 @@ public:
         }
         for_each_in(part, [&](std::size_t here, std::size_t there) { values_[there] = more[here]; });
     }
-    /// As a message, and from one.
+    /// Writes the values to a message; unpack() reads them from one.
     template <message_writer Out>
     void pack(Out& out) const
     {
@@ -116,7 +116,7 @@ private:
                       "such as std::string, stay on one");
         return are;
     }
-    /// Calls f(number in the part, number in the level).
+    /// Calls f(number in the part, number in the level) for each element of a part.
     template <std::unsigned_integral Index, class F>
     static void for_each_in(const part_numbers<Index>& part, const F& f)
     {

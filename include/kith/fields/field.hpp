@@ -20,12 +20,12 @@
 namespace kith {
 
 /// A rule that keeps marks of its own beside the values, one for each element, such as where texture coordinates have
-/// seams. It has a mark_type, plain bytes, and in place of what other rules have
+/// seams. It has a mark_type of plain bytes. In place of the function of other rules it has:
 ///
 ///   std::pair<storage<T>, storage<mark_type>>
-///   after(std::span<const T> values, std::span<const mark_type> marks, const auto& step) const
+///   after(std::span<const T> values, std::span<const mark_type> marks, const auto& step) const;
 ///
-/// where there are no marks in the first step: it makes them of the values then.
+/// In the first step there are no marks; the rule then makes them from the values.
 template <class Rule>
 concept marking_rule = requires { requires std::is_trivially_copyable_v<typename Rule::mark_type>; };
 
@@ -48,14 +48,14 @@ template <class Rule, class T, class Step>
 concept field_rule = finished_step<Step> and ((marking_rule<Rule> and detail::makes_marks<Rule, T, Step>) or
                                               (not marking_rule<Rule> and detail::makes_values<Rule, T, Step>));
 
-/// A field: a value for each element of one kind of a level, by its dense number, and a rule by which the elements of
-/// the next level inherit. It is state of a level (level_state.hpp): `with_fields` hands it on beside any scheme, and a
-/// scheme may have it as a member and read it. A rule has
+/// A field: values on the elements of one kind of a level, by dense number, and a rule by which the elements of the
+/// next level inherit. It is state of a level (level_state.hpp): `with_fields` hands it on beside any scheme, and a
+/// scheme may have it as a member and read it. A rule is a marking_rule or has
 ///
-///   storage<T> after(std::span<const T> values, const auto& step) const     those of the next level; step: step_result
+///   storage<T> after(std::span<const T> values, const auto& step) const
 ///
-/// or is a marking_rule. A field without values stays without. Errors: mesh_error where the number of values is not
-/// that of the elements. Cost of a step: that of the rule.
+/// which returns the values of the next level; `step` is a step_result. A field without values stays without. Errors:
+/// mesh_error if the number of values is not that of the elements. Cost of a step: that of the rule.
 template <field_on Where, class T, class Rule>
 class field {
 public:
@@ -64,14 +64,14 @@ public:
 
     field() : rule_(Rule()) {}
     explicit field(Rule rule) : rule_(std::move(rule)) {}
-    /// Takes any array of values: std::vector, std::span, storage.
+    /// Takes a copy of any array of values: std::vector, std::span, storage.
     template <class Range>
         requires requires(const Range& range) { std::data(range), std::size(range); }
     explicit field(const Range& values, Rule rule = Rule()) : values_(storage<T>(values)), rule_(std::move(rule))
     {
     }
 
-    /// Takes the array itself.
+    /// Takes over an array without a copy.
     explicit field(storage<T>&& values, Rule rule = Rule()) : values_(std::move(values)), rule_(std::move(rule)) {}
 
     [[nodiscard]] std::size_t size() const { return values_.size(); }
@@ -81,13 +81,13 @@ public:
     [[nodiscard]] T& operator[](std::size_t element) { return values_[element]; }
     [[nodiscard]] const Rule& rule() const { return *rule_; }
 
-    /// Errors: mesh_error where there are values, and not one for each element of the level.
+    /// Throws mesh_error if there are values, but not one for each element of the level.
     template <counts_elements Level>
     void require_one_each(const Level& level) const
     {
         values_.require_one_each(level);
     }
-    /// That of the next level.
+    /// Returns the field of the next level.
     template <finished_step Step>
     [[nodiscard]] field after(const Step& step) const
     {
@@ -99,7 +99,7 @@ public:
             return result;
         values_.require_one_each(step.coarse);
         if constexpr (not field_rule<Rule, T, Step>) {
-            return result; // has been told
+            return result; // the static_assert has reported it
         } else if constexpr (is_marked) {
             auto [values, marks] = rule().template after<T>(values_.all(), marks_.all(), step);
             result.values_ = decltype(values_)(std::move(values));
@@ -109,7 +109,7 @@ public:
         }
         return result;
     }
-    /// That of a part of the level.
+    /// Returns the field of a part of the level.
     template <std::unsigned_integral Index>
     [[nodiscard]] field of_part(const part_numbers<Index>& part) const
     {
@@ -127,7 +127,7 @@ public:
         if constexpr (is_marked)
             marks_.add_part(more.marks_, part);
     }
-    /// As a message, and from one.
+    /// Writes the values and marks to a message; unpack() reads them from one.
     template <message_writer Out>
     void pack(Out& out) const
     {
@@ -170,7 +170,7 @@ auto make_field(const Values& values, Rule rule)
 
 } // namespace detail
 
-/// A field from an array of values, one for each element in the order of the dense numbers.
+/// Returns a field from an array of values, one for each element in the order of the dense numbers.
 template <class Values, class Rule = from_parent<>>
 auto on_faces(const Values& values, Rule rule = Rule())
 {

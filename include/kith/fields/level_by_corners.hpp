@@ -10,9 +10,9 @@
 
 namespace kith {
 
-/// A level whose vertices remember the corner at which they were met, so that a mask may be evaluated over values at
-/// corners: a neighbour has the value that it has in the face through which the walk came to it. A vertex is still one
-/// element, with one number, whatever the corner.
+/// A level whose vertices remember the corner at which they were met. A mask can then be evaluated over values at
+/// corners: a neighbour has its value in the face through which the walk came to it. A vertex is still one element,
+/// with one number, whatever the corner.
 template <level Level>
 class walk_by_corners {
 public:
@@ -30,7 +30,7 @@ public:
     static inline const corner_handle no_corner = Level::no_corner;
     static constexpr bool parallel = Level::parallel;
 
-    /// The level must outlive the view.
+    /// Takes a level, which must outlive the view.
     explicit walk_by_corners(const Level& level) : level_(&level) {}
 
     [[nodiscard]] std::size_t vertex_count() const { return level_->vertex_count(); }
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::size_t corner_count() const { return level_->corner_count(); }
     [[nodiscard]] bool is_closed() const { return level_->is_closed(); }
 
-    /// Met at the first corner of its fan.
+    /// Returns a vertex, met at the first corner of its fan.
     [[nodiscard]] vertex_handle vertex_at(std::size_t i) const
     {
         const auto v = level_->vertex_at(i);
@@ -80,10 +80,10 @@ using level_by_corners = level_elements<walk_by_corners<Level>>;
 template <affine_value T, level Level>
 class corner_values : public fine_values<T> {
 public:
-    /// Both must outlive this.
+    /// Takes a level and the values at its corners; both must outlive this.
     corner_values(const Level& level, std::span<const T> coarse) : level_(&level), coarse_(coarse) {}
 
-    /// Empty ones over the same coarse level, for another pass of a step.
+    /// Returns empty values over the same coarse level, for another pass of a step.
     [[nodiscard]] corner_values another() const { return {*level_, coarse_}; }
 
     [[nodiscard]] decltype(auto) coarse(const vertex<level_by_corners<Level>>& v) const

@@ -23,23 +23,23 @@
 
 namespace kith {
 
-/// A native mesh whose elements have values of any type under names, as those of CGAL and OpenMesh have them.
+/// A native mesh whose elements have named values of any type, as meshes of CGAL and OpenMesh have them.
 template <class Point = std::array<double, 3>>
 class property_mesh {
 public:
     using native_mesh = basic_mesh<Point, std::uint32_t>;
 
     property_mesh() = default;
-    /// Errors: mesh_error for a mesh of face-vertex lists only.
+    /// Takes a native mesh. Errors: mesh_error for a mesh of face-vertex lists only.
     property_mesh(native_mesh mesh) : mesh_(std::move(mesh)) { require_edges(mesh_); }
 
     [[nodiscard]] const native_mesh& native() const { return mesh_; }
     operator const native_mesh&() const { return mesh_; }
 
-    /// Gives the elements of a kind the values of a field under a name; what had that name there goes, but values of
-    /// this type on half-edges beyond the boundary. Corners are kept as the half-edges that lead to them, as in the
-    /// other libraries.
-    /// Errors: mesh_error unless there is a value for each.
+    /// Stores the values of a field on elements of a kind under a name. They replace what had that name there, except
+    /// values of this type on half-edges beyond the boundary. Corners are kept as the half-edges that lead to them, as
+    /// in the other libraries.
+    /// Errors: mesh_error unless there is a value for each element.
     template <field_on Where, class T, class Rule>
     void set(const std::string& name, const field<Where, T, Rule>& values)
     {
@@ -52,8 +52,8 @@ public:
         for (std::size_t i = 0; i < handles.size(); ++i)
             to[handles[i].value] = values[i];
     }
-    /// The values under a name by dense number, as fields take them. Errors: mesh_error where there are none of this
-    /// type.
+    /// Returns the values under a name by dense number, as fields take them. Errors: mesh_error if there are none of
+    /// this type.
     template <field_on Where, class T>
     [[nodiscard]] storage<T> get(const std::string& name) const
     {
@@ -127,15 +127,15 @@ private:
     values_by_name on_vertices_, on_halfedges_, on_edges_, on_faces_;
 };
 
-/// Elements are those of the native mesh.
+/// The elements of a property_mesh, which are those of its native mesh.
 template <class Point>
 struct mesh_traits<property_mesh<Point>> : mesh_traits<basic_mesh<Point, std::uint32_t>> {};
 
-/// Values of any type; those that are looked for are the usual ones.
+/// The properties of a property_mesh. Values may have any type; only the usual types are looked for.
 template <class Point>
 struct property_access<property_mesh<Point>> {
     using mesh = property_mesh<Point>;
-    /// Exact numbers stay exact, floats are averaged as doubles.
+    /// The type in which values are averaged: exact numbers stay exact, floats are averaged as doubles.
     using number = std::conditional_t<std::floating_point<scalar_of<Point>>, double, scalar_of<Point>>;
     using value_types =
         std::tuple<bool, char, signed char, unsigned char, short, unsigned short, int, unsigned, long, unsigned long,
@@ -165,7 +165,7 @@ struct property_access<property_mesh<Point>> {
         return values_of<Handle, T>{m.template add<Handle, T>(name).data()};
     }
 
-    /// As CGAL calls them, in whatever type they come.
+    /// Returns the name that CGAL gives a standard property, for values of any type.
     template <class Handle>
     static std::string standard_name(standard_property which)
     {
@@ -177,7 +177,7 @@ struct property_access<property_mesh<Point>> {
 private:
     template <class Handle, class T>
     struct values_of {
-        T* values; ///< nothing where there are none
+        T* values; ///< null if there are none
 
         explicit operator bool() const { return values != nullptr; }
         T& operator[](Handle x) const { return values[x.value]; }

@@ -13,8 +13,8 @@
 
 namespace kith {
 
-/// Values on a few among many elements of one kind of a level: a sorted list of their dense numbers and values. All
-/// others have T(). It is cut, joined and sent as a `field` is; the state that has it says how it is inherited.
+/// Values on a few of the many elements of one kind of a level: a sorted list of dense numbers and values. All other
+/// elements have T(). It is cut, joined and sent as a `field` is. The state that has it defines how it is inherited.
 template <class T>
 class sparse_values {
 public:
@@ -23,15 +23,15 @@ public:
     friend bool operator==(const sparse_values&, const sparse_values&) = default;
 
     [[nodiscard]] bool empty() const { return list_.empty(); }
-    /// By number.
+    /// Returns the entries, sorted by number.
     [[nodiscard]] const std::vector<entry>& list() const { return list_; }
-    /// Cost: O(log of the entries).
+    /// Returns the value of an element, or T(). Cost: O(log of the entries).
     [[nodiscard]] T operator[](std::size_t element) const
     {
         const auto place = std::ranges::lower_bound(list_, element, {}, &entry::first);
         return place != list_.end() and place->first == element ? place->second : T();
     }
-    /// Setting anew replaces; T() removes. Cost: O(entries), O(log of them) behind the last one.
+    /// Sets or replaces the value of an element; T() removes it. Cost: O(entries), O(log of them) behind the last one.
     void set(std::size_t element, const T& value)
     {
         const auto place = std::ranges::lower_bound(list_, element, {}, &entry::first);
@@ -45,12 +45,12 @@ public:
             list_.emplace(place, element, value);
         }
     }
-    /// Appends out of order, for many at once; `sort` must follow. Precondition: each element once.
+    /// Appends a value in any order, for many at once; `sort` must follow. Precondition: each element once.
     void append(std::size_t element, const T& value) { list_.emplace_back(element, value); }
     void sort() { std::ranges::stable_sort(list_, {}, &entry::first); }
 
-    /// Those of a part, whose elements have these numbers, which increase; a number may come several times.
-    /// Cost: O(log) for each of the entries or each of the elements, whichever are fewer, and for what is found.
+    /// Returns the values of a part, whose elements have these numbers. They increase; a number may come several times.
+    /// Cost: O(log) per entry or per element, whichever are fewer, and for what is found.
     template <std::unsigned_integral Index>
     [[nodiscard]] sparse_values of_part(std::span<const Index> numbers) const
     {
@@ -65,7 +65,8 @@ public:
                 result.append(std::size_t(number++ - numbers.begin()), known->second);
         return result;
     }
-    /// Takes over those of a part; of an element that both have the value here stays. Cost: O(entries log of them).
+    /// Takes over the values of a part. An element that has a value in both keeps the one here. Cost: O(entries log of
+    /// them).
     template <std::unsigned_integral Index>
     void add_part(const sparse_values& part, std::span<const Index> numbers)
     {
@@ -75,7 +76,7 @@ public:
         const auto twice = std::ranges::unique(list_, {}, &entry::first);
         list_.erase(twice.begin(), twice.end());
     }
-    /// As a message, and from one.
+    /// Writes the values to a message; unpack() reads them from one.
     template <message_writer Out>
     void pack(Out& out) const
     {
@@ -91,7 +92,7 @@ public:
             const auto element = in.template get<std::uint64_t>();
             append(element, in.template get<T>());
         }
-        sort(); // whoever wrote them
+        sort(); // in case the sender has not sorted them
     }
 
 private:

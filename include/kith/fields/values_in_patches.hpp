@@ -27,22 +27,22 @@
 
 namespace kith {
 
-/// A field of numbers, or arrays of up to four, at vertices that goes by the masks of a scheme with patches. To patches
-/// its values are points with fewer or more coordinates.
+/// True for a field at vertices, of numbers or arrays of up to four, that goes by the masks of a scheme with patches.
+/// Patches treat its values as points with fewer or more coordinates.
 template <class Field, class Scheme, class Index>
 inline constexpr bool is_masked_in_patches = false;
 template <class T, class Scheme, class Index>
     requires patchable_scheme<Scheme, T, Index>
 inline constexpr bool is_masked_in_patches<field<field_on::vertices, T, by_mask>, Scheme, Index> = true;
 
-/// A rule of values at corners that may be linear inside faces, and says so.
+/// A rule of values at corners that may be linear inside faces, and tells whether it is.
 template <class Rule>
 concept linear_corner_rule = requires(const Rule& rule) {
     { rule.is_linear_in_faces() } -> std::convertible_to<bool>;
 };
 
-/// A field whose new elements inherit from the elements from which they descend, without a change. Values at corners
-/// follow from the face from which theirs comes.
+/// True for a field whose new elements inherit, without a change, from the elements from which they descend. Values at
+/// corners follow from the face from which their face comes.
 template <class Field, class Scheme, class Index>
 inline constexpr bool is_inherited_in_patches = false;
 template <field_on Where, class T, class Rule, class Scheme, class Index>
@@ -56,7 +56,7 @@ template <class T, class Born, class Scheme, class Index>
 inline constexpr bool
     is_inherited_in_patches<field<field_on::faces, T, from_parent<std::identity, Born>>, Scheme, Index> = true;
 
-/// Fields, or bundles that list the types of theirs, all of which may go through several steps at once.
+/// True for fields, and for bundles that list the types of theirs, all of which may go through several steps at once.
 template <class Fields, class Scheme, class Index>
 inline constexpr bool go_in_patches = false;
 template <class State, class Scheme, class Index>
@@ -72,12 +72,12 @@ inline constexpr bool go_in_patches<std::tuple<State...>, Scheme, Index> = sizeo
 
 #ifdef KITH_HAS_LANES
 
-/// Takes fields through the last steps of a refinement at once, to the bits of one step after the other.
+/// A carrier of fields through the last steps of a refinement at once, to the bits of one step after the other.
 template <std::unsigned_integral Index, scheme Scheme>
 class fields_in_patches {
 public:
-    /// Takes them from the level with which the plan begins, which has this connectivity, generation and scheme.
-    /// Precondition: the counts of the level are those of the plan. Cost: that of a step around a face.
+    /// Takes the level with which the plan begins, which has this connectivity, generation and scheme. Precondition:
+    /// the counts of the level are those of the plan. Cost: that of a step around a face.
     fields_in_patches(const connectivity<Index>& level, int generation, const Scheme& scheme, const patch_plan& plan,
                       connect last_level)
         : level_(level), generation_(generation), scheme_(scheme), plan_(plan), last_level_(last_level)
@@ -87,7 +87,7 @@ public:
                             ->children_of_faces(level, generation);
     }
 
-    /// Returns true if a field can be taken, of a type that goes_in_patches. Corners need faces whose children have
+    /// Returns true if a field, of a type that goes_in_patches, can be taken. Corners need faces whose children have
     /// nothing from other faces, and values on edges need edges of the last level.
     template <field_on Where, class T, class Rule>
     [[nodiscard]] bool can_take(const field<Where, T, Rule>& values) const
@@ -109,7 +109,7 @@ public:
         return result;
     }
 
-    /// Returns a field of the last level. Precondition: can_take(values). Cost: that of the masks of the last level, or
+    /// Returns a field at the last level. Precondition: can_take(values). Cost: that of the masks of the last level, or
     /// of writing its values.
     template <field_on Where, class T, class Rule>
     [[nodiscard]] field<Where, T, Rule> last(const field<Where, T, Rule>& values) const
@@ -138,7 +138,7 @@ public:
     }
 
 private:
-    /// The kinds of tuples of an element by which a descendant of the same kind inherits from it.
+    /// The columns by which a new element inherits from an element of its own kind.
     using columns = std::vector<tuple_kind>;
 
     static columns vertex_columns() { return {tuple_kind::v}; }
@@ -170,7 +170,7 @@ private:
                 std::fill_n(result.begin() + way.first + way.each * f, way.each, values[f]);
         return result;
     }
-    /// Returns the values of vertices or edges which descend from one of their kind by these columns alone.
+    /// Returns values of vertices or edges, inherited if they descend from one of their kind by these columns alone.
     template <class T>
     [[nodiscard]] storage<T> inherited(std::span<const T> values, std::size_t size, const columns& along) const
     {
@@ -194,7 +194,7 @@ private:
         return result;
     }
 
-    /// The labels of the corners of a face, and of those of its children.
+    /// The labels of the corners of a face, and of the corners of its children.
     template <class T>
     class corner_labels {
     public:
@@ -208,7 +208,7 @@ private:
     private:
         const T* corners_ = nullptr;
     };
-    /// The values at these corners if they are linear inside the face.
+    /// The values at the corners of a face and of its children, if they are linear inside the face.
     template <class T>
     class linear_corners {
         using masks = detail::linear_masks_of<T, std::remove_cvref_t<decltype(numbering_of<Scheme, Index>().vertices)>>;
@@ -252,7 +252,7 @@ private:
         std::vector<T> values_;
     };
 
-    /// Returns values at the corners of the last level. Each step down is made by a copy of `maker`, depth first.
+    /// Returns the values at the corners of the last level. A copy of `maker` makes each step down, depth first.
     template <class T, class Rule, class Maker>
     [[nodiscard]] storage<T> at_corners(const field<field_on::corners, T, Rule>& values, const Maker& maker) const
     {

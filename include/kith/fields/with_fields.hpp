@@ -12,15 +12,15 @@
 
 namespace kith {
 
-/// A scheme with fields: with_fields(catmull_clark{}, on_faces(materials), on_corners(texture_coordinates)). It is that
-/// scheme in all else: points keep their bits, and what takes the scheme takes this one. The fields go where state of a
-/// level goes: through `refine_with_fields` and `hierarchy`, into tiles, to ranks and into messages.
+/// A scheme with fields: with_fields(catmull_clark{}, on_faces(materials), on_corners(texture_coordinates)). In all
+/// else it is that scheme: points keep their bits, and a function that takes the scheme takes this one. The fields go
+/// where state of a level goes: through `refine_with_fields` and `hierarchy`, into tiles, to ranks and into messages.
 template <scheme Scheme, class... Fields>
 class with_fields : public Scheme {
 public:
     explicit with_fields(Scheme scheme, Fields... fields) : Scheme(std::move(scheme)), fields_(std::move(fields)...) {}
 
-    /// Field number I, of the level that this scheme refines.
+    /// Returns field number I, of the level that this scheme refines.
     template <std::size_t I = 0>
     [[nodiscard]] auto& field()
     {
@@ -31,7 +31,7 @@ public:
     {
         return std::get<I>(fields_);
     }
-    /// The scheme alone, as at this level.
+    /// Returns the scheme without its fields, as at this level.
     [[nodiscard]] const Scheme& plain() const { return *this; }
 
     static constexpr auto traits()

@@ -23,7 +23,7 @@ namespace kith {
 
 namespace detail {
 
-/// Errors: mesh_error where n levels cannot be taken back, or made again.
+/// Throws mesh_error unless 0 <= n <= there_are, the number of levels that can be taken back, or made again.
 inline void require_between(int n, int there_are, const char* done)
 {
     if (n < 0 or n > there_are)
@@ -33,8 +33,8 @@ inline void require_between(int n, int there_are, const char* done)
 
 } // namespace detail
 
-/// The levels of a surface, one made from the other, and which of them are in memory. As a level follows from the one
-/// before, with the scheme as it is there, it may be dropped and made again.
+/// The levels of a surface, each made from the one before, of which some are in memory. A level follows from the level
+/// before and the scheme there, so it may be dropped and made again.
 template <mesh M, scheme Scheme>
 class level_store {
     using traits = mesh_traits<M>;
@@ -42,7 +42,7 @@ class level_store {
     using numbering_type = numbering_of<Scheme, typename level_type::index_type>;
 
     struct held_mesh {
-        /// Made in place: meshes of OpenMesh cannot be moved.
+        /// Makes the mesh in place: meshes of OpenMesh cannot be moved.
         explicit held_mesh(const auto& make_mesh) : mesh(make_mesh()) {}
 
         M mesh;
@@ -54,14 +54,14 @@ class level_store {
         explicit entry(Scheme here_scheme) : scheme(std::move(here_scheme)) {}
         void hold(const auto& make_mesh) { here = std::make_unique<held_mesh>(make_mesh); }
 
-        std::unique_ptr<held_mesh> here; ///< none of a level that was dropped
+        std::unique_ptr<held_mesh> here; ///< none if the level was dropped
         Scheme scheme;                   ///< of the step to the next level
         numbering_type ids;              ///< of the next level
         bool is_moved = false;           ///< its points are no longer those that the step before has made
     };
 
 public:
-    /// Level 0. Precondition: the mesh is valid and has its edges.
+    /// Takes level 0. Precondition: the mesh is valid and has its edges.
     level_store(M&& control, Scheme scheme) : generation_(generation_of(control))
     {
         levels_.push_back(std::make_unique<entry>(std::move(scheme)));
@@ -69,16 +69,16 @@ public:
     }
 
     [[nodiscard]] int depth() const { return depth_; }
-    /// How many levels have been undone and may be redone.
+    /// Returns how many levels have been undone and may be redone.
     [[nodiscard]] int undone() const { return int(levels_.size()) - 1 - depth_; }
-    /// Steps from the control mesh of all to this level, as far as level 0 remembers them.
+    /// Returns the steps from the control mesh of all to this level, as far as level 0 remembers them.
     [[nodiscard]] int generation(int level) const { return generation_ + level; }
-    /// How many of the last levels are kept.
+    /// Returns how many of the last levels are kept.
     [[nodiscard]] int kept() const { return kept_; }
 
-    /// Adds n levels, drops those that are kept no longer, and gives up those that were undone, with their selections.
-    /// go_on(i) is called after the i-th of them. Returns false where it has returned false: then, and after an
-    /// error, all is as before the call. Errors: those of a step and of go_on.
+    /// Adds n levels, drops those that are kept no longer, and gives up undone levels with their selections. Calls
+    /// go_on(i) after the i-th of them. Returns false if a call has returned false. Then, and after an error, all is as
+    /// before the call. Errors: those of a step and of go_on.
     template <std::predicate<int> GoOn>
     bool add(int n, const GoOn& go_on)
     {
@@ -98,7 +98,7 @@ public:
                 swap_states(last.scheme, *scheme);
             last.ids = std::move(ids);
             for (auto& each : given_up)
-                levels_.push_back(std::move(each)); // for which there is room, since they were there before
+                levels_.push_back(std::move(each)); // there is room, since they were there before
         };
         try {
             if (scheme)
@@ -118,8 +118,8 @@ public:
         drop_old();
         return true;
     }
-    /// Adds a level by another scheme from the last level on: change(scheme, elements). Errors: those of a step and of
-    /// `change`; all is as before the call then.
+    /// Adds a level after change(scheme, elements) has changed the scheme of the last level. Errors: those of a step
+    /// and of `change`; all is as before the call then.
     template <class Change>
     void add_by(const Change& change)
     {
@@ -129,7 +129,7 @@ public:
         });
         drop_old();
     }
-    /// Takes the last n levels back. Of each the scheme stays, and points that were moved. Precondition: 0 <= n <=
+    /// Takes back the last n levels. Their schemes stay, and so do points that were moved. Precondition: 0 <= n <=
     /// depth(). Errors: those of `restore`; nothing is taken back then.
     void undo(int n)
     {
@@ -139,8 +139,8 @@ public:
             if (not levels_[std::size_t(depth_)]->is_moved)
                 levels_[std::size_t(depth_)]->here.reset();
     }
-    /// Makes the next n again, the same bits. Precondition: 0 <= n <= undone(). Errors: those of a step; all is as
-    /// before the call then.
+    /// Makes the next n levels again, the same bits. Precondition: 0 <= n <= undone(). Errors: those of a step; all is
+    /// as before the call then.
     void redo(int n)
     {
         const int before = depth_;
@@ -154,7 +154,7 @@ public:
         }
         drop_old();
     }
-    /// Gives up levels that were undone. Errors: std::bad_alloc; they stay then.
+    /// Gives up the undone levels. Errors: std::bad_alloc; they stay then.
     void forget_undone()
     {
         if (undone() > 0)
@@ -166,8 +166,8 @@ public:
         kept_ = count;
         drop_old();
     }
-    /// Makes a level that was dropped again, from the last one before it that is there. Errors: those of a step; all is
-    /// as before then.
+    /// Makes a dropped level again, from the last level before it that is in memory. Errors: those of a step; all is as
+    /// before then.
     void restore(int level)
     {
         static_cast<void>(entry_at(level));
@@ -190,12 +190,12 @@ public:
         }
     }
 
-    /// The mesh of a level, to be changed. Precondition: the level is in memory.
+    /// Returns the mesh of a level, to be changed. Precondition: the level is in memory.
     [[nodiscard]] M& mesh(int level) { return levels_[std::size_t(level)]->here->mesh; }
-    /// Says whether the points of a level are those that the step before has made.
+    /// Notes whether the points of a level are no longer those that the step before has made.
     void set_moved(int level, bool is_moved) { levels_[std::size_t(level)]->is_moved = is_moved; }
 
-    /// A level, in memory or not. Errors: mesh_error where there is none.
+    /// Returns a level, in memory or not. Errors: mesh_error if there is none.
     [[nodiscard]] const entry& entry_at(int level) const
     {
         if (level < 0 or level > depth())
@@ -203,7 +203,7 @@ public:
                              std::to_string(depth()) + "; ask for one of them, or refine() first");
         return *levels_[std::size_t(level)];
     }
-    /// A level that is in memory. Errors: mesh_error where it was dropped, or is none.
+    /// Returns a level that is in memory. Errors: mesh_error if it was dropped, or does not exist.
     [[nodiscard]] const entry& at(int level) const
     {
         const entry& result = entry_at(level);
@@ -219,7 +219,7 @@ public:
         std::call_once(here.viewed, [&] { here.view.emplace(here.mesh); });
         return *here.view;
     }
-    /// The element of a level with this handle. Errors: mesh_error for handles of none.
+    /// Returns the element of a level with this handle. Errors: mesh_error if there is none.
     [[nodiscard]] auto at(int level, typename traits::vertex v) const
     {
         return element_at<vertex<level_type>>(level, v);
@@ -233,13 +233,13 @@ private:
     {
         return Element(require_element(elements(level), at(level).here->mesh, x, level), x);
     }
-    /// What was chosen for a level that is given up does not count for the next one.
+    /// Chooses all faces: a selection for a level that is given up does not count for the next one.
     static void choose_all([[maybe_unused]] Scheme& scheme, [[maybe_unused]] const level_type& elements)
     {
         if constexpr (selecting_scheme<Scheme, level_type>)
             scheme.select(elements, std::vector<unsigned char>(elements.face_count(), 1));
     }
-    /// Calls change(scheme) with the scheme of the last level. After an error its state is that of before.
+    /// Calls change(scheme) with the scheme of the last level. After an error the state of the scheme is as before.
     template <class Change>
     void change_last(const Change& change)
     {

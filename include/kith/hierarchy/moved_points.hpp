@@ -14,7 +14,7 @@
 
 namespace kith {
 
-/// Errors: mesh_error for a new point of a level that is not finite. Cost: O(points).
+/// Throws mesh_error if a new point of a level is not finite. Cost: O(points).
 template <class Point>
 void require_finite(int level, std::span<const Point> points)
 {
@@ -24,8 +24,8 @@ void require_finite(int level, std::span<const Point> points)
                          std::to_string(bad - points.begin()) + " is not finite; give all vertices finite coordinates");
 }
 
-/// Gives the vertices of a mesh, which `here` walks on, these points. Precondition: a point per vertex, by dense
-/// numbers.
+/// Moves the vertices of a mesh, which `here` walks on, to these points. Precondition: there is a point per vertex, by
+/// dense numbers.
 template <movable_mesh M, level Level>
 void set_points(M& mesh, const Level& here, const storage<typename mesh_traits<M>::point>& points)
 {

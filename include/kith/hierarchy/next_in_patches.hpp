@@ -13,9 +13,9 @@
 
 namespace kith {
 
-/// Returns the level after `level`, in patches of a level some steps before, and in `ids` the numbering of the step to
-/// it. Returns nothing if that is slower, and if that level is not in memory or the points of a level after it were
-/// moved. `levels` is a store of native meshes that has level 0 and `level` in memory.
+/// Returns the level after `level`, made in patches of an earlier level, and in `ids` the numbering of the step to it.
+/// Returns nothing if that is slower. Returns nothing, too, if that level is not in memory, or if the points of a level
+/// after it were moved. `levels` is a store of native meshes that has level 0 and `level` in memory.
 template <class Mesh, scheme Scheme, class Store>
 std::optional<Mesh> next_in_patches([[maybe_unused]] const Store& levels, [[maybe_unused]] int level,
                                     [[maybe_unused]] numbering_of<Scheme, typename Mesh::index_type>& ids)
@@ -46,8 +46,8 @@ std::optional<Mesh> next_in_patches([[maybe_unused]] const Store& levels, [[mayb
     return {};
 }
 
-/// Returns a field of level `from` at level `to`, with the last steps at once where that is a gain.
-/// by_levels(first, last, field) carries it level by level. `levels` is a store of levels on any mesh.
+/// Returns a field of level `from` at level `to`. Its last steps are made at once if that is a gain. by_levels(first,
+/// last, field) carries it level by level. `levels` is a store of levels on any mesh.
 /// Errors: those of by_levels. Cost: that of the rule.
 template <scheme Scheme, class Store, class Field, class ByLevels>
 Field carry_in_patches([[maybe_unused]] const Store& levels, int from, int to, Field values, const ByLevels& by_levels)

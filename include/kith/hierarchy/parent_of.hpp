@@ -25,8 +25,9 @@ struct numbered_element {
 
 namespace detail {
 
-/// The element between two others, one of them where the other lies on it: of vertices the edge that joins them, of
-/// edges the face on which both lie, of faces the edge that they share. Nothing if they do not touch.
+/// Returns the element between two others, or one of them if the other lies on it. Between vertices it is the edge that
+/// joins them, between edges the face on which both lie, between faces the edge that they share. Returns nothing if
+/// they do not touch.
 template <level Level>
 std::optional<numbered_element> element_between(const Level& level, numbered_element a, numbered_element b)
 {
@@ -61,14 +62,14 @@ std::optional<numbered_element> element_between(const Level& level, numbered_ele
     return the(face, right.index(), index_tuple(edge_of(a), right));
 }
 
-/// Errors: mesh_error unless coarser <= finer.
+/// Throws mesh_error unless coarser <= finer.
 inline void require_finer(int finer, int coarser)
 {
     if (finer < coarser)
         throw mesh_error("level " + std::to_string(finer) + " was given as the finer, level " +
                          std::to_string(coarser) + " as the coarser one; give them the other way round");
 }
-/// Errors: mesh_error for level 0.
+/// Throws mesh_error for level 0.
 inline void require_origins(int level)
 {
     if (level == 0)
@@ -78,7 +79,7 @@ inline void require_origins(int level)
 
 } // namespace detail
 
-/// An element by its kind and number. Precondition: it is a vertex, an edge or a face.
+/// Returns the kind and number of an element. Precondition: it is a vertex, an edge or a face.
 template <element X>
 numbered_element numbered(const X& x)
 {
@@ -89,10 +90,10 @@ numbered_element numbered(const X& x)
     return {kind, x.index()};
 }
 
-/// The parent of a tuple that is in no column: its face, its edge where it has no face, else its vertex, as of those
-/// that are. Two vertices that do not touch have the face in which both lie as their parent, and two faces the vertex
-/// that both have, of several the one with the smallest number; where there is none, the first of the two. Cost:
-/// O(valence * degree).
+/// Returns the parent of a tuple that is in no column. As for other tuples, it is its face, its edge if it has no face,
+/// else its vertex. Two vertices that do not touch have the face in which both lie as their parent, and two faces the
+/// vertex that both have. Among several, it is the one with the smallest number; if there is none, it is the first of
+/// the two. Cost: O(valence * degree).
 template <level Level>
 numbered_element parent_of_listed(const Level& level, const tuple_elements& tuple)
 {
@@ -121,10 +122,10 @@ numbered_element parent_of_listed(const Level& level, const tuple_elements& tupl
     return common == none ? numbered_element{vertex, tuple.front().second} : numbered_element{face, common};
 }
 
-/// The element of the coarse level that is the parent of one of the next. Of an edge that was found by matching it is
-/// the element between the parents of its ends, which is what its split would have said, and, where these do not touch,
-/// the parent of the face on its left. Cost: that of `origin`; that of parent_of_listed for vertices of the dictionary;
-/// for edges that were found by matching O(valence + degree) more.
+/// Returns the element of the coarse level that is the parent of an element of the next level. For an edge that was
+/// found by matching, it is the element between the parents of its ends, as its split would have said. If these do not
+/// touch, it is the parent of the face on its left. Cost: that of `origin`; that of parent_of_listed for vertices of
+/// the dictionary; for edges that were found by matching O(valence + degree) more.
 template <level Level, level_numbering Numbering, level Fine>
 numbered_element parent_of(const Level& coarse, const Numbering& ids, const Fine& fine, const numbered_element& x)
 {
@@ -150,7 +151,7 @@ numbered_element parent_of(const Level& coarse, const Numbering& ids, const Fine
     }
 }
 
-/// The ranges that hold this element only.
+/// Returns the ranges that hold this element only.
 inline element_ranges only(const numbered_element& x)
 {
     element_ranges result;
@@ -158,8 +159,8 @@ inline element_ranges only(const numbered_element& x)
     return result;
 }
 
-/// The children of elements of a level, with vertices of the dictionary and edges that were found by matching. Cost:
-/// O(ranges); more by O(vertices of the dictionary), and by O(edges of the next level) where edges were found by
+/// Returns the children of elements of a level, with vertices of the dictionary and edges that were found by matching.
+/// Cost: O(ranges); more by O(vertices of the dictionary), and by O(edges of the next level) if edges were found by
 /// matching.
 template <level Level, level_numbering Numbering, level Fine>
 element_ranges children(const Level& coarse, const Numbering& ids, const Fine& fine, const element_ranges& parents)

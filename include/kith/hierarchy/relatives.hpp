@@ -12,7 +12,7 @@
 
 namespace kith {
 
-/// A vertex, an edge and a face of a mesh, as far as they are set.
+/// A vertex, an edge and a face of a mesh, each of which may be unset.
 template <mesh M>
 struct some_elements {
     std::optional<typename mesh_traits<M>::vertex> v{};
@@ -22,7 +22,7 @@ struct some_elements {
     friend bool operator==(const some_elements&, const some_elements&) = default;
 };
 
-/// The elements, on the level below, that gave birth to an element; those of its tuple are set.
+/// The elements of the next coarser level that made an element. The elements of its tuple are set.
 template <mesh M>
 struct birth : some_elements<M> {
     std::optional<tuple_kind> kind{}; ///< nothing for a vertex of the dictionary, whose tuple is in no column
@@ -30,12 +30,12 @@ struct birth : some_elements<M> {
     std::optional<typename mesh_traits<M>::face> other_f{};   ///< the second of two faces that do not touch
 };
 
-/// The one element of a level from which another descends, of whatever kind: the one that is set.
+/// The element of a level from which another one descends. It may be of any kind: only the member of its kind is set.
 template <mesh M>
 struct ancestor_element : some_elements<M> {
     element_kind kind;
 
-    /// The element with this kind and number on a level of M.
+    /// Takes the element with this kind and number on a level of M.
     template <level Level>
     ancestor_element(const Level& level, const numbered_element& x) : kind(x.kind)
     {
@@ -48,8 +48,9 @@ struct ancestor_element : some_elements<M> {
     friend bool operator==(const ancestor_element&, const ancestor_element&) = default;
 };
 
-/// What gave birth to an element of the next level. Of an edge that was found by matching it is the element between the
-/// parents of its ends, or what parent_of says, as (v), (e) or (f). Cost: that of parent_of.
+/// Returns the elements that made an element of the next level. For an edge that was found by matching, it is a single
+/// element, as (v), (e) or (f). This lies between the parents of the ends of the edge, or is what parent_of returns.
+/// Cost: that of parent_of.
 template <mesh M, level Level, level_numbering Numbering, level Fine, element X>
 birth<M> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, const X& x)
 {
@@ -83,16 +84,16 @@ birth<M> birth_of(const Level& coarse, const Numbering& ids, const Fine& fine, c
     }
 }
 
-/// The elements of a level that descend from one of a coarser level: as ranges of numbers, and in handles of the mesh.
-/// It may be used as long as the hierarchy has this level.
+/// The elements of a level that descend from an element of a coarser level, as ranges of numbers and as handles of the
+/// mesh. The object may be used as long as the hierarchy has this level.
 template <level Level>
 class descendant_elements {
 public:
     descendant_elements(const Level& level, element_ranges numbers) : level_(&level), numbers_(std::move(numbers)) {}
 
-    /// Increasing ranges of dense numbers, those by which `elements(level)` counts.
+    /// Returns increasing ranges of dense numbers, by which `elements(level)` counts.
     [[nodiscard]] const element_ranges& numbers() const { return numbers_; }
-    /// Cost: O(their number).
+    /// Returns the handles of the vertices. Cost: O(their number).
     [[nodiscard]] auto vertices() const
     {
         return handles(numbers_.vertices, [this](std::size_t i) { return level_->vertex_at(i); });

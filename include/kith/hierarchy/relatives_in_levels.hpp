@@ -11,11 +11,12 @@
 #include <string>
 #include <utility>
 
-// What belongs to elements of a stored level on other levels; the hierarchy says what each means, costs and refuses.
+// Functions from elements of a stored level to elements of other levels; the hierarchy says what each means, costs and
+// refuses.
 
 namespace kith {
 
-/// Two levels that are in memory. Errors: mesh_error where one is not, and for the wrong order.
+/// Throws mesh_error if one of two levels is not in memory, or if `from` is finer than `to`.
 template <mesh M, scheme Scheme>
 void require_order(const level_store<M, Scheme>& levels, int from, int to)
 {
@@ -25,7 +26,7 @@ void require_order(const level_store<M, Scheme>& levels, int from, int to)
         throw mesh_error("values cannot be carried from level " + std::to_string(from) + " to level " +
                          std::to_string(to) + "; carry them to the same level or a finer one");
 }
-/// The same, given the other way round.
+/// Throws mesh_error if one of two levels is not in memory, or if `coarser` is finer than `finer`.
 template <mesh M, scheme Scheme>
 void require_finer(const level_store<M, Scheme>& levels, int finer, int coarser)
 {
@@ -34,8 +35,9 @@ void require_finer(const level_store<M, Scheme>& levels, int finer, int coarser)
     detail::require_finer(finer, coarser);
 }
 
-/// hierarchy::assoc: what the scheme made of a tuple of elements of a level. Errors: association_error if it made none,
-/// and on the last level; mesh_error where a level is not in memory. Cost: that of `retrieve`.
+/// Returns the element that the scheme made of a tuple of elements of a level, for hierarchy::assoc. Errors:
+/// association_error if it made none, and on the last level; mesh_error if a level is not in memory. Cost: that of
+/// `retrieve`.
 template <mesh M, scheme Scheme, target Target, element... X>
 auto child_of(const level_store<M, Scheme>& levels, int level, Target to, const X&... x)
 {
@@ -48,8 +50,8 @@ auto child_of(const level_store<M, Scheme>& levels, int level, Target to, const 
     return *found;
 }
 
-/// hierarchy::origin: what gave birth to an element of a level. Errors: mesh_error for level 0, and where a level is
-/// not in memory. Cost: that of `birth_of`.
+/// Returns the elements that made an element of a level, for hierarchy::origin. Errors: mesh_error for level 0, and if
+/// a level is not in memory. Cost: that of `birth_of`.
 template <mesh M, scheme Scheme, element Element>
 birth<M> birth_in(const level_store<M, Scheme>& levels, int level, const Element& x)
 {
@@ -57,8 +59,8 @@ birth<M> birth_in(const level_store<M, Scheme>& levels, int level, const Element
     return birth_of<M>(levels.elements(level - 1), levels.at(level - 1).ids, levels.elements(level), x);
 }
 
-/// hierarchy::ancestor: the element of a coarser level from which one of a level descends. Errors: those of
-/// require_finer, and mesh_error where a level between is not in memory. Cost: that of `parent_of` per level.
+/// Returns the element of a coarser level from which an element of a level descends, for hierarchy::ancestor. Errors:
+/// those of require_finer, and mesh_error if a level between is not in memory. Cost: that of `parent_of` per level.
 template <mesh M, scheme Scheme>
 ancestor_element<M> ancestor_in(const level_store<M, Scheme>& levels, int level, numbered_element x, int coarser)
 {
@@ -68,8 +70,8 @@ ancestor_element<M> ancestor_in(const level_store<M, Scheme>& levels, int level,
     return {levels.elements(coarser), x};
 }
 
-/// hierarchy::descendants: the elements of a finer level that descend from one of a level. Errors: as ancestor_in.
-/// Cost: that of `children` per level.
+/// Returns the elements of a finer level that descend from an element of a level, for hierarchy::descendants. Errors:
+/// as ancestor_in. Cost: that of `children` per level.
 template <mesh M, scheme Scheme>
 auto descendants_in(const level_store<M, Scheme>& levels, int level, const numbered_element& x, int finer)
 {

@@ -16,9 +16,9 @@
 
 namespace kith {
 
-/// The element of the next level that belongs to a tuple of elements, by the numbering of the step alone; nothing where
-/// the scheme made none under it. Cost: O(1), O(valence) for pairs without their edge; O(log n) for vertices of the
-/// dictionary.
+/// Returns the element of the next level that belongs to a tuple of elements, by the numbering of the step alone.
+/// Returns nothing if the scheme made no element from the tuple. Cost: O(1), O(valence) for pairs without their edge;
+/// O(log n) for vertices of the dictionary.
 template <level Coarse, level_numbering Numbering, level Fine, target Target, element... X>
 auto retrieve(const Coarse& coarse, const Numbering& ids, const Fine& fine, Target, const X&... x)
 {
@@ -43,7 +43,7 @@ auto retrieve(const Coarse& coarse, const Numbering& ids, const Fine& fine, Targ
         return find(ids.faces, [&](std::size_t id) { return fine.face_at(id); });
 }
 
-/// The level, if it has the element with this handle. Errors: mesh_error for all other handles.
+/// Returns the level if it has the element with this handle. Errors: mesh_error for all other handles.
 template <mesh M, level Level, element_handle Handle>
 const Level& require_element(const Level& here, const M& mesh, Handle x, int level)
 {

@@ -12,19 +12,19 @@
 
 namespace kith {
 
-/// How values of type T are combined with weights. A mask is evaluated over anything that has an `affine`:
-/// points, numbers, colours, stencil rows, hashes. Specialise it for your own type.
+/// The arithmetic of values of type T: how they are added and scaled by weights. A mask can be evaluated over any type
+/// that has an `affine`: points, numbers, colours, stencil rows, hashes. Specialise it for your own type.
 ///
 ///   scalar            the type of the weights
 ///   sum               the accumulator
 ///   load(T) -> sum    store(sum) -> T
 ///   add(sum&, const sum&)    scale(sum&, scalar)
-///   is_array = true   optional: a T is the array of numbers that `sum` is, and nothing else
+///   is_array = true   optional: a T in memory is exactly the array of numbers that `sum` is
 template <class T>
 struct affine;
 
-/// Coordinates: N numbers, added and scaled one by one. Every point type accumulates in this form, so that the same
-/// scalar gives the same bits whatever library the point comes from.
+/// The arithmetic of coordinates: N numbers, added and scaled one by one. Every point type accumulates in this form. So
+/// the same scalar type gives the same bits for the points of every library.
 template <class Scalar, std::size_t N>
 struct coordinates_affine {
     using scalar = Scalar;
@@ -48,17 +48,19 @@ struct affine<std::array<Scalar, N>> : coordinates_affine<Scalar, N> {
     static const std::array<Scalar, N>& store(const std::array<Scalar, N>& total) { return total; }
 };
 
-/// A weighted sum as an integer: rounded, and kept in range where weights are negative.
+/// Returns a weighted sum as an integer: rounded to the nearest one, and clamped to the range of the type, as negative
+/// weights may lead out of it.
 template <std::integral Integer>
 Integer rounded(double x)
 {
     constexpr Integer least = std::numeric_limits<Integer>::min(), most = std::numeric_limits<Integer>::max();
-    if (not(x > double(least))) // no number, too
+    if (not(x > double(least))) // a NaN, too
         return least;
     return x >= double(most) ? most : Integer(std::round(x));
 }
 
-/// Coordinates that are integers, such as the channels of a colour: combined as doubles and rounded at the end.
+/// The arithmetic of integer coordinates, such as the channels of a colour: they are combined as doubles and rounded at
+/// the end.
 template <class T, std::integral Coordinate, std::size_t N>
 struct rounded_affine : coordinates_affine<double, N> {
     using typename coordinates_affine<double, N>::sum;
@@ -81,8 +83,8 @@ struct rounded_affine : coordinates_affine<double, N> {
 template <std::integral Scalar, std::size_t N>
 struct affine<std::array<Scalar, N>> : rounded_affine<std::array<Scalar, N>, Scalar, N> {};
 
-/// Vectors of other libraries with a fixed number of coordinates, by their shape: Eigen's say it in constants, glm's by
-/// length().
+/// The scalar type and the size of a vector of another library, if its size is fixed. Eigen gives the size as
+/// constants, glm as length().
 template <class T>
 struct fixed_vector;
 template <class T>
@@ -144,11 +146,11 @@ struct affine<Scalar> {
     static void scale(Scalar& total, Scalar weight) { total *= weight; }
 };
 
-/// The type of the weights of T.
+/// The type of the weights for values of type T.
 template <class T>
 using scalar_of = typename affine<T>::scalar;
 
-/// A value that masks combine, and that arrays hold.
+/// A value that masks can combine and that arrays can hold.
 template <class T>
 concept affine_value = requires(const T& value, typename affine<T>::sum total, typename affine<T>::scalar weight) {
     requires std::copyable<T> and std::default_initializable<T>;
@@ -158,14 +160,15 @@ concept affine_value = requires(const T& value, typename affine<T>::sum total, t
     affine<T>::scale(total, weight);
 };
 
-/// A point of another library that is an array of its coordinates, to the bit: in memory an array of such points is one
-/// of arrays.
+/// A point of another library that consists of its coordinates and nothing else. So an array of these points has the
+/// same bytes as an array of coordinate arrays.
 template <class T>
 concept array_point = affine_value<T> and requires { requires affine<T>::is_array; } and
                       std::is_trivially_copyable_v<T> and sizeof(T) == sizeof(typename affine<T>::sum) and
                       alignof(T) == alignof(typename affine<T>::sum);
 
-/// What a native mesh has in place of such points, so that the points of all libraries are refined by the same code.
+/// The point type of a native mesh that stands for points of type T: a plain array for each `array_point`, T itself
+/// otherwise. So the same code refines the points of all libraries.
 template <class T>
 struct native_point {
     using type = T;

@@ -7,28 +7,30 @@
 
 namespace kith {
 
-/// How many elements a level has. `plan` follows them over
-/// the levels and finds an overflow before anything is allocated.
+/// The numbers of elements of a level. `plan` computes them for each level, so that it finds an overflow before
+/// anything is allocated.
 struct counts {
     std::uint64_t vertices = 0;
     std::uint64_t edges = 0;
     std::uint64_t faces = 0;
     std::uint64_t boundary_edges = 0;
 
-    // What the counts of a dual scheme depend on at the boundary; other schemes leave these behind as zero.
+    // Dual schemes need these numbers at the boundary to compute the counts of the next level. Other schemes leave them
+    // zero.
 
-    /// Boundary vertices with exactly one face, and with three or more; the rest have two.
+    /// The boundary vertices with exactly one face, and those with three or more; all others have two.
     std::uint64_t boundary_vertices_of_one_face = 0;
     std::uint64_t boundary_vertices_of_many_faces = 0;
-    /// Face corners that lie at boundary vertices.
+    /// The face corners at boundary vertices.
     std::uint64_t boundary_corners = 0;
 
-    /// Face corners, the sum of all face degrees.
+    /// Returns the number of face corners, which is the sum of all face degrees.
     [[nodiscard]] constexpr std::uint64_t corners() const { return 2 * edges - boundary_edges; }
-    /// On a manifold every boundary vertex ends exactly two boundary edges.
+    /// Returns the number of boundary vertices: as many as boundary edges, since on a manifold each one ends exactly
+    /// two boundary edges.
     [[nodiscard]] constexpr std::uint64_t boundary_vertices() const { return boundary_edges; }
 
-    /// Counts a boundary vertex with so many faces in the boundary classes.
+    /// Adds a boundary vertex with `fan` faces to the counts of boundary vertices and corners.
     constexpr void add_boundary_fan(std::uint64_t fan)
     {
         boundary_corners += fan;

@@ -3,9 +3,9 @@
 
 #include "in_library.hpp"
 
-/// What the compiler says of a mistake in the text of a scheme. A scheme is compiled for several kinds of levels; each
-/// sentence depends on the mistake alone, so that it is said once. What a mistake gives fits everywhere, so that
-/// nothing more is said of it.
+/// The compiler errors for mistakes in the text of a scheme. A scheme is compiled for several kinds of levels. Each
+/// message depends on the mistake alone, so the compiler prints it once. An expression with a mistake has a type that
+/// fits everywhere, so that no further errors follow.
 namespace kith::diagnostics {
 
 template <bool Mistake>
@@ -105,7 +105,7 @@ struct scheme_without_reach {
                   "refine with hierarchy, or all faces with the scheme itself");
 };
 
-/// The lines of a polygon that is none.
+/// The sides of a polygon that is not valid.
 struct any_lines {};
 
 } // namespace kith::diagnostics

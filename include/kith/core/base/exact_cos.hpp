@@ -7,10 +7,10 @@
 
 namespace kith {
 
-/// The cosine of k/n of a full turn, to about one unit in the last place and the same on every machine: the libm of one
-/// platform may differ from that of the next, and a weight that differs breaks equality from rank to rank.
-/// Exact where the cosine is 0, 1/2 or 1. Precondition: n > 0. Cost: O(1).
-/// Loops over masks keep it out of line, since they call it for large rings alone.
+/// Returns the cosine of k/n of a full turn, to about one unit in the last place and with the same bits on every
+/// machine. The results of libm differ between platforms, and different weights would make ranks disagree. The result
+/// is exact if the cosine is 0, 1/2 or 1 in absolute value. Precondition: n > 0. Cost: O(1).
+/// The function is not inlined into loops over masks, since they call it for large rings only.
 [[gnu::noinline, gnu::const]] constexpr double exact_cos(std::int64_t k, std::int64_t n)
 {
     k = (k % n + n) % n;
@@ -31,7 +31,7 @@ namespace kith {
     return sign * (use_sine ? x * series : series);
 }
 
-/// The sine of k/n of a full turn.
+/// Returns the sine of k/n of a full turn, as accurate as exact_cos. Precondition: n > 0.
 constexpr double sin_turn(std::int64_t k, std::int64_t n)
 {
     return exact_cos(4 * k - n, 4 * n);

@@ -22,19 +22,19 @@ namespace kith {
 
 namespace detail {
 
-/// The most threads of a loop, in all files of the program; 0: neither `set_threads` nor a file with OpenMP has set it.
+/// The most threads of a loop, for all files of the program; 0 if neither `set_threads` nor a file with OpenMP set it.
 constinit inline std::atomic<int> thread_limit = 0;
 
-/// A level with fewer faces is made by one thread: on a busy machine threads wait longer for each other than they work.
-/// Tests set a smaller number.
+/// The number of faces below which one thread makes a level: on a busy machine threads wait longer for each other than
+/// they work. Tests set a smaller number.
 constinit inline std::atomic<std::size_t> faces_worth_threads = 10'000;
 
 } // namespace detail
 
-/// Sets how many threads a loop of kith uses at most; 1 switches them off, 0 allows as many as OpenMP has. A program
-/// that is compiled with OpenMP begins with 0. All others begin with 1, so that the compiled parts of kith, which know
-/// OpenMP, start no threads in a program that does not ask for them. The results are the same bits. It may be called at
-/// any time outside of kith's functions. OMP_NUM_THREADS and omp_set_num_threads hold in addition.
+/// Sets the most threads that a loop of kith uses; 1 switches them off, 0 allows as many as OpenMP has. In a program
+/// compiled with OpenMP the limit is 0 at first. In others it is 1, so that the compiled parts of kith, which use
+/// OpenMP, start no threads unasked. The results are the same bits. May be called at any time outside of kith's
+/// functions. OMP_NUM_THREADS and omp_set_num_threads hold in addition.
 inline void set_threads(int most)
 {
     detail::thread_limit = most > 0 ? most : std::numeric_limits<int>::max();
@@ -42,22 +42,22 @@ inline void set_threads(int most)
 
 namespace detail {
 
-/// Whether a loop over the faces of a level, or over what belongs to so many faces, is worth more than one thread.
+/// Returns true if a loop over the elements of a level with `faces` faces is worth more than one thread.
 inline bool is_worth_threads(std::size_t faces)
 {
     return faces >= faces_worth_threads.load(std::memory_order_relaxed);
 }
-/// The elements from which on a loop of little work for each is worth more than one thread: the corners of as many
-/// quads.
+/// Returns the number of elements from which on a loop with little work per element is worth more than one thread: the
+/// corners of `faces_worth_threads` quads.
 inline std::size_t elements_worth_threads()
 {
     return 4 * faces_worth_threads.load(std::memory_order_relaxed);
 }
 
-/// Whether this thread runs the body of a loop whose order is not promised, on several threads or on one.
+/// The flag of a thread: true while it runs the body of a loop without a promised order, on several threads or on one.
 constinit inline thread_local bool in_loop_body = false;
 
-/// Says so, or the opposite, while it lives.
+/// A guard that sets `in_loop_body` and restores its earlier value at the end of its lifetime.
 class loop_body {
 public:
     explicit loop_body(bool inside) : before_(in_loop_body) { in_loop_body = inside; }
@@ -69,8 +69,8 @@ private:
     bool before_;
 };
 
-/// A body(begin, end) of a loop, called through a pointer: the threads are compiled once for all bodies. Refers to the
-/// body.
+/// A reference to the body(begin, end) of a loop, called through a pointer: the code for threads is compiled once for
+/// all bodies.
 class part_body {
 public:
     template <class Body>
@@ -86,20 +86,20 @@ private:
     void (*call_)(const void*, std::size_t, std::size_t);
 };
 
-/// The numbers of parts that several threads share. All threads begin with ranges of equal size. What a thread reads
-/// and writes lies together, so that threads rarely wait for each other's cache lines. A thread without work takes the
-/// further half of what another thread has left (work stealing: Blumofe & Leiserson 1999).
+/// The numbers of the parts of a loop, shared by several threads. All threads begin with ranges of equal size. The data
+/// of a range lie together, so that threads rarely wait for each other's cache lines. A thread without work takes the
+/// second half of the largest range that is left (work stealing: Blumofe & Leiserson 1999).
 class shared_parts {
 public:
-    /// Precondition: fewer than 2^32 parts. Cost: O(threads).
+    /// Divides the parts among the threads. Precondition: fewer than 2^32 parts. Cost: O(threads).
     shared_parts(std::size_t parts, std::size_t threads) : left_(threads)
     {
         for (std::size_t thread = 0; thread < threads; ++thread)
             left_[thread].range = range(parts * thread / threads, parts * (thread + 1) / threads);
     }
 
-    /// A part that no thread has taken yet and that lies before all errors, the next ones first. Nothing: there is none
-    /// left.
+    /// Returns a part that no thread has taken yet and that lies before all errors, the next in this thread's range
+    /// first; nothing if none is left.
     std::optional<std::size_t> take(std::size_t thread)
     {
         std::atomic<std::uint64_t>& own = left_[thread].range;
@@ -114,8 +114,8 @@ public:
         return {};
     }
 
-    /// Keeps the error of a part that was taken, if that is the first one. What lies before it is still done, so this
-    /// is the error that one thread alone would meet.
+    /// Keeps the error of a part unless an earlier part has one. All parts before it are still done, so in the end it
+    /// is the error that a single thread would meet.
     void keep_error(std::size_t part, std::exception_ptr error)
     {
         const std::lock_guard lock(mutex_);
@@ -124,7 +124,7 @@ public:
             error_ = std::move(error);
         }
     }
-    /// When all threads are done.
+    /// Throws the error that was kept, if any. Precondition: all threads are done.
     void rethrow_error() const
     {
         if (error_)
@@ -132,12 +132,12 @@ public:
     }
 
 private:
-    /// Of parts, the first and the one behind the last, in one value.
+    /// Returns the number of the first part and of the one behind the last, packed in one value.
     static std::uint64_t range(std::size_t begin, std::size_t end) { return begin | std::uint64_t(end) << 32; }
     static std::size_t begin_of(std::uint64_t range) { return std::uint32_t(range); }
     static std::size_t end_of(std::uint64_t range) { return range >> 32; }
 
-    /// Returns whether another thread had work left.
+    /// Takes half of the range of another thread. Returns true if any thread had work left.
     bool take_from_others(std::atomic<std::uint64_t>& own)
     {
         for (;;) {
@@ -170,18 +170,18 @@ private:
     std::atomic<std::size_t> part_of_error_ = std::numeric_limits<std::size_t>::max();
 };
 
-/// The parts of a range that one thread does: all, or those that it takes.
+/// The parts of a range that one thread does: all of them, or those that it takes from shared ones.
 class parts_to_do {
 public:
-    /// All parts of [0, size).
+    /// Takes all parts of [0, size).
     parts_to_do(std::size_t size, std::size_t size_of_part) : size_(size), size_of_part_(size_of_part) {}
-    /// Those that this thread takes of parts that are shared.
+    /// Takes the parts of [0, size) that `shared` gives to this thread.
     parts_to_do(std::size_t size, std::size_t size_of_part, shared_parts& shared, std::size_t thread)
         : size_(size), size_of_part_(size_of_part), shared_(&shared), thread_(thread)
     {
     }
 
-    /// body(begin, end) on each of them.
+    /// Calls body(begin, end) on each of the parts.
     template <class Body>
     void for_each(const Body& body)
     {
@@ -206,10 +206,10 @@ private:
     std::size_t size_, size_of_part_;
     shared_parts* shared_ = nullptr;
     std::size_t thread_ = 0;
-    std::size_t done_ = 0; // where nothing is shared
+    std::size_t done_ = 0; // if the parts are not shared
 };
 
-// A program may have files with OpenMP and files without.
+// A program may contain files compiled with OpenMP and files compiled without.
 #if defined(_OPENMP)
 inline namespace on_threads {
 
@@ -221,7 +221,7 @@ inline const bool has_threads = [] {
 }();
 #endif
 
-/// Returns how many threads a parallel loop has at most.
+/// Returns the largest number of threads of a parallel loop.
 inline std::size_t most_threads()
 {
     return std::size_t(std::min(omp_get_max_threads(), std::max(thread_limit.load(std::memory_order_relaxed), 1)));
@@ -229,16 +229,16 @@ inline std::size_t most_threads()
 #else
 inline namespace in_turn {
 
-/// Returns one: this file is not compiled with OpenMP.
+/// Returns one, since this file is not compiled with OpenMP.
 inline std::size_t most_threads()
 {
     return 1;
 }
 #endif
 
-/// Calls body(begin, end) on parts of [0, size), on the threads of OpenMP where a program has them and the loop has at
-/// least `smallest` elements. Every value of a level is a gather into its own place, so how the range is cut changes no
-/// bit. Of several errors that of the first part is rethrown.
+/// Calls body(begin, end) on parts of [0, size). It uses the threads of OpenMP if the program has them, `parallel` is
+/// true and the loop has at least `smallest` elements. Each value of a level is computed on its own and has its own
+/// place, so the division into parts changes no bit. If several parts throw, the error of the first one is rethrown.
 inline void for_parts(std::size_t size, [[maybe_unused]] bool parallel, part_body body,
                       [[maybe_unused]] std::size_t smallest = elements_worth_threads())
 {
@@ -268,9 +268,9 @@ inline void for_parts(std::size_t size, [[maybe_unused]] bool parallel, part_bod
     body(std::size_t(0), size);
 }
 
-/// Calls body(parts) once on each thread, which does its parts of [0, size) by parts.for_each: where a body needs
-/// something for all that it does, and where elements cost more in one place than in another. `parallel` says whether
-/// the work is worth threads. Of several errors that of the first part is rethrown.
+/// Calls body(parts) once on each thread; the body does its parts of [0, size) by parts.for_each. It suits bodies that
+/// keep data for all their parts, and elements of unequal cost. `parallel` says if the work is worth threads. If
+/// several parts throw, the error of the first one is rethrown.
 template <class Body>
 void for_shared_parts(std::size_t size, std::size_t size_of_part, bool parallel, const Body& body)
 {

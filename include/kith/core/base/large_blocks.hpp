@@ -23,11 +23,11 @@
 
 namespace kith {
 
-/// Of Linux on most processors, in bytes.
+/// The size of a huge page in bytes, on Linux and most processors.
 inline constexpr std::size_t huge_page = std::size_t(2) << 20;
 
-/// Asks for huge pages where an array that has not been touched yet covers whole ones: with 4 KiB pages the page faults
-/// of a large array take longer than writing it. Advice: a refusal costs speed only.
+/// Asks the system for huge pages where they lie completely inside an array that has not been touched yet. With 4 KiB
+/// pages, the page faults of a large array take longer than writing it. A refusal by the system costs speed only.
 template <class T>
 void advise_large_pages([[maybe_unused]] T* array, [[maybe_unused]] std::size_t size)
 {
@@ -41,22 +41,22 @@ void advise_large_pages([[maybe_unused]] T* array, [[maybe_unused]] std::size_t 
 
 namespace detail {
 
-/// Addresses from `begin` to before `end`.
+/// The addresses from `begin` up to, but not including, `end`.
 struct memory_range {
     std::uintptr_t begin, end;
 };
 
-/// Returns what the process has mapped to write in and shares with no file, in order; nothing where the system does not
+/// Returns the writable memory of the process that is not mapped from a file, in order; nothing if the system does not
 /// tell. Cost: O(mappings).
 [[nodiscard]] std::vector<memory_range> writable_memory() noexcept;
-/// Asks for huge pages where memory is mapped now and was not `before`. Cost: O(mappings).
+/// Asks for huge pages for memory that is mapped now and was not mapped `before`. Cost: O(mappings).
 void advise_memory_since(const std::vector<memory_range>& before) noexcept;
 
 } // namespace detail
 
-/// Asks for huge pages for arrays of another library that does not tell where they lie: calls reserve(), which reserves
-/// and does not write them. Page faults of 4 KiB take several times as long as writing a large array.
-/// Errors: those of reserve(). Cost: that of it, and O(mappings of the process).
+/// Asks for huge pages for arrays of another library whose addresses are not known: calls reserve(), which allocates
+/// the arrays without writing to them. Page faults of 4 KiB take several times as long as writing a large array.
+/// Errors: those of reserve(). Cost: that of reserve(), and O(mappings of the process).
 template <class Reserve>
 void reserve_in_large_pages(const Reserve& reserve)
 {
@@ -65,37 +65,37 @@ void reserve_in_large_pages(const Reserve& reserve)
     detail::advise_memory_since(before);
 }
 
-/// The blocks of memory of all `storage` from 64 KiB on: kept when they are freed for the next block of about that
-/// size, and from 4 MiB on in 2 MiB pages. The kernel clears every fresh page, which is a quarter of the time of a
-/// large refinement and more than half of that of one to some ten thousand faces, whose arrays malloc hands back to the
-/// kernel when they are freed (docs/design.md, Speed); whoever refines again, or tile after tile, is spared it. What is
-/// in use and what is kept come to an eighth more than was ever in use at most; all that is kept goes back when more
-/// than ever is needed, when there is no memory for a block, and before a mesh of another library is made. Safe on
-/// several threads.
+/// The cache of all memory blocks of `storage` from 64 KiB on. A freed block is kept for the next block of about the
+/// same size. Blocks from 4 MiB on are in 2 MiB pages. The kernel clears every fresh page, which takes a quarter of the
+/// time of a large refinement. For some ten thousand faces it takes more than half of the time, since malloc gives
+/// freed arrays back to the kernel (docs/design.md, Speed). A program that refines again, or tile by tile, avoids this.
+/// Blocks in use and kept blocks together take at most an eighth more memory than was ever in use. All kept blocks go
+/// back to the system in three cases: more memory than ever is needed, there is no memory for a block, or a mesh of
+/// another library is made. Safe to use from several threads.
 class large_blocks {
 public:
     static constexpr std::size_t page = huge_page;
-    /// Smaller blocks are not for here: malloc keeps them.
+    /// The size in bytes of the smallest block here; malloc keeps smaller ones itself.
     static constexpr std::size_t smallest = std::size_t(64) << 10;
     static constexpr std::size_t cache_line = 64;
 
-    /// A block that starts at a cache line, or from two huge pages on at a huge page, and is not cleared.
+    /// Returns a block that is not cleared, aligned to a cache line; to a huge page if it has at least two of them.
     /// Errors: std::bad_alloc. Cost: O(kept blocks).
     [[nodiscard]] void* allocate(std::size_t bytes);
 
-    /// Precondition: `block` is from allocate(bytes).
+    /// Keeps a block for later use, or gives it back to the system. Precondition: `block` is from allocate(bytes).
     void free(void* block, std::size_t bytes) noexcept;
 
-    /// Keeps so many bytes at most, 1 GiB unless told; 0: nothing.
+    /// Limits the bytes that are kept; the default is 1 GiB, and 0 means that nothing is kept.
     void keep_at_most(std::size_t bytes)
     {
         const std::lock_guard lock(mutex_);
         limit_ = bytes;
         keep_only(bytes);
     }
-    /// Keeps nothing of what has been freed so far.
+    /// Gives all kept blocks back to the system.
     void give_back();
-    /// The bytes that are kept and not in use.
+    /// Returns the number of bytes that are kept and not in use.
     [[nodiscard]] std::size_t kept() const
     {
         const std::lock_guard lock(mutex_);
@@ -110,7 +110,8 @@ private:
 
     static constexpr bool is_huge(std::size_t bytes) { return bytes >= 2 * page; }
 
-    /// Blocks of nearly one size are of one size. What is added is never touched, so it is address space only.
+    /// Rounds a size up, so that blocks of nearly the same size get the same size. The added memory is never touched,
+    /// so it costs address space only.
     static std::size_t in_whole_units(std::size_t bytes)
     {
         const std::size_t unit = std::max(is_huge(bytes) ? page : smallest / 16, std::bit_floor(bytes) / 16);
@@ -119,14 +120,15 @@ private:
     void* forget(std::size_t i)
     {
         const auto [block, bytes] = kept_[i];
-        // In the order in which they were freed: work that is done again gets the blocks that it had, where each thread
-        // has had the same parts in its caches.
+        // The blocks stay in the order in which they were freed. So repeated work gets the same blocks again, and each
+        // thread finds the parts in its caches that it had before.
         const auto place = kept_.begin() + std::ptrdiff_t(i);
         std::copy(place + 1, kept_.begin() + std::ptrdiff_t(kept_count_--), place);
         kept_bytes_ -= bytes;
         return block;
     }
-    /// Gives back the smallest blocks, which cost least to clear anew, until no more than these bytes are kept.
+    /// Gives the smallest blocks back, which are the cheapest to clear again, until no more than `bytes` bytes are
+    /// kept.
     void keep_only(std::size_t bytes)
     {
         while (kept_bytes_ > bytes)
@@ -144,7 +146,7 @@ private:
     std::size_t kept_count_ = 0;
     std::size_t kept_bytes_ = 0;
     std::size_t in_use_ = 0, most_in_use_ = 0;
-    std::size_t limit_ = detail::is_sanitized ? 0 : std::size_t(1) << 30; // else a freed block could be read unseen
+    std::size_t limit_ = detail::is_sanitized ? 0 : std::size_t(1) << 30; // else reads of freed blocks go unnoticed
 };
 
 #ifdef KITH_HAS_BODIES
@@ -159,7 +161,7 @@ KITH_IN_LIBRARY std::vector<memory_range> writable_memory() noexcept
     if (maps == nullptr)
         return result;
     try {
-        std::array<char, 256> line; // begin-end rights offset device inode name, of which the name may be cut off
+        std::array<char, 256> line; // begin-end rights offset device inode name; the name may be truncated
         bool is_begin = true;
         while (std::fgets(line.data(), int(line.size()), maps) != nullptr) {
             unsigned long long begin = 0, end = 0, inode = 0;
@@ -180,7 +182,7 @@ KITH_IN_LIBRARY std::vector<memory_range> writable_memory() noexcept
 
 KITH_IN_LIBRARY void advise_memory_since(const std::vector<memory_range>& before) noexcept
 {
-    if (before.empty()) // not told: all would be new
+    if (before.empty()) // the system did not tell: all would be new
         return;
     auto old = before.begin();
     for (const memory_range& now : writable_memory()) {
@@ -207,8 +209,8 @@ KITH_IN_LIBRARY void* large_blocks::allocate(std::size_t bytes)
             in_use_ = now;
             return forget(i);
         }
-    // Where faces at least triple, a level and the two before it, which a second run allocates in between, come to less
-    // than an eighth more; where they double it costs one block.
+    // If the faces at least triple, a level and the two before it, which a second run allocates in between, need less
+    // than an eighth more. If the faces double, this costs one more block.
     keep_only(std::min(limit_, (now > most_in_use_ ? now : most_in_use_ / 8 * 9) - now));
     const std::size_t alignment = is_huge(bytes) ? page : cache_line;
     void* block = std::aligned_alloc(alignment, bytes);
@@ -248,7 +250,7 @@ KITH_IN_LIBRARY void large_blocks::give_back()
 
 #endif
 
-/// Those of the process. Never destroyed, so arrays of any lifetime may use it.
+/// The blocks of the process. This object is never destroyed, so arrays of any lifetime may use it.
 inline constinit large_blocks shared_blocks;
 static_assert(std::is_trivially_destructible_v<large_blocks>);
 

@@ -8,13 +8,13 @@
 
 namespace kith {
 
-/// A message that is written: plain values and arrays of them, one after the other, such as a kith::packer.
+/// The writer of a message: it adds plain values and arrays of them one after the other, as kith::packer does.
 template <class Out>
 concept message_writer = requires(Out& out, int value, const std::vector<int>& values) {
     { out.add(value) } -> std::same_as<Out&>;
     { out.add_array(values) } -> std::same_as<Out&>;
 };
-/// One that is read, in the order in which it was written, such as a kith::unpacker.
+/// The reader of a message, in the order in which it was written, such as a kith::unpacker.
 template <class In>
 concept message_reader = requires(In& in) {
     { in.template get<int>() } -> std::same_as<int>;

@@ -3,7 +3,8 @@
 
 namespace kith::detail {
 
-/// Whether the program is compiled for the address sanitizer, which g++ tells by a macro and clang as a feature.
+/// The flag of the address sanitizer: true if the program is compiled for it. g++ defines a macro for this, clang a
+/// feature.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool is_sanitized = true;
 #elif defined(__has_feature)

@@ -14,14 +14,14 @@
 
 namespace kith {
 
-/// Numbers for sequences of numbers: equal ones have the same, from zero on. Several threads may ask, each through a
-/// reader of its own; who asks first decides which sequence has which number, and nothing else.
+/// The numbering of sequences of integers: equal sequences get the same number, counted from zero. Several threads may
+/// ask, each through its own reader. The order in which they ask decides only which sequence gets which number.
 class sequence_numbers {
 public:
     using number = std::uint32_t;
     struct numbered {
         number sequence;
-        number first_item; ///< the items of all sequences are numbered, too, sequence after sequence
+        number first_item; ///< number of its first item; items are numbered sequence after sequence
     };
 
 private:
@@ -33,13 +33,13 @@ private:
 public:
     [[nodiscard]] std::size_t count() const { return of_sequence_.size(); }
 
-    /// Keeps the sequences that it was asked for, so that it rarely waits for other threads; the last one is found
-    /// fastest.
+    /// A cache of the sequences that one thread asked for, so that it rarely waits for other threads. A sequence asked
+    /// for recently is found fastest.
     class reader {
     public:
         explicit reader(sequence_numbers& numbers) : numbers_(numbers), last_(places) {}
 
-        /// Cost: O(length).
+        /// Returns the number of a sequence and of its first item. Cost: O(length).
         [[nodiscard]] numbered operator()(std::u32string_view sequence)
         {
             std::uint64_t mixed = sequence.size();
@@ -61,7 +61,7 @@ public:
 
         sequence_numbers& numbers_;
         table known_;
-        std::vector<const table::value_type*> last_; // by what sequences are mixed to
+        std::vector<const table::value_type*> last_; // by the hash of the sequence
     };
 
 private:

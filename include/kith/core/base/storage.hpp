@@ -14,9 +14,9 @@
 
 namespace kith {
 
-/// A fixed-size array whose elements are not initialised when that is allowed, in `large_blocks` when it is large.
-/// Refining writes every element once into fresh memory, so clearing it first would double the traffic, and with
-/// 4 KiB pages the page faults cost more than the arithmetic.
+/// A fixed-size array whose elements are left uninitialised if their type is trivially copyable. Large arrays lie in
+/// `large_blocks`. Refining writes every element of fresh memory once, so clearing it first would double the memory
+/// traffic. With 4 KiB pages, the page faults would cost more than the arithmetic.
 template <class T>
 class storage {
 public:
@@ -103,7 +103,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Has an array that is used again have at least so many elements; their values are lost where it grows.
+/// Enlarges a reused array to at least `size` elements. If it grows, its values are lost.
 template <class T>
 void ensure_size(storage<T>& array, std::size_t size)
 {

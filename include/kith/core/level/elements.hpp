@@ -20,25 +20,27 @@ public:
 
     [[nodiscard]] handle_type handle() const { return handle_; }
     [[nodiscard]] std::size_t index() const { return level_->index(handle_); }
-    /// The number of the half-edge: 2 * edge + side.
+    /// Returns the number of the half-edge: 2 * edge + side.
     [[nodiscard]] std::size_t halfedge() const { return level_->halfedge(handle_); }
 
     [[nodiscard]] vertex<Level> v() const { return {*level_, level_->vertex_of(handle_)}; }
     [[nodiscard]] face<Level> f() const { return {*level_, level_->face_of(handle_)}; }
     [[nodiscard]] corner next() const { return {*level_, level_->next(handle_)}; }
     [[nodiscard]] corner prev() const { return {*level_, level_->prev(handle_)}; }
-    /// The edge to the next vertex of the face, and the edge from the previous one, each seen from this face.
+    /// Returns the edge to the next vertex of the face, or from the previous one, seen from this face.
     [[nodiscard]] edge<Level> next_edge() const { return {*level_, level_->edge_of(handle_), handle_}; }
     [[nodiscard]] edge<Level> prev_edge() const { return prev().next_edge(); }
-    /// Nothing lies across the next edge; as a tuple the corner is at the boundary then.
+    /// Returns true if the next edge is a boundary edge. The corner then counts as a boundary tuple.
     [[nodiscard]] bool is_boundary() const { return level_->across(handle_) == Level::no_corner; }
-    /// The corner whose half-edge runs the other way along the next edge. Precondition: not is_boundary().
+    /// Returns the corner of the opposite half-edge of the next edge. Precondition: not is_boundary().
     [[nodiscard]] corner across() const { return {*level_, level_->across(handle_)}; }
 
-    /// The corners around the vertex, counter-clockwise from this one. At the boundary those before it are left out.
+    /// Returns the corners around the vertex, counter-clockwise from this one. At the boundary, the corners before this
+    /// one are left out.
     [[nodiscard]] auto fan_from_here() const { return walk(*level_, detail::fan_step<Level>{handle_}); }
-    /// The vertices around the vertex in the same order: the other ends of its edges, and in each face the vertex after
-    /// the next. At the boundary those before this corner and the last neighbour are left out.
+    /// Returns vertices around the vertex in the order of fan_from_here(). The neighbours are the other ends of its
+    /// edges; the opposites are in each face the vertex after the next. At the boundary, the vertices before this
+    /// corner and the last neighbour are left out.
     [[nodiscard]] auto neighbors_from_here() const
     {
         return fan_from_here().map([](const corner& c) { return c.next().v(); });
@@ -47,7 +49,7 @@ public:
     {
         return fan_from_here().map([](const corner& c) { return c.next().next().v(); });
     }
-    /// The vertices of the face, counter-clockwise from this corner's.
+    /// Returns the vertices of the face, counter-clockwise from the vertex of this corner.
     [[nodiscard]] auto vertices_from_here() const
     {
         return walk(*level_, detail::face_step<Level>{handle_}).map([](const corner& c) { return c.v(); });
@@ -90,12 +92,13 @@ public:
             return lcorner().next().v();
     }
     [[nodiscard]] face<Level> lface() const { return lcorner().f(); }
-    /// Precondition: not is_boundary().
+    /// Returns the face on the right. Precondition: not is_boundary().
     [[nodiscard]] face<Level> rface() const { return rcorner().f(); }
-    /// The corner of org in lface; the corner of dst in rface (precondition: not is_boundary()).
+    /// Returns the corner of org in lface, or the corner of dst in rface (precondition: not is_boundary()).
     [[nodiscard]] corner<Level> lcorner() const { return {*level_, left_}; }
     [[nodiscard]] corner<Level> rcorner() const { return {*level_, level_->second(handle_)}; }
-    /// The corner through which this edge was reached: from a face, its half-edge in that face; else lcorner().
+    /// Returns the corner through which this edge was reached. From a face, it is the corner of the edge's half-edge in
+    /// that face; otherwise it is lcorner().
     [[nodiscard]] corner<Level> seen_from() const { return {*level_, seen_from_}; }
 
     friend bool operator==(const edge& a, const edge& b) { return a.handle_ == b.handle_; }
@@ -107,8 +110,8 @@ private:
     corner_handle left_;
 };
 
-/// A vertex. Its fan is the cycle of its corners, counter-clockwise; at the boundary from boundary edge to boundary
-/// edge.
+/// A vertex. Its fan is the sequence of its corners, counter-clockwise. At the boundary, the fan runs from one boundary
+/// edge to the other.
 template <walkable_level Level>
 class vertex : public mask_base {
 public:
@@ -127,22 +130,22 @@ public:
     {
         return corners().map([](const corner<Level>& c) { return c.f(); });
     }
-    /// The edges counter-clockwise, the last boundary edge included; each seen from the face to its left or,
-    /// for that last one, from its only face.
+    /// Returns the edges counter-clockwise, including the last boundary edge. Each is seen from the face to its left;
+    /// the last boundary edge is seen from its only face.
     [[nodiscard]] auto edges() const
     {
         return spokes().map([](const auto& spoke) { return spoke.edge; });
     }
-    /// The other ends of edges(), in the same order.
+    /// Returns the other ends of edges(), in the same order.
     [[nodiscard]] auto neighbors() const
     {
         return spokes().map([](const auto& spoke) { return spoke.end; });
     }
-    /// In each face the vertex after the next, counter-clockwise: in quads the one opposite this vertex.
+    /// Returns in each face the vertex after the next, counter-clockwise: in a quad the vertex opposite this one.
     [[nodiscard]] auto opposites() const { return first_corner().opposites_from_here(); }
-    /// The number of edges.
+    /// Returns the number of edges.
     [[nodiscard]] std::size_t valence() const { return face_count() + (is_boundary() ? 1 : 0); }
-    /// Cost: O(the smaller of n and the valence).
+    /// Returns true if the valence is n. Cost: O(the smaller of n and the valence).
     [[nodiscard]] bool has_valence(std::size_t n) const
     {
         std::size_t found = is_boundary() ? 1 : 0;
@@ -150,7 +153,7 @@ public:
             ++found;
         return found == n;
     }
-    /// The number of faces, one less than the edges at the boundary.
+    /// Returns the number of faces, which at the boundary is one less than the number of edges.
     [[nodiscard]] std::size_t face_count() const
     {
         std::size_t result = 0;
@@ -158,7 +161,7 @@ public:
             ++result;
         return result;
     }
-    /// The corner before the boundary: its prev_edge() is the last of edges(). Precondition: is_boundary().
+    /// Returns the last corner of the fan; its prev_edge() is the last of edges(). Precondition: is_boundary().
     [[nodiscard]] corner<Level> last_corner() const
     {
         auto last = first_corner();
@@ -166,7 +169,7 @@ public:
             last = p.across();
         return last;
     }
-    /// The two neighbours along the boundary, first and last of neighbors(). Precondition: is_boundary().
+    /// Returns the first or the last of neighbors(): the two boundary neighbours. Precondition: is_boundary().
     [[nodiscard]] vertex first_rim() const { return first_corner().next().v(); }
     [[nodiscard]] vertex last_rim() const { return last_corner().prev().v(); }
 
@@ -195,9 +198,9 @@ public:
 
     [[nodiscard]] handle_type handle() const { return handle_; }
     [[nodiscard]] std::size_t index() const { return level_->index(handle_); }
-    /// The number of corners.
+    /// Returns the number of corners.
     [[nodiscard]] std::size_t degree() const { return level_->degree(handle_); }
-    /// One of its edges is a boundary edge.
+    /// Returns true if one of its edges is a boundary edge.
     [[nodiscard]] bool is_boundary() const
     {
         for (const auto& c : corners())

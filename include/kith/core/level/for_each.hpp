@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <type_traits>
 
-// A file whose loops need not be fast says KITH_COMPILE_FAST: it is compiled in half the time, without inlining all
-// they call.
+// A file whose loops need not be fast defines KITH_COMPILE_FAST. It then compiles in half the time, since calls in
+// loops are not all inlined.
 #ifdef KITH_COMPILE_FAST
 #define KITH_FLATTEN
 #else
@@ -23,9 +23,9 @@ namespace detail {
 
 /// A level whose vertices and edges are visited face by face instead of in the order of their numbers. This is faster
 /// on large levels. The children of a face mostly have consecutive numbers, so faces that follow one another are
-/// neighbours on the surface, and what a mask reads around a vertex is mostly in the cache from the vertex before. In
+/// neighbours on the surface. Most of what a mask reads around a vertex is then in the cache from the vertex before. In
 /// the order of their numbers, vertices that follow one another may be far apart, and most of each ring comes from main
-/// memory. There is no gain for points that are not trivially copyable: their coordinates lie elsewhere in memory, as
+/// memory. There is no gain for points that are not trivially copyable. Their coordinates lie elsewhere in memory, as
 /// those of exact kernels do, or they record what a scheme does on a few faces (`recorded`).
 template <class Level>
 concept ordered_by_faces = requires(const Level& level, void (*f)(typename Level::vertex_handle),
@@ -38,13 +38,13 @@ template <walkable_level Level, element Element>
 inline constexpr bool met_by_faces = ordered_by_faces<Level> and
                                      (std::same_as<Element, vertex<Level>> or std::same_as<Element, edge<Level>>);
 
-/// Whether a mask is worth being inlined into the loop as a whole: it is a tree of small functions, and one that stays
-/// a call in the innermost loop costs more than the arithmetic. Not for the walks through the traits of other meshes,
-/// nor for numbers that are classes with memory of their own, which would make very large functions.
+/// The choice to inline masks over a level completely into loops. A mask is a tree of small functions, and one call
+/// left in the innermost loop costs more than the arithmetic. It is not made for walks through the traits of other
+/// meshes, nor for number classes with memory of their own: the functions would be very large.
 template <walkable_level Level>
 inline constexpr bool inlines_masks = ordered_by_faces<Level>;
 
-/// Calls f on the elements with these numbers.
+/// Calls f on the elements with the numbers [begin, end).
 template <walkable_level Level, element Element, class F>
 void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
 {
@@ -52,7 +52,7 @@ void for_numbers(const all_elements<Level, Element>& range, std::size_t begin, s
         f(range[i]);
 }
 
-/// The same with all that f calls inlined.
+/// Calls f on the elements with the numbers [begin, end), with all calls in f inlined.
 template <walkable_level Level, element Element, class F>
 [[KITH_FLATTEN]] void for_numbers_inlined(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end,
                                           const F& f)
@@ -71,8 +71,8 @@ void for_faces(const all_elements<Level, Element>& range, std::size_t begin, std
         level.for_edges_of(begin, end, [&](auto e, auto left) { f(edge<Level>(level, e, left, left)); });
 }
 
-/// The same with all that f calls inlined, and a function of its own: loops that follow one another in one function
-/// share its registers, and Loop takes a twentieth longer.
+/// Calls f on the elements that belong to the faces [begin, end), with all calls in f inlined. The function itself is
+/// not inlined: several loops in one function share its registers, and Loop takes a twentieth longer.
 template <walkable_level Level, element Element, class F>
 [[gnu::noinline, KITH_FLATTEN]] void for_faces_inlined(const all_elements<Level, Element>& range, std::size_t begin,
                                                        std::size_t end, const F& f)
@@ -80,7 +80,7 @@ template <walkable_level Level, element Element, class F>
     for_faces(range, begin, end, f);
 }
 
-/// The same as the body of a loop.
+/// Calls f on the elements that belong to the faces [begin, end), as the body of a loop without a promised order.
 template <walkable_level Level, element Element, class F>
 void for_part_of_faces(const all_elements<Level, Element>& range, std::size_t begin, std::size_t end, const F& f)
 {
@@ -93,7 +93,7 @@ void for_part_of_faces(const all_elements<Level, Element>& range, std::size_t be
 
 } // namespace detail
 
-/// Calls f(element) out of the loop that meets the element: what is rare would cost the loop registers.
+/// Calls f(element) out of line, so that rarely executed code does not take registers from the hot loop.
 template <class F, element Element>
 [[gnu::noinline]] void out_of_line(const F& f, Element element)
 {
@@ -102,7 +102,7 @@ template <class F, element Element>
 
 namespace detail {
 
-/// The same with all that f calls inlined.
+/// Calls f(element) out of line, with all calls in f inlined.
 template <class F, element Element>
 [[gnu::noinline, KITH_FLATTEN]] void rarely_flattened(const F& f, Element element)
 {
@@ -111,7 +111,7 @@ template <class F, element Element>
 
 } // namespace detail
 
-/// The same with all that f calls inlined, where masks are.
+/// Calls f(element) out of line. All calls in f are inlined on levels where masks are inlined.
 template <class F, template <walkable_level> class Element, walkable_level Level>
 void rarely_inlined(const F& f, Element<Level> element)
 {
@@ -121,8 +121,8 @@ void rarely_inlined(const F& f, Element<Level> element)
         out_of_line(f, element);
 }
 
-/// The same as for_each, in the order of the numbers on each thread: for bodies that look at their own element only and
-/// write what lies in that order, too.
+/// Calls f on every element of a range, in the order of the numbers on each thread. It suits bodies that touch only
+/// their own element and write to memory laid out in the same order.
 template <walkable_level Level, element Element, class F>
 void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
 {
@@ -135,9 +135,9 @@ void for_each_by_number(const all_elements<Level, Element>& range, const F& f)
     });
 }
 
-/// Calls f on every element of a range such as `coarse.faces()`. The order is not promised: bodies must write only what
-/// belongs to their own element, as associations do. Vertices under tuples without a column do not: the number of each
-/// would be that of its turn. Errors: association_error for them.
+/// Calls f on every element of a range such as `coarse.faces()`. The order is not promised, so bodies must write only
+/// what belongs to their own element, as associations do. Vertices of the dictionary depend on the order: each would be
+/// numbered by its turn. Errors: association_error for them.
 template <walkable_level Level, element Element, class F>
 void for_each(const all_elements<Level, Element>& range, const F& f)
 {
@@ -145,8 +145,8 @@ void for_each(const all_elements<Level, Element>& range, const F& f)
         const std::size_t faces = range.level().face_count();
         if (not Level::parallel or not detail::is_worth_threads(faces) or detail::most_threads() == 1)
             return detail::for_part_of_faces(range, 0, faces, f);
-        // Vertices and edges do not belong to all faces alike: after a step of Loop none belongs to the triangles in
-        // the middle of the old ones, which are the last quarter.
+        // Vertices and edges are not spread evenly over the faces. After a step of Loop none belongs to the middle
+        // triangles of the old faces, which are the last quarter.
         constexpr std::size_t faces_of_part = 1024;
         detail::for_shared_parts(faces, faces_of_part, true, [&](detail::parts_to_do parts) {
             parts.for_each(

@@ -9,34 +9,34 @@
 
 namespace kith {
 
-/// Names an element of a level: a small value. Equal handles name the same element.
+/// The handle of an element of a level: a small value. Equal handles name the same element.
 template <class H>
 concept element_handle = std::copyable<H> and std::equality_comparable<H>;
 
-/// What elements walk on: a mesh of oriented polygons, a manifold with or without a boundary, which stays as it is
-/// while it is walked on. All functions may be called by several threads, and take O(1).
-/// One requires-expression, here and in other concepts that many templates ask for: the compiler looks its answer up as
-/// one.
+/// A mesh on which elements walk: oriented polygons that form a manifold with or without a boundary. The mesh must not
+/// change during a walk. All functions may be called by several threads, and take O(1).
+/// This concept is a single requires-expression, as are other concepts that many templates use: the compiler then
+/// caches its result as one.
 template <class L>
 concept walkable_level = requires(const L& level, typename L::vertex_handle v, typename L::edge_handle e,
                                   typename L::face_handle f, typename L::corner_handle c, std::size_t i) {
-    // The coordinates of a vertex; what numbers the elements of the next level.
+    // The coordinates of a vertex, and the type of the indices of the next level.
     requires affine_value<typename L::point_type>;
     requires std::unsigned_integral<typename L::index_type>;
     requires element_handle<typename L::vertex_handle> and element_handle<typename L::edge_handle>;
     requires element_handle<typename L::face_handle> and element_handle<typename L::corner_handle>;
-    // Whether arithmetic on points may run on several threads.
+    // True if arithmetic on points may run on several threads.
     { L::parallel } -> std::convertible_to<bool>;
-    // In place of a corner where there is none; equal to no other.
+    // The handle that stands for no corner; equal to no other handle.
     { L::no_corner } -> std::convertible_to<typename L::corner_handle>;
-    // Each kind of elements is numbered from 0, without gaps.
+    // The elements of each kind are numbered from 0, without gaps.
     { level.vertex_count() } -> std::convertible_to<std::size_t>;
     { level.edge_count() } -> std::convertible_to<std::size_t>;
     { level.face_count() } -> std::convertible_to<std::size_t>;
     { level.corner_count() } -> std::convertible_to<std::size_t>;
-    // There is no boundary: each edge has two corners.
+    // True if there is no boundary, so that each edge has two corners.
     { level.is_closed() } -> std::convertible_to<bool>;
-    // All elements of a kind are those at 0, 1, ... below its count.
+    // The elements of a kind are those at 0, 1, ... below their count.
     { level.vertex_at(i) } -> std::convertible_to<typename L::vertex_handle>;
     { level.edge_at(i) } -> std::convertible_to<typename L::edge_handle>;
     { level.face_at(i) } -> std::convertible_to<typename L::face_handle>;
@@ -49,21 +49,21 @@ concept walkable_level = requires(const L& level, typename L::vertex_handle v, t
     // The half-edge that leaves the vertex of a corner inside its face: 2e on the left side of edge e, 2e+1 on its
     // right.
     { level.halfedge(c) } -> std::convertible_to<std::size_t>;
-    // Where a fan starts: at the boundary where nothing lies clockwise.
+    // The corner at which a fan starts; at the boundary, the corner without a neighbour clockwise.
     { level.first(v) } -> std::convertible_to<typename L::corner_handle>;
-    // The corners on the left and on the right of an edge, from which it leaves; at the boundary the second is
+    // The corners at which the half-edges of an edge start, on its left and on its right. At the boundary the second is
     // no_corner.
     { level.first(e) } -> std::convertible_to<typename L::corner_handle>;
     { level.second(e) } -> std::convertible_to<typename L::corner_handle>;
-    // Where a face starts, and how many corners it has.
+    // The first corner of a face, and the number of its corners.
     { level.first(f) } -> std::convertible_to<typename L::corner_handle>;
     { level.degree(f) } -> std::convertible_to<std::size_t>;
-    // Counter-clockwise around the face, and back.
+    // The next corner of the face, counter-clockwise, and the previous one.
     { level.next(c) } -> std::convertible_to<typename L::corner_handle>;
     { level.prev(c) } -> std::convertible_to<typename L::corner_handle>;
-    // The other corner of the edge from c to the next; no_corner at the boundary.
+    // The corner of the opposite half-edge, on the edge from c to the next corner; no_corner at the boundary.
     { level.across(c) } -> std::convertible_to<typename L::corner_handle>;
-    // The elements that a corner belongs to; its edge is the one to the next corner.
+    // The elements to which a corner belongs. Its edge is the one to the next corner.
     { level.vertex_of(c) } -> std::convertible_to<typename L::vertex_handle>;
     { level.edge_of(c) } -> std::convertible_to<typename L::edge_handle>;
     { level.face_of(c) } -> std::convertible_to<typename L::face_handle>;
@@ -75,7 +75,7 @@ template <walkable_level Level> class edge;
 template <walkable_level Level> class face;
 template <walkable_level Level> class corner;
 
-/// v, e, f or c.
+/// The letter of the type of an element: v, e, f or c.
 template <class T>
 inline constexpr char element_letter = '?';
 template <walkable_level L>
@@ -101,8 +101,8 @@ concept corner_element = element_letter<T> == 'c';
 
 template <walkable_level Level, element Element> class all_elements;
 
-/// What a scheme calls `coarse`: a level that says its elements, for loops over all of one kind. `level_elements` makes
-/// one of any walkable level.
+/// A level as schemes use it, under the name `coarse`: it has ranges of all elements of each kind, for loops.
+/// `level_elements` makes a `level` from any walkable level.
 template <class L>
 concept level = walkable_level<L> and requires(const L& level) {
     { level.vertices() } -> std::same_as<all_elements<L, vertex<L>>>;

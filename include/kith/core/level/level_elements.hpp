@@ -8,7 +8,7 @@
 
 namespace kith {
 
-/// All elements of one kind of a level, for loops: `for (auto v : coarse.vertices())` or `for_each`.
+/// The range of all elements of one kind of a level, for loops: `for (auto v : coarse.vertices())` or `for_each`.
 template <walkable_level Level, element Element>
 class all_elements {
 public:
@@ -56,14 +56,14 @@ private:
     std::size_t size_;
 };
 
-/// A level with its element ranges: what a scheme calls `coarse`.
+/// A level with ranges of its elements, which schemes use under the name `coarse`.
 template <walkable_level Level>
 class level_elements : public Level {
 public:
     using Level::Level;
 
-    // Elements are those of a level that is complete, which it is when these are called, not where their types are
-    // told.
+    // The element types need a complete level type. It is complete when these functions are called, but not where they
+    // are declared; hence `auto`.
     [[nodiscard]] auto vertices() const { return all<vertex<level_elements>>(this->vertex_count()); }
     [[nodiscard]] auto edges() const { return all<edge<level_elements>>(this->edge_count()); }
     [[nodiscard]] auto faces() const { return all<face<level_elements>>(this->face_count()); }
@@ -77,8 +77,8 @@ private:
     }
 };
 
-/// The number by which the user of a mesh knows an element of its level, for messages: removed elements, which levels
-/// leave out, may count.
+/// Returns the number that the user's mesh gives to an element of its level, for messages. Removed elements, which
+/// levels leave out, may be counted in these numbers.
 template <walkable_level Level, element Element>
 std::size_t number_in_mesh(const Level& level, const Element& x)
 {

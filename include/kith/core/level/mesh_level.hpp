@@ -14,9 +14,9 @@
 
 namespace kith {
 
-/// Any mesh as a scheme sees it: the walk goes through mesh_traits on the user's own handles. What a half-edge library
-/// does not know is numbered here once per level: dense numbers for elements (meshes may hold removed ones), the
-/// position of each corner in its face, and where the fan of each vertex starts.
+/// A mesh of any type as a scheme sees it: the walk uses the user's own handles through mesh_traits. The constructor
+/// computes what a half-edge library does not provide: dense numbers (meshes may hold removed elements), the position
+/// of each corner in its face, and the start of each fan.
 template <mesh M>
 class mesh_level {
 public:
@@ -28,19 +28,19 @@ public:
     using edge_handle = typename traits::edge;
     using face_handle = typename traits::face;
 
-    /// A half-edge that has a face; its own type, since libraries may use one handle type for several kinds.
+    /// A half-edge that has a face. It is a type of its own, since libraries may use one handle type for several kinds.
     struct corner_handle {
         typename traits::halfedge halfedge{};
         bool exists = true;
 
         friend bool operator==(const corner_handle&, const corner_handle&) = default;
     };
-    /// Arithmetic on these points may run on several threads.
+    /// The flag that allows arithmetic on these points on several threads.
     static constexpr bool parallel = std::is_trivially_copyable_v<point_type>;
     static inline const corner_handle no_corner{typename traits::halfedge(), false};
 
     /// Reads a mesh, which must outlive the view. Errors: mesh_error with the text of `validate` unless the handles
-    /// form a mesh; vertices with several fans and points are not looked at. Cost: O(elements) time and memory.
+    /// form a mesh. Points, and whether a vertex has several fans, are not checked. Cost: O(elements) time and memory.
     explicit mesh_level(const M& mesh)
         : mesh_(&mesh)
         , vertices_(mesh, traits::vertices(mesh), traits::vertex_bound(mesh))
@@ -111,7 +111,7 @@ public:
     [[nodiscard]] face_handle face_at(std::size_t i) const { return faces_[i]; }
     [[nodiscard]] corner_handle corner_at(std::size_t i) const { return {corners_[i]}; }
 
-    /// Whether a handle is that of an element here: it is valid, and the element has not been removed.
+    /// Returns true if a handle belongs to an element of this level: it is valid, and the element has not been removed.
     [[nodiscard]] bool has(vertex_handle v) const { return vertices_.has(*mesh_, v); }
     [[nodiscard]] bool has(edge_handle e) const { return edges_.has(*mesh_, e); }
     [[nodiscard]] bool has(face_handle f) const { return faces_.has(*mesh_, f); }
@@ -126,7 +126,7 @@ public:
         return 2 * index(e) + (first(e) == c ? 0 : 1);
     }
 
-    /// The number that the mesh itself gives to an element: it may count removed ones, too.
+    /// Returns the number that the mesh itself gives to an element. Removed elements may be counted in it.
     template <handle_of<M> Handle>
     [[nodiscard]] std::size_t number_in_mesh(Handle x) const
     {
@@ -162,9 +162,9 @@ public:
 private:
     static constexpr index_type none = std::numeric_limits<index_type>::max();
 
-    /// At the boundary a fan starts at the half-edge whose opposite has no face; inside, where the mesh says. Returns
-    /// whether the half-edges lead there, in no more turns than are left for all vertices. Precondition: `out` is one
-    /// of the mesh.
+    /// Finds the half-edge at which a fan starts. At the boundary its opposite has no face; inside, it is `out`, the
+    /// start given by the mesh. Returns true if the half-edges lead to the start; all vertices together may take `left`
+    /// turns. Precondition: `out` is a half-edge of the mesh.
     bool find_start_of_fan(typename traits::halfedge out, typename traits::halfedge& start, std::size_t& left) const
     {
         start = out;
@@ -186,7 +186,7 @@ private:
     dense_numbers<M, face_handle> faces_;
     std::vector<typename traits::halfedge> corners_;
     std::vector<index_type> corner_number_;
-    std::vector<index_type> face_corner_; // faces+1: where each face begins in corners_
+    std::vector<index_type> face_corner_; // faces+1: the first corner of each face in corners_
     std::vector<typename traits::halfedge> fan_start_;
 };
 

@@ -14,7 +14,8 @@
 
 namespace kith {
 
-/// The numbers that a mesh itself gives to its elements, which may count removed ones, in the order of the elements.
+/// The numbers that a mesh itself gives to its elements, in the order of the elements. Removed elements may be counted
+/// in them.
 struct numbers_in_mesh {
     std::vector<std::size_t> vertices, edges, faces;
 };
@@ -35,7 +36,7 @@ numbers_in_mesh read_numbers(const M& mesh)
     return result;
 }
 
-/// The same, compiled in the library that `is_compiled_mesh` tells of.
+/// Returns read_numbers(mesh); it is compiled in the library that `is_compiled_mesh` stands for.
 template <mesh M>
 numbers_in_mesh read_numbers_in_library(const M& mesh);
 
@@ -52,14 +53,15 @@ numbers_in_mesh handle_numbers_of(const M& mesh)
 
 } // namespace detail
 
-/// The level of a lifted mesh that names elements, in messages, as the mesh does from which it was lifted. What is
-/// asked of a level is then compiled for native levels only.
+/// The level of a native mesh that was made from another mesh. In messages, it names elements by their numbers in that
+/// other mesh. So functions over levels are compiled for native levels only.
 template <class Point, std::unsigned_integral Index>
 class level_with_numbers : public native_level<Point, Index, 0> {
     using native = native_level<Point, Index, 0>;
 
 public:
-    /// Precondition: as for native_level, and one number for each element.
+    /// Takes the native mesh and the numbers of its elements. Preconditions: those of native_level, and one number for
+    /// each element.
     level_with_numbers(const basic_mesh<Point, Index>& lifted, numbers_in_mesh numbers)
         : native(lifted), numbers_(std::move(numbers))
     {

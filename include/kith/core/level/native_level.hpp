@@ -9,9 +9,9 @@
 
 namespace kith {
 
-/// A basic_mesh as a scheme sees it: the walk over a level in index arithmetic. Handles are the numbers themselves.
-/// `Degree` is the number of corners of every face when it is known while compiling (3 or 4), else 0: then a loop over
-/// the corners of an all-quad level is a flat loop with constant strides.
+/// A basic_mesh as a scheme sees it: the walk is index arithmetic, and handles are the numbers themselves. `Degree` is
+/// the number of corners of every face if it is known at compile time (3 or 4), else 0. If it is known, a loop over the
+/// corners of an all-quad level is a flat loop with constant strides.
 template <class Point, std::unsigned_integral Index, int Degree>
 class native_level {
 public:
@@ -26,10 +26,11 @@ public:
 
     static constexpr std::size_t face_degree = Degree;
     static constexpr corner_handle no_corner{connectivity<Index>::none};
-    /// Arithmetic on these points may run on several threads.
+    /// The flag that allows arithmetic on these points on several threads.
     static constexpr bool parallel = std::is_trivially_copyable_v<point_type>;
 
-    /// Precondition: the mesh has its edges, and Degree fits it. The mesh must outlive the view.
+    /// Takes a mesh, which must outlive the view. Precondition: the mesh has its edges, and its face degrees match
+    /// Degree.
     explicit native_level(const mesh_type& mesh)
         : points_(mesh.points().data())
         , corner_vertex_(mesh.topology().corner_vertex.data())
@@ -57,7 +58,7 @@ public:
     [[nodiscard]] face_handle face_at(std::size_t i) const { return {Index(i)}; }
     [[nodiscard]] corner_handle corner_at(std::size_t i) const { return {Index(i)}; }
 
-    /// Whether a handle is that of an element here.
+    /// Returns true if a handle belongs to an element of this level.
     [[nodiscard]] bool has(vertex_handle v) const { return v.value < vertex_count(); }
     [[nodiscard]] bool has(edge_handle e) const { return e.value < edge_count(); }
     [[nodiscard]] bool has(face_handle f) const { return f.value < face_count(); }
@@ -67,12 +68,12 @@ public:
     {
         return x.value;
     }
-    /// The number of the half-edge that a corner stands for: 2e+s, s its side of edge e.
+    /// Returns the number of the half-edge of a corner: 2e+s, where s is its side of edge e.
     [[nodiscard]] std::size_t halfedge(corner_handle c) const { return corner_halfedge_[c.value]; }
 
     [[nodiscard]] corner_handle first(vertex_handle v) const { return {vertex_corner_[v.value]}; }
     [[nodiscard]] corner_handle first(edge_handle e) const { return {halfedge_corner_[2 * std::size_t(e.value)]}; }
-    /// The corner on side 1 of an edge; no_corner at the boundary.
+    /// Returns the corner on side 1 of an edge; no_corner at the boundary.
     [[nodiscard]] corner_handle second(edge_handle e) const { return {halfedge_corner_[2 * std::size_t(e.value) + 1]}; }
     [[nodiscard]] corner_handle first(face_handle f) const
     {
@@ -93,7 +94,7 @@ public:
     {
         if constexpr (Degree != 0)
             return {detail::next_of_alike(c.value, Index(Degree))};
-        else { // connectivity's, over these arrays: called, it is a twentieth slower
+        else { // as in connectivity, over these arrays: a call there is a twentieth slower
             const Index after = c.value + 1;
             if (degree_ != 0)
                 return {after % degree_ == 0 ? Index(after - degree_) : after};
@@ -113,8 +114,9 @@ public:
                         : Index(face_corner_[corner_face_[c.value] + 1] - 1)};
         }
     }
-    /// The vertex after that of a corner of an edge, without a branch: unlike those of a fan, the corners of edges that
-    /// follow one another are any of their faces'. With the branch of `next` Butterfly takes half as long again.
+    /// Returns the vertex after that of a corner of an edge, for triangles without a branch. In loops over edges the
+    /// position of the corner in its face is unpredictable, unlike in a fan. With the branch of `next` Butterfly takes
+    /// half as long again.
     [[nodiscard]] vertex_handle vertex_after(corner_handle c) const
     {
         if constexpr (Degree == 3)
@@ -122,7 +124,7 @@ public:
         else
             return vertex_of(next(c));
     }
-    /// The corner whose half-edge runs the other way along the same edge; no_corner at the boundary.
+    /// Returns the corner of the opposite half-edge on the same edge; no_corner at the boundary.
     [[nodiscard]] corner_handle across(corner_handle c) const
     {
         return {halfedge_corner_[corner_halfedge_[c.value] ^ 1]};
@@ -164,7 +166,8 @@ public:
     }
 
 private:
-    /// For faces of several degrees: their bounds would be one more read that misses the cache.
+    /// Returns true if two corners belong to one face, in meshes of mixed degrees. Comparing with the bounds of the
+    /// face would be one more read that misses the cache.
     [[nodiscard]] bool are_in_one_face(Index a, Index b) const { return corner_face_[a] == corner_face_[b]; }
 
     const Point* points_;

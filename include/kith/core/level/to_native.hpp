@@ -19,7 +19,7 @@
 
 namespace kith {
 
-/// The levels that schemes walk on: any mesh through its traits, the native mesh directly.
+/// The type of the level on which schemes walk: any mesh is read through its traits, a native mesh directly.
 template <mesh M>
 struct level_view {
     using type = level_elements<mesh_level<M>>;
@@ -31,7 +31,7 @@ struct level_view<basic_mesh<Point, Index>> {
 template <mesh M>
 using level_of = typename level_view<M>::type;
 
-/// Errors: mesh_error for a native mesh of face-vertex lists only, which stores no edges.
+/// Throws mesh_error for a native mesh that consists of face-vertex lists only and has no edges.
 template <mesh M>
 void require_edges(const M& mesh)
 {
@@ -40,7 +40,7 @@ void require_edges(const M& mesh)
             throw mesh_error("the mesh has face-vertex lists only and no edges; refine it with connect::everything");
 }
 
-/// Steps since the control mesh, as far as the mesh type remembers them.
+/// Returns the number of steps since the control mesh, or 0 if the mesh type does not store it.
 template <mesh M>
 int generation_of(const M& mesh)
 {
@@ -50,8 +50,9 @@ int generation_of(const M& mesh)
         return 0;
 }
 
-/// The native mesh with the elements of another one, numbered, directed and started as there, so that refining either
-/// gives the same bits. Removed elements are left out. Errors: as mesh_level. Cost: O(elements).
+/// Returns a native mesh with the elements of a level. Their numbers, the directions of edges and the starts of faces
+/// and fans are the same, so that refining either mesh gives the same bits. Removed elements are left out.
+/// Errors: those of mesh_level. Cost: O(elements).
 template <mesh M>
 auto to_native(const level_elements<mesh_level<M>>& level, int generation = 0)
 {
@@ -80,7 +81,8 @@ auto to_native(const level_elements<mesh_level<M>>& level, int generation = 0)
     return basic_mesh<point, index>(std::move(points), std::move(t), generation);
 }
 
-/// Same as `to_native` of a level, but of a mesh without one: it is read in bulk if possible, which is faster.
+/// Returns a native mesh with the elements of a mesh, as `to_native` of a level does. The mesh is read in bulk if
+/// possible, which is faster.
 template <mesh M>
 auto to_native(const M& mesh)
 {
@@ -99,14 +101,14 @@ basic_mesh<Point, std::uint32_t> to_native_here(const M& mesh)
     refuse_mesh(mesh);
 }
 
-/// Same as to_native_here, but compiled in the library that `is_compiled_mesh` names.
+/// Returns to_native_here(mesh); it is compiled in the library that `is_compiled_mesh` stands for.
 template <mesh M, class Point>
 basic_mesh<Point, std::uint32_t> to_native_in_library(const M& mesh);
 
 } // namespace detail
 
-/// `to_native` of a mesh that can be refined, whose points may become arrays. Errors: mesh_error with everything that
-/// `validate` finds. Cost: as `to_native`.
+/// Returns to_native(mesh) for a mesh that can be refined, with points that may become arrays. Errors: mesh_error with
+/// everything that `validate` finds. Cost: that of `to_native`.
 template <mesh M, class Point = typename lifted_point<M>::type>
 basic_mesh<Point, std::uint32_t> to_native_valid(const M& mesh)
 {
@@ -119,7 +121,7 @@ basic_mesh<Point, std::uint32_t> to_native_valid(const M& mesh)
         return detail::to_native_here<M, Point>(mesh);
 }
 
-/// A level and its mesh as a native mesh: this one, or a copy.
+/// Returns a reference to the mesh itself if it is native, else a native copy of its level.
 template <mesh M>
 decltype(auto) native_of(const M& mesh, const level_of<M>& level, int generation)
 {

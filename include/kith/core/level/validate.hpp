@@ -16,7 +16,7 @@ namespace kith {
 
 namespace detail {
 
-/// Returns whether a half-edge lies in a face or at the boundary; reports it otherwise.
+/// Returns true if a half-edge lies in a face or at the boundary; reports it otherwise.
 template <mesh M>
 bool check_side(const M& mesh, typename mesh_traits<M>::halfedge h, bool is_in_face, mesh_report& report)
 {
@@ -28,7 +28,7 @@ bool check_side(const M& mesh, typename mesh_traits<M>::halfedge h, bool is_in_f
     return false;
 }
 
-/// Returns whether a vertex, which has an edge, starts at a half-edge that leaves it; reports it otherwise.
+/// Returns true if a vertex, which has an edge, starts at a half-edge that leaves it; reports the vertex otherwise.
 template <mesh M>
 bool check_start(const M& mesh, typename mesh_traits<M>::vertex v, mesh_report& report)
 {
@@ -45,9 +45,9 @@ bool check_start(const M& mesh, typename mesh_traits<M>::vertex v, mesh_report& 
     return false;
 }
 
-/// Returns the number of faces that the half-edges of a vertex lead to, or more than `most` if they do not come to an
-/// end before. The walk is clockwise; from the boundary, beyond which nothing is promised, it goes back and the other
-/// way.
+/// Returns the number of faces that the half-edges of a vertex lead to, or more than `most` if the walk does not end
+/// before. The walk is clockwise. At the boundary, beyond which nothing is promised, it returns to the start and goes
+/// the other way.
 /// Precondition: v has an edge. Cost: O(most).
 template <mesh M>
 std::size_t faces_in_fan(const M& mesh, typename mesh_traits<M>::vertex v, std::size_t most)
@@ -72,9 +72,10 @@ std::size_t faces_in_fan(const M& mesh, typename mesh_traits<M>::vertex v, std::
 
 } // namespace detail
 
-/// Reports everything that is wrong with a mesh that can be built but not refined: all ways into the library refuse
-/// such a mesh with this text. Elements are named by the index that their library gives them. Nothing is changed.
-/// Cost: O(elements), faces with many corners a logarithm more.
+/// Reports everything that is wrong with a mesh that can be built but not refined. All functions of the library that
+/// read a mesh reject it with this text. Elements are named by the index that their library gives them. The mesh is not
+/// changed.
+/// Cost: O(elements), and a logarithm more for faces with many corners.
 template <mesh M>
 [[gnu::cold]] mesh_report validate(const M& mesh)
 {
@@ -131,7 +132,7 @@ template <mesh M>
             report.add_isolated(number(v));
             continue;
         }
-        // Half-edges that lead anywhere do not tell which fans there are.
+        // The fans are unknown if half-edges may lead anywhere.
         if (not detail::check_start(mesh, v, report) or not all_are_closed or not boundary_is_said)
             continue;
         if (const std::size_t all = faces_at[number(v)]; detail::faces_in_fan(mesh, v, all) != all)
@@ -142,7 +143,7 @@ template <mesh M>
 
 namespace detail {
 
-/// Looks at where the vertices of a native mesh start. Cost: O(vertices + edges).
+/// Checks the corners at which the vertices of a native mesh start. Cost: O(vertices + edges).
 template <std::unsigned_integral Index>
 void check_starts(const connectivity<Index>& mesh, mesh_report& report)
 {
@@ -172,8 +173,9 @@ void check_starts(const connectivity<Index>& mesh, mesh_report& report)
 
 } // namespace detail
 
-/// The native mesh is made with good connectivity, so only its points are looked at, that it has faces, and where its
-/// vertices start, which those who move corners by hand forget. Cost: O(vertices + edges).
+/// Reports what is wrong with a native mesh. Its connectivity was correct when it was made, so three things are
+/// checked: the points, that there are faces, and the start of each vertex. Code that moves corners by hand easily
+/// forgets the starts. Cost: O(vertices + edges).
 template <class Point, std::unsigned_integral Index>
 mesh_report validate(const basic_mesh<Point, Index>& mesh)
 {
@@ -187,7 +189,7 @@ mesh_report validate(const basic_mesh<Point, Index>& mesh)
 
 namespace detail {
 
-/// Throws what `validate` finds in a mesh that could not be read.
+/// Throws mesh_error with what `validate` finds in a mesh that could not be read.
 template <mesh M>
 [[noreturn, gnu::cold]] void refuse_mesh(const M& mesh)
 {

@@ -14,8 +14,8 @@
 
 namespace kith {
 
-/// What masks are evaluated over: the values at the vertices of the coarse level, read by the derived class, and those
-/// of the fine level, which are being made.
+/// The values over which masks are evaluated: those at the vertices of the coarse level, which the derived class reads,
+/// and those of the fine level, which are being computed.
 template <affine_value T>
 class fine_values {
 public:
@@ -35,7 +35,7 @@ public:
         own_ = storage<T>(size);
         allocate_at(own_.data(), size);
     }
-    /// Makes the values in an array of the caller, which keeps them.
+    /// Uses an array of the caller for the values of the fine level; the caller keeps it.
     void allocate_at(T* array, std::size_t size)
     {
         fine_ = array;
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] decltype(auto) fine(std::size_t id) const { return affine<T>::load(fine_[id]); }
     void assign(std::size_t id, const sum& total) { fine_[id] = affine<T>::store(total); }
 
-    // Vertices of the dictionary come after all others; how many there are is known at the end.
+    // The vertices of the dictionary come after all others. Their number is known only at the end.
     [[nodiscard]] std::size_t listed_count() const { return listed_.size(); }
     void append(const sum& total) { listed_.push_back(affine<T>::store(total)); }
     [[nodiscard]] sum listed(std::size_t id) const
@@ -52,7 +52,7 @@ public:
         return affine<T>::load(id < size_ ? fine_[id] : listed_[id - size_]);
     }
 
-    /// All values of the fine level; this object is empty then.
+    /// Returns all values of the fine level and leaves this object empty.
     [[nodiscard]] storage<T> take()
     {
         if (not listed_.empty()) {
@@ -67,15 +67,15 @@ public:
 private:
     storage<T> own_;
     T* fine_ = nullptr;
-    std::size_t size_ = 0; // of the vertices of columns
+    std::size_t size_ = 0; // number of vertices of columns
     std::vector<T> listed_;
 };
 
-/// The points of the meshes themselves.
+/// The points of the meshes themselves, as values.
 template <level Level>
 class point_values : public fine_values<typename Level::point_type> {
 public:
-    /// Empty ones over the same coarse level, for another pass of a step.
+    /// Returns an object without fine values over the same coarse level, for another pass of a step.
     [[nodiscard]] point_values another() const { return {}; }
 
     template <walkable_level L>
@@ -85,13 +85,13 @@ public:
     }
 };
 
-/// Any other values with an `affine`, one per vertex.
+/// The values of any other type with an `affine`, one per vertex.
 template <affine_value T>
 class attribute_values : public fine_values<T> {
 public:
     explicit attribute_values(std::span<const T> coarse) : coarse_(coarse) {}
 
-    /// Empty ones over the same coarse level, for another pass of a step.
+    /// Returns an object without fine values over the same coarse level, for another pass of a step.
     [[nodiscard]] attribute_values another() const { return attribute_values(coarse_); }
 
     template <walkable_level L>

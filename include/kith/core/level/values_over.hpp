@@ -16,22 +16,22 @@ concept values_over = value_space<V> and requires(const V& values, const vertex<
     { values.coarse(v) } -> std::convertible_to<typename V::sum>; // several threads read
 };
 
-/// The values of a step: those of the coarse level, and those of the next one, which are being made.
+/// The values of a step: those of the coarse level, and those of the next level, which are being computed.
 template <class V, class Level>
 concept values_of_step = values_over<V, Level> and
                          requires(V& values, const V& made, std::size_t n, const typename V::sum& total) {
-                             // Room for those of the columns; comes first.
+                             // Allocates the values of the columns; is called first.
                              values.allocate(n);
-                             // Makes the n-th of them; several threads make different ones.
+                             // Sets the n-th of them; several threads set different ones.
                              values.assign(n, total);
-                             // What was made; several threads read.
+                             // A value that was set; several threads read.
                              { made.fine(n) } -> std::convertible_to<typename V::sum>;
-                             // Makes one more after all of them; one thread does.
+                             // Appends one more value after all of them; is called by one thread.
                              values.append(total);
-                             // How many more there are, and any of all.
+                             // The number of appended values, and any of all values.
                              { made.listed_count() } -> std::convertible_to<std::size_t>;
                              { made.listed(n) } -> std::convertible_to<typename V::sum>;
-                             // Others over the same coarse level, without any that are made, for another pass of the
+                             // A new object over the same coarse level, without new values, for another pass of the
                              // step.
                              { made.another() } -> std::same_as<V>;
                          };

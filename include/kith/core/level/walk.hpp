@@ -10,14 +10,14 @@ namespace kith {
 
 namespace detail {
 
-/// A step goes from element to element of a walk until it is done().
+/// A step: the position of a walk, which `advance` moves from element to element until it is done().
 template <walkable_level Level>
 struct fan_step {
     typename Level::corner_handle first;
     typename Level::corner_handle here = first;
 
-    // The innermost loop of most schemes: g++ makes a call of it in a rule that walks around a vertex in several
-    // places.
+    // This is the innermost loop of most schemes. Without the attribute g++ makes it a call in rules that walk around a
+    // vertex in several places.
     [[gnu::always_inline]] void advance(const Level& level)
     {
         here = level.across(level.prev(here));
@@ -61,7 +61,7 @@ struct spoke_step {
     }
 };
 
-/// The number of corners that all faces of a level have when it is known while compiling, else 0.
+/// The number of corners of every face of a level if it is known at compile time, else 0.
 template <walkable_level Level>
 inline constexpr std::size_t degree_of_all_faces = 0;
 template <walkable_level Level>
@@ -82,7 +82,7 @@ struct face_step {
     [[nodiscard]] bool done() const { return here == Level::no_corner; }
     [[nodiscard]] corner<Level> get(const Level& level) const { return {level, here}; }
 };
-/// Counts, so that the loop over a face is unrolled.
+/// A step that counts, so that the loop over a face is unrolled.
 template <walkable_level Level>
     requires(degree_of_all_faces<Level> != 0)
 struct face_step<Level> {
@@ -138,7 +138,7 @@ struct identity {
 
 } // namespace detail
 
-/// A lazy range over neighbouring elements: a step and a map, no storage.
+/// A lazy range over neighbouring elements: it consists of a step and a map, and stores no elements.
 template <walkable_level Level, class Step, class Map>
 class mapped_walk {
 public:
@@ -168,14 +168,14 @@ public:
     [[nodiscard]] iterator begin() const { return *this; }
     [[nodiscard]] sentinel end() const { return {}; }
 
-    /// The same walk with `f` applied to what it gives.
+    /// Returns the same walk with `f` applied to each of its elements.
     template <class F>
     [[nodiscard]] auto map(F f) const
     {
         return kith::mapped_walk(*level_, step_, [f, map = map_](const auto& x) { return f(map(x)); });
     }
 
-    /// The same walk without what `keep` refuses.
+    /// Returns the walk over those elements for which `keep` is true.
     template <class Keep>
     [[nodiscard]] auto only(Keep keep) const
     {
@@ -191,7 +191,7 @@ private:
     [[no_unique_address]] Map map_;
 };
 
-/// A walk that gives what its step gives.
+/// A walk over the elements that its step returns.
 template <walkable_level Level, class Step>
 class walk : public mapped_walk<Level, Step, detail::identity> {
 public:

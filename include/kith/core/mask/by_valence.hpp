@@ -13,7 +13,8 @@
 
 namespace kith {
 
-/// Weights by valence, computed once per step for the valences that meshes have, on the spot for the rare others.
+/// The weights of a rule by valence. They are computed once per step for all valences up to `longest_row`, and on
+/// demand for the rare larger ones.
 template <weight_number Scalar>
 class weights_by_valence {
 public:
@@ -23,7 +24,7 @@ public:
             table_[n] = Scalar(weight_(n));
     }
 
-    /// Precondition: n > 0.
+    /// Returns the weight for valence n. Precondition: n > 0.
     [[nodiscard]] Scalar operator()(std::size_t n) const
     {
         if (n < table_.size()) [[likely]]
@@ -32,23 +33,23 @@ public:
     }
 
 private:
-    // Pure: a loop need not read anew what it knows after a call.
+    // The function is pure, so that a loop need not read again after a call what it has read before.
     [[nodiscard, gnu::cold, gnu::noinline, gnu::pure]] Scalar rare(std::size_t n) const { return Scalar(weight_(n)); }
 
     std::function<double(std::size_t)> weight_;
     std::array<Scalar, longest_row + 1> table_{};
 };
 
-/// A weight that depends on a valence, in the scalar type of a refinement: `by_valence(r, [](std::size_t n) { return
-/// ...; })`.
+/// Returns the weights by valence in the scalar type of a refinement:
+/// `by_valence(r, [](std::size_t n) { return ...; })`.
 template <has_scalar Refinement>
 [[nodiscard]] auto by_valence(const Refinement&, std::function<double(std::size_t)> weight)
 {
     return weights_by_valence<typename Refinement::scalar>(std::move(weight));
 }
 
-/// Rows of weights by valence, for masks whose weights differ around a ring: each is computed when it is asked for
-/// first.
+/// The rows of weights by valence, for masks whose weights differ around a ring. Each row is computed when it is needed
+/// for the first time.
 template <weight_number Scalar>
 class rows_by_valence {
 public:
@@ -56,7 +57,7 @@ public:
 
     explicit rows_by_valence(row_function row) : row_(std::move(row)) {}
 
-    /// The row for valence n, as long as the row function makes it. May be called by several threads at once.
+    /// Returns the row for valence n, as long as the row function makes it. Several threads may call it at once.
     /// Precondition: 0 < n <= longest_row.
     [[nodiscard]] const Scalar* operator()(std::size_t n) const
     {

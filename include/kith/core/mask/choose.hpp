@@ -8,7 +8,8 @@
 
 namespace kith {
 
-/// One of two masks, told by running: each is a function, so that only the one that is taken has to exist.
+/// A mask that is one of two masks, chosen at run time. Each is given by a function, so that only the chosen mask has
+/// to exist.
 template <class Then, class Else>
 struct mask_choice : mask_base {
     bool condition;
@@ -29,7 +30,8 @@ struct mask_choice : mask_base {
     }
 };
 
-/// The mask that `then` or `otherwise` gives; only that one is called, when the mask is evaluated.
+/// Returns the mask of `then` if the condition is true, else the mask of `otherwise`. Only the chosen function is
+/// called, when the mask is evaluated.
 template <class Then, class Else>
     requires mask<std::invoke_result_t<Then>> and mask<std::invoke_result_t<Else>>
 [[nodiscard]] auto choose(bool condition, Then then, Else otherwise)

@@ -9,17 +9,18 @@
 
 namespace kith {
 
-/// The hash algebra: a value is the 64-bit hash of its operands and weights, in their order. A scheme evaluated over
-/// hashes proves more than one evaluated over points: equal hashes mean the same operands with the same weights in the
-/// same order, where equal coordinates may be luck (symmetric input, a + b = b + a).
+/// The 64-bit hash of operands and weights in their order; masks over such values form the hash algebra. Evaluating a
+/// scheme over hashes proves more than evaluating it over points. Equal hashes mean the same operands with the same
+/// weights in the same order. Equal coordinates may be luck (symmetric input, a + b = b + a).
 struct hash_value {
     std::uint64_t bits = 0;
 
     friend constexpr auto operator<=>(const hash_value&, const hash_value&) = default;
 };
 
-/// A bijection of 64-bit words in which every bit of the input moves every bit of the output: two rounds of
-/// multiply and fold, as in Steele, Lea & Flood 2014, "Fast splittable pseudorandom number generators", section 4.
+/// Maps 64-bit words one to one, so that every bit of the input changes every bit of the output. It uses two rounds of
+/// multiplying and folding, as in Steele, Lea & Flood 2014, "Fast splittable pseudorandom number generators",
+/// section 4.
 constexpr std::uint64_t mix_bits(std::uint64_t x)
 {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;

@@ -14,13 +14,13 @@
 namespace kith {
 
 /// A mask is a lazy affine combination: `0.375 * (a + b) + 0.125 * (c + d)`, `average(f.vertices())`. Nothing is
-/// computed or allocated until it is assigned; what it is evaluated over (points, stencil rows, hashes, any type with
-/// an `affine`) is decided there. The operands are vertices of the coarse level and associations that name vertices of
-/// the fine level. Its order of operations is the order in the text, so equal texts give equal bits.
+/// computed or allocated until it is assigned. The assignment decides over which values it is evaluated: points,
+/// stencil rows, hashes, any type with an `affine`. The operands are vertices of the coarse level and associations that
+/// name vertices of the fine level. The order of operations is that of the text, so equal texts give equal bits.
 template <class T>
 concept mask = std::derived_from<std::remove_cvref_t<T>, mask_base>;
 
-/// What gives masks one after the other: the vertices of a face, the neighbours of a vertex.
+/// A range of masks, such as the vertices of a face or the neighbours of a vertex.
 template <class R>
 concept mask_range = requires(const R& range) {
     { *range.begin() } -> mask;
@@ -29,7 +29,7 @@ concept mask_range = requires(const R& range) {
 
 namespace diagnostics {
 
-/// In place of a mask that is none.
+/// A placeholder for an expression that is not a valid mask.
 struct any_mask : mask_base {
     template <value_space Values>
     [[nodiscard]] typename Values::sum evaluate(const Values&) const
@@ -38,12 +38,13 @@ struct any_mask : mask_base {
     }
 };
 
-/// A point that its own library does not add, so that a sum of such points is meant to be a mask.
+/// A point type whose own library does not define a sum, so that a sum of these points is meant to be a mask.
 template <class T>
 concept point_without_sum = not mask<T> and not std::is_arithmetic_v<T> and affine_value<T> and
                             not requires(const T& a) { a + a; };
 
-/// Masks, elements and ranges of them, so that functions of others with the same names are left alone.
+/// A mask or an element; `of_meshes` adds their ranges. The constraint leaves functions of other libraries with the
+/// same names alone.
 template <class T>
 concept of_a_mesh = mask<T> or requires { typename T::handle_type; };
 template <class T>
@@ -53,21 +54,23 @@ concept of_meshes = of_a_mesh<T> or requires(const T& range) {
 
 } // namespace diagnostics
 
-/// What has masks evaluated over values that it knows: an association space.
+/// An evaluator of masks over values that it knows, such as an association space.
 template <class S>
 concept mask_evaluator = requires(const S& space, const diagnostics::any_mask& mask) {
     requires weight_number<typename S::scalar> and std::copyable<typename S::sum>; // of its values
     { space.evaluate(mask) } -> std::convertible_to<typename S::sum>;              // of any mask
 };
 
-/// Masks are added, subtracted, and scaled by numbers; nothing is computed before they are evaluated. Cost: O(1).
+/// Returns the mask a + b. Masks can be added, subtracted and scaled by numbers; nothing is computed until they are
+/// evaluated. Cost: O(1).
 template <mask A, mask B>
 [[nodiscard]] auto operator+(const A& a, const B& b)
 {
     return mask_operation<A, B, sum_of_two>(a, b);
 }
 
-/// The weight, a number or what becomes one in the scalar type of the values, stands on the left.
+/// Returns the mask `weight` times a. The weight is a number, or converts to the scalar type of the values; it stands
+/// on the left.
 template <class Weight, mask A>
     requires(not mask<Weight>)
 [[nodiscard]] auto operator*(const Weight& weight, const A& a)
@@ -75,7 +78,7 @@ template <class Weight, mask A>
     return mask_operation<A, Weight, weighted_mask>(a, weight);
 }
 
-/// Refused: no product of masks is affine, and a weight on the right is to stand on the left.
+/// Reports an error at compile time: a product of masks is not affine, and a weight has to stand on the left.
 template <mask A, class B>
 [[nodiscard]] auto operator*(const A& a, const B&)
 {
@@ -83,21 +86,21 @@ template <mask A, class B>
     return a;
 }
 
-/// a times 1/n, which is formed in the scalar type of the values.
+/// Returns the mask a times 1/n, where 1/n is computed in the scalar type of the values.
 template <mask A>
 [[nodiscard]] auto operator/(const A& a, double n)
 {
     return mask_operation<A, one_over, weighted_mask>(a, one_over{n});
 }
 
-/// a + (-1) b.
+/// Returns the mask a + (-1) b.
 template <mask A, mask B>
 [[nodiscard]] auto operator-(const A& a, const B& b)
 {
     return a + -1. * b;
 }
 
-/// a + b + c + ...
+/// Returns the mask a + b + c + ..., or the sum of the masks in a range.
 template <mask A>
 [[nodiscard]] const A& sum(const A& a)
 {
@@ -114,46 +117,46 @@ template <mask_range Range>
     return mask_range_sum<Range>(range);
 }
 
-/// The i-th operand times weights[i]; the weights must outlive the mask.
+/// Returns the sum over the operands, the i-th times weights[i]. The weights must outlive the mask.
 template <mask_range Range, class Weight>
 [[nodiscard]] auto sum(const Range& range, const Weight* weights)
 {
     const auto weight_of = [weights](std::size_t i) { return weights[i]; };
     return mask_operation<Range, decltype(weight_of), weighted_operands>(range, weight_of);
 }
-/// The i-th operand times weight_of(i).
+/// Returns the sum over the operands, the i-th times weight_of(i).
 template <mask_range Range, std::invocable<std::size_t> WeightOf>
 [[nodiscard]] auto sum(const Range& range, const WeightOf& weight_of)
 {
     return mask_operation<Range, WeightOf, weighted_operands>(range, weight_of);
 }
-/// The sum over a list of pairs (operand, weight); the list must outlive the mask.
+/// Returns the weighted sum over a list of pairs (operand, weight). The list must outlive the mask.
 template <class List>
 [[nodiscard]] auto weighted(const List& list)
 {
     return mask_list_sum<List>(list);
 }
 
-/// formula(n, center, sum) where `sum` is that of a range of n operands: the formula of a paper for the new place of a
-/// vertex,
+/// Returns the mask formula(n, center, sum), where `sum` is the sum of a ring of n operands. The formula is that of a
+/// paper for the new place of a vertex:
 ///
 ///   around(v, ring, [](auto n, auto v, auto sum) { return (n - 2) / n * v + 1 / (n * n) * sum; })
 ///
-/// n is in the scalar type of the evaluation, so that the weights are, too.
+/// n has the scalar type of the evaluation, and so have the weights.
 template <mask Center, mask_range Range, class Formula>
 [[nodiscard]] auto around(const Center& center, const Range& ring, const Formula& formula)
 {
     return mask_ring<Center, Range, no_weights, Formula>(center, ring, nullptr, formula);
 }
-/// The same for formulas with a weight that depends on n: formula(n, w, center, sum) where w is weights(n), such as
-/// those of by_valence. They must outlive the mask.
+/// Returns the mask formula(n, w, center, sum), where w is weights(n), a weight that depends on n, such as one of
+/// by_valence. The weights must outlive the mask.
 template <mask Center, mask_range Range, std::invocable<std::size_t> Weights, class Formula>
 [[nodiscard]] auto around(const Center& center, const Range& ring, const Weights& weights, const Formula& formula)
 {
     return mask_ring<Center, Range, Weights, Formula>(center, ring, &weights, formula);
 }
 
-/// The mean of the operands, with weight 1/n each.
+/// Returns the mean of the operands, each with weight 1/n.
 template <mask A, mask B, mask... More>
 [[nodiscard]] auto average(const A& a, const B& b, const More&... more)
 {
@@ -165,7 +168,7 @@ template <mask_range Range>
     return mask_average<Range>(range);
 }
 
-// Mistakes, each told in one sentence.
+// The overloads below report mistakes at compile time, each with one message.
 
 template <mask A>
 [[nodiscard]] auto average(const A& a)

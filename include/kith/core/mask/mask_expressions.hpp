@@ -7,15 +7,15 @@
 #include <cstddef>
 #include <utility>
 
-/// What masks are made of: one type for each way to combine operands, which the functions of mask.hpp make. Each is
-/// evaluated over `Values`, which says what an operand comes to and how such sums are added and scaled. They have
-/// constructors: g++ 12 copies aggregates as memory, and a step takes 1.8 times as long.
+/// The expression types of masks: one type for each way to combine operands, made by the functions of mask.hpp. Each is
+/// evaluated over `Values`, which defines the value of an operand and how values are added and scaled. The types have
+/// constructors: g++ 12 copies aggregates through memory, so that a step would take 1.8 times as long.
 namespace kith {
 
-/// What all masks derive from.
+/// The base class of all masks.
 struct mask_base {};
 
-/// What an operation makes of a and b.
+/// The mask that an operation forms from a and b.
 template <class A, class B, class Operation>
 struct mask_operation : mask_base {
     A a;
@@ -30,7 +30,7 @@ struct mask_operation : mask_base {
     }
 };
 
-/// The sum of two masks.
+/// The operation that adds two masks.
 struct sum_of_two {
     template <value_space Values, class A, class B>
     [[nodiscard]] static typename Values::sum evaluate(const Values& values, const A& a, const B& b)
@@ -46,7 +46,8 @@ struct one_over {
     double n;
 };
 
-/// A weight in the scalar type of an evaluation. There 1/n is formed, so that it is exact over exact numbers.
+/// Returns a weight in the scalar type of an evaluation. The quotient 1/n is computed in that type, so that it is exact
+/// over exact numbers.
 template <class Scalar, class Weight>
 [[nodiscard]] Scalar weight_as(const Weight& weight)
 {
@@ -58,7 +59,7 @@ template <class Scalar>
     return Scalar(1) / Scalar(weight.n);
 }
 
-/// The weight times a mask.
+/// The operation that multiplies a mask by a weight.
 struct weighted_mask {
     template <value_space Values, class Mask, class Weight>
     [[nodiscard]] static typename Values::sum evaluate(const Values& values, const Mask& mask, const Weight& weight)
@@ -69,7 +70,7 @@ struct weighted_mask {
     }
 };
 
-/// The sum over a range; never empty, since no element of a mesh is without neighbours.
+/// The sum over a range. The range is never empty, since every element of a mesh has neighbours.
 template <class Range>
 struct mask_range_sum : mask_base {
     Range range;
@@ -94,7 +95,7 @@ struct mask_range_sum : mask_base {
     }
 };
 
-/// The sum over a range divided by the number of its operands; never empty.
+/// The sum over a range, divided by the number of its operands. The range is never empty.
 template <class Range>
 struct mask_average : mask_base {
     mask_range_sum<Range> total;
@@ -113,7 +114,7 @@ struct mask_average : mask_base {
 
 namespace detail {
 
-/// The sum of weight_of(entry) times the value of operand_of(entry) over a list, from the left.
+/// Returns the sum of weight_of(entry) times the value of operand_of(entry) over a list, added from the left.
 template <value_space Values, class List, class OperandOf, class WeightOf>
 [[nodiscard]] typename Values::sum sum_of_terms(const Values& values, const List& list, const OperandOf& operand_of,
                                                 const WeightOf& weight_of)
@@ -133,7 +134,7 @@ template <value_space Values, class List, class OperandOf, class WeightOf>
 
 } // namespace detail
 
-/// The sum of weight_of(i) times the i-th operand of a range.
+/// The operation that sums weight_of(i) times the i-th operand of a range.
 struct weighted_operands {
     template <value_space Values, class Range, class WeightOf>
     [[nodiscard]] static typename Values::sum evaluate(const Values& values, const Range& range,
@@ -166,7 +167,7 @@ struct mask_list_sum : mask_base {
     }
 };
 
-/// A sum that is there already, as an operand.
+/// A mask with a sum that is already computed, for use as an operand. The sum must outlive the mask.
 template <class Sum>
 struct mask_of_sum : mask_base {
     const Sum* total;
@@ -180,10 +181,11 @@ struct mask_of_sum : mask_base {
     }
 };
 
-/// In place of weights that a formula does not ask for.
+/// A placeholder for weights that a formula does not use.
 struct no_weights {};
 
-/// A formula of a vertex and the sum around it, weighted by how many operands there are: the ring is walked once.
+/// The mask of a formula over a vertex and the sum of its ring, with weights by the number of operands. The ring is
+/// walked once.
 template <class Center, class Range, class Weights, class Formula>
 struct mask_ring : mask_base {
     Center center;

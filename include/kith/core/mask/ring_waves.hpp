@@ -15,18 +15,18 @@
 
 namespace kith {
 
-/// Rings of more operands than this are summed by their waves: a new point for each of n operands with n weights each
-/// would be O(n^2). Up to here a point is the sum of its operands with its row of weights.
+/// The largest number of operands of a ring that is summed with one row of weights per new point. For n operands with n
+/// new points this takes O(n^2), so larger rings are summed by their waves.
 inline constexpr std::size_t longest_row = 64;
 
-/// The weights around a ring of n operands that have waves no shorter than half the ring: that of the operand at the
-/// angle t from the new point is (x0 + 2 Re(x1 exp(-it)) + 2 Re(x2 exp(-2it)))/n; with real numbers
-/// (x0 + 2 x1 cos t + 2 x2 cos 2t)/n. Such a matrix of weights is a circulant.
+/// The weights around a ring of n operands as a sum of waves, the shortest of half a ring. The operand at angle t from
+/// the new point has the weight (x0 + 2 Re(x1 exp(-it)) + 2 Re(x2 exp(-2it)))/n. For real x1 and x2 this is
+/// (x0 + 2 x1 cos t + 2 x2 cos 2t)/n. The matrix of these weights is a circulant.
 struct wave_kernel {
     double x0;
     std::complex<double> x1, x2;
 
-    /// The weight of the operand that lies so many halves of 1/n of a turn from the new point.
+    /// Returns the weight of the operand at `half_steps` times half of 1/n of a turn from the new point.
     [[nodiscard]] constexpr double at(std::int64_t half_steps, std::size_t n) const
     {
         const auto wave = [&](const std::complex<double>& x, std::int64_t k) {
@@ -35,7 +35,8 @@ struct wave_kernel {
         };
         return (x0 + wave(x1, 1) + wave(x2, 2)) / double(n);
     }
-    /// The weights of all operands, the first of which lies so many halves of 1/n of a turn from the new point.
+    /// Returns the weights of all operands, the first of which lies `half_steps` times half of 1/n of a turn from the
+    /// new point.
     [[nodiscard]] std::vector<double> row(std::int64_t half_steps, std::size_t n) const
     {
         std::vector<double> weights;
@@ -45,7 +46,7 @@ struct wave_kernel {
     }
 };
 
-/// Values that are there already, with a weight each. They must outlive the mask.
+/// The weighted sum of values that are already computed. The values must outlive the mask.
 template <class Sum, class Scalar, std::size_t N>
 struct mask_of_values : mask_base {
     const std::array<Sum, N>* values_of_ring;
@@ -71,18 +72,18 @@ struct mask_of_values : mask_base {
     }
 };
 
-/// A ring of operands as its sum and its first waves, sum p_j cos(k t_j) and sum p_j sin(k t_j) with t_j = 2 pi j/n and
-/// k = 1 to Waves: what all masks with a wave_kernel over the ring have in common. Cost: O(n), each mask
-/// O(1).
+/// The sum of a ring of operands p_j and its first waves: sum p_j cos(k t_j) and sum p_j sin(k t_j), where t_j = 2 pi
+/// j/n and k = 1 to Waves. All masks with a wave_kernel over the ring share these values. Cost: O(n), and O(1) for each
+/// mask.
 template <mask_evaluator Space, std::size_t Waves>
-    requires(Waves <= 2) // a wave_kernel has no more
+    requires(Waves <= 2) // a wave_kernel has no more waves
 class ring_waves {
 public:
     using sum_type = typename Space::sum;
     using scalar = typename Space::scalar;
     static constexpr std::size_t size = 1 + 2 * Waves;
 
-    /// Of the n operands of a ring, counter-clockwise.
+    /// Computes the waves of the n operands of a ring, which are counter-clockwise.
     template <mask_range Ring>
     ring_waves(const Space& assoc, const Ring& ring, std::size_t n) : n_(n)
     {
@@ -97,8 +98,8 @@ public:
     [[nodiscard]] std::size_t operands() const { return n_; }
     [[nodiscard]] const std::array<sum_type, size>& values() const { return values_; }
 
-    /// The weights of values() that make `total` times the mask of a new point, which lies so many halves of 1/n of a
-    /// turn from the first operand. The part x0 is formed in the scalar type of the evaluation.
+    /// Returns the weights of values() for `total` times the mask of a new point. The point lies `half_steps` times
+    /// half of 1/n of a turn from the first operand. The part x0 is computed in the scalar type of the evaluation.
     [[nodiscard, gnu::noinline]] std::array<scalar, size> weights(const wave_kernel& kernel, std::int64_t half_steps,
                                                                   double total = 1) const
     {
@@ -113,15 +114,15 @@ public:
         }
         return result;
     }
-    /// The mask of a new point. This object must outlive it.
+    /// Returns the mask of a new point. This object must outlive the mask.
     [[nodiscard]] auto mask(const wave_kernel& kernel, std::int64_t half_steps) const
     {
         return mask_of_values<sum_type, scalar, size>(values_, weights(kernel, half_steps));
     }
 
 private:
-    /// Weights that are rounded have a sum that is not quite zero; it is taken off them, so that masks sum to what they
-    /// should, exactly so over exact numbers.
+    /// Returns a wave of a ring. The sum of the rounded weights is not quite zero, so the excess is subtracted from
+    /// them. Then the weights of each mask have the correct sum, exactly so over exact numbers.
     template <class Ring, class WeightOf>
     [[gnu::noinline]] sum_type wave(const Space& assoc, const Ring& ring, const WeightOf& weight_of) const
     {

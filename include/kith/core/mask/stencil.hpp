@@ -16,8 +16,8 @@
 
 namespace kith {
 
-/// A point as the weights of the vertices of an earlier level, by increasing vertex number: a row of the subdivision
-/// matrix. A scheme evaluated over rows gives the matrix.
+/// The weights of the vertices of an earlier level that give a point, by increasing vertex number: a row of the
+/// subdivision matrix. A scheme evaluated over rows gives the matrix.
 struct stencil_row {
     std::vector<std::pair<std::size_t, double>> entries;
 
@@ -56,7 +56,7 @@ struct affine<stencil_row> {
     }
 };
 
-/// An entry of a matrix, as other libraries take them in any order: the weight of point `column` in point `row`.
+/// An entry of a sparse matrix, which other libraries accept in any order: the weight of point `column` in point `row`.
 struct matrix_entry {
     std::size_t row, column;
     double weight;
@@ -64,9 +64,9 @@ struct matrix_entry {
     friend bool operator==(const matrix_entry&, const matrix_entry&) = default;
 };
 
-/// A subdivision matrix in compressed rows: point i of the finer level is the sum over k in [row_start[i],
-/// row_start[i+1]) of weight[k] times point column[k] of the coarser one. Its numbers are signed as those of other
-/// libraries are, so that these look at the same arrays: kith/eigen.hpp, or SciPy's csr_matrix.
+/// The subdivision matrix in compressed rows. Point i of the finer level is the sum over k in [row_start[i],
+/// row_start[i+1]) of weight[k] times point column[k] of the coarser level. The indices are signed as in other
+/// libraries, so that these can use the same arrays: kith/eigen.hpp, or SciPy's csr_matrix.
 struct subdivision_matrix {
     using index_type = std::ptrdiff_t;
 
@@ -77,10 +77,10 @@ struct subdivision_matrix {
 
     [[nodiscard]] std::size_t rows() const { return row_start.size() - 1; }
 
-    /// Where row i begins, in `column` and `weight`; row i+1 begins where it ends.
+    /// Returns the position in `column` and `weight` where row i begins, and row i-1 ends.
     [[nodiscard]] std::size_t begin_of_row(std::size_t i) const { return std::size_t(row_start[i]); }
 
-    /// All entries, row by row. Cost: O(entries).
+    /// Returns all entries, row by row. Cost: O(entries).
     [[nodiscard]] std::vector<matrix_entry> triplets() const
     {
         std::vector<matrix_entry> result;
@@ -91,8 +91,9 @@ struct subdivision_matrix {
         return result;
     }
 
-    /// Any values of the coarser level, one per vertex, carried to the finer one; by a row without entries T(), zero
-    /// where that is left open. On the threads of OpenMP where values are plain bytes.
+    /// Returns values at the vertices of the finer level, computed from one value per vertex of the coarser level. A
+    /// row without entries gives T(), or zero where T() leaves memory uninitialised. Runs on the threads of OpenMP if
+    /// values are trivially copyable.
     /// Errors: mesh_error unless there are `columns` values. Cost: O(entries).
     template <affine_value T>
     [[nodiscard]] std::vector<T> apply(std::span<const T> values) const
@@ -106,7 +107,7 @@ struct subdivision_matrix {
             traits::scale(result, static_cast<typename traits::scalar>(weight[k]));
             return result;
         };
-        static const T nothing = T(); // what is static is cleared before it is constructed
+        static const T nothing = T(); // static memory is cleared before construction
         std::vector<T> result(rows());
         detail::for_parts(rows(), std::is_trivially_copyable_v<T>, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
@@ -130,7 +131,7 @@ struct subdivision_matrix {
         return apply(std::span<const std::ranges::range_value_t<Values>>(values));
     }
 
-    /// Restriction to its prolongation. Cost: O(entries).
+    /// Returns the transposed matrix: the restriction that belongs to this prolongation. Cost: O(entries).
     [[nodiscard]] subdivision_matrix transposed() const
     {
         subdivision_matrix result;
@@ -155,7 +156,7 @@ struct subdivision_matrix {
     friend bool operator==(const subdivision_matrix&, const subdivision_matrix&) = default;
 };
 
-/// The rows of the identity: every vertex is itself.
+/// Returns the rows of the identity matrix: each vertex is itself with weight 1.
 inline std::vector<stencil_row> unit_rows(std::size_t vertices)
 {
     std::vector<stencil_row> result(vertices);
@@ -164,7 +165,7 @@ inline std::vector<stencil_row> unit_rows(std::size_t vertices)
     return result;
 }
 
-/// Rows as a matrix over `columns` coarse elements.
+/// Returns the rows as a matrix over `columns` coarse elements.
 inline subdivision_matrix make_matrix(std::span<const stencil_row> rows, std::size_t columns)
 {
     subdivision_matrix result;

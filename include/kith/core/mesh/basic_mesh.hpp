@@ -23,8 +23,9 @@
 
 namespace kith {
 
-/// kith's own mesh: points and connectivity, structure of arrays. Made from face lists by `make_mesh`, by refining,
-/// or by `to_native` from any other mesh. Cheap to move, deep to copy, never changed by the library once it is made.
+/// The native mesh of kith: points and connectivity as a structure of arrays. It is made from face lists by
+/// `make_mesh`, by refining, or by `to_native` from any other mesh. It is cheap to move, deep to copy, and never
+/// changed by the library once it is made.
 template <class Point = std::array<double, 3>, std::unsigned_integral Index = std::uint32_t>
 class basic_mesh {
 public:
@@ -32,7 +33,8 @@ public:
     using index_type = Index;
 
     basic_mesh() = default;
-    /// Preconditions: the arrays belong together; `make_mesh` is the function that checks.
+    /// Takes the arrays of a mesh. Precondition: the arrays belong together; `make_mesh` is the function that checks
+    /// them.
     basic_mesh(storage<Point> points, connectivity<Index> topology, int generation = 0)
         : points_(std::move(points)), topology_(std::move(topology)), generation_(generation)
     {
@@ -47,21 +49,21 @@ public:
     [[nodiscard]] std::span<Point> points() { return {points_.data(), points_.size()}; }
     [[nodiscard]] const Point& point(std::size_t vertex) const { return points_[vertex]; }
 
-    /// The vertices of a face, counter-clockwise.
+    /// Returns the vertices of a face, counter-clockwise.
     [[nodiscard]] std::span<const Index> face(std::size_t face) const
     {
         const std::size_t first = topology_.first_corner(face), end = topology_.first_corner(face + 1);
         return {topology_.corner_vertex.data() + first, end - first};
     }
 
-    /// Returns the faces as a list: a range of what face(i) returns.
+    /// Returns the faces as a range; its elements are those that face(i) returns.
     [[nodiscard]] auto faces() const
     {
         return std::views::iota(std::size_t(0), face_count()) |
                std::views::transform([this](std::size_t i) { return face(i); });
     }
-    /// Returns the faces in a type of the caller's: faces_as<std::array<int, 4>>(), faces_as<std::vector<int>>().
-    /// Errors: mesh_error for a face that an array has no room for, or too much.
+    /// Returns the faces in a type of the caller: faces_as<std::array<int, 4>>(), faces_as<std::vector<int>>().
+    /// Errors: mesh_error for a face whose degree differs from the size of an array.
     template <class Face>
     [[nodiscard]] std::vector<Face> faces_as() const
     {
@@ -83,7 +85,8 @@ public:
     }
 
     [[nodiscard]] const connectivity<Index>& topology() const { return topology_; }
-    /// Subdivision steps since the control mesh: sqrt(3) refines its boundary at every second one.
+    /// Returns the number of subdivision steps since the control mesh. Sqrt(3) needs it, since it refines its boundary
+    /// in every second step.
     [[nodiscard]] int generation() const { return generation_; }
 
 private:
@@ -92,7 +95,7 @@ private:
     int generation_ = 0;
 };
 
-/// An element of a basic_mesh, by number.
+/// The handle of an element of a basic_mesh: its number.
 template <class Kind, std::unsigned_integral Index>
 struct element_id {
     Index value = std::numeric_limits<Index>::max();
@@ -134,7 +137,8 @@ struct mesh_traits<basic_mesh<Point, Index>> {
     }
     static edge edge_of(const mesh_type&, halfedge h) { return {Index(h.value / 2)}; }
     static face face_of(const mesh_type& m, halfedge h) { return {m.topology().face_of(corner(m, h))}; }
-    /// Of a vertex that starts at no corner of the mesh, it is no half-edge of the mesh either.
+    /// Returns the half-edge at which a vertex starts. If the vertex starts at no corner of the mesh, the result is no
+    /// half-edge of the mesh either.
     static halfedge halfedge_of(const mesh_type& m, vertex v)
     {
         const Index start = m.topology().vertex_corner[v.value];

@@ -19,14 +19,15 @@
 
 namespace kith::detail {
 
-/// Connectivity that is read from another library's mesh, and what is seen on the way of whether it is one.
+/// The connectivity that is read from a mesh of another library, and the checks that it is valid.
 template <std::unsigned_integral Index>
 class read_connectivity {
 protected:
-    /// Whether the mesh may be read by several threads.
+    /// Begins with empty arrays. `parallel` says if several threads may read the mesh.
     explicit read_connectivity(bool parallel) : parallel_(parallel) {}
 
-    /// Calls good(i) for all i below size, on all threads; whether it always held.
+    /// Calls good(i) for all i below `size`, on all threads. Returns true if all calls returned true; stops early if
+    /// not.
     template <class Good>
     bool all(std::size_t size, const Good& good) const
     {
@@ -40,13 +41,14 @@ protected:
         });
         return result;
     }
-    /// Allocates the arrays for so many corners and edges; false if no manifold has them.
+    /// Allocates the arrays for these numbers of corners and edges. Returns false if no manifold has them.
     bool make_corners(std::size_t corners, std::size_t edges);
     [[nodiscard]] bool comes_to_no_vertex_twice(std::size_t first, std::size_t end) const;
-    /// Every half-edge belongs to one corner at most, and every edge has a face.
+    /// Returns true if every half-edge belongs to at most one corner, and every edge has a face.
     [[nodiscard]] bool sides_are_joined(std::size_t edges) const;
-    /// Lets fans start where they should: inside where they are told, at the boundary where nothing lies clockwise. In
-    /// the order of the faces, since their neighbours lie close together.
+    /// Sets the start of each fan: at the boundary the corner without a neighbour clockwise, inside the start that was
+    /// read. Returns true if each vertex has one fan. The loop is in the order of the faces, since their neighbours lie
+    /// close together.
     bool each_vertex_has_one_fan();
     static void store(Index& place, Index value) { std::atomic_ref(place).store(value, std::memory_order_relaxed); }
 
@@ -107,7 +109,7 @@ bool read_connectivity<Index>::each_vertex_has_one_fan()
             Index o = t_.next_in_fan(Index(c));
             for (; o != t_.none and o != c and t_.corner_vertex[o] == v; o = t_.next_in_fan(o))
                 ++met;
-            if (o == (at_boundary ? t_.none : Index(c))) { // else it is met where it starts, or is no fan of v
+            if (o == (at_boundary ? t_.none : Index(c))) { // else it is met from its start, or is no fan of v
                 ++count;
                 size += met;
             }
@@ -122,8 +124,8 @@ bool read_connectivity<Index>::each_vertex_has_one_fan()
 extern template class read_connectivity<std::uint32_t>;
 #endif
 
-/// Reads a mesh of another library into the native arrays in a few passes on all threads, and sees on the way whether
-/// anything is wrong with it. What is wrong, `validate` knows.
+/// A reader that copies a mesh of another library into native arrays in a few passes on all threads. While reading, it
+/// checks if the mesh is valid. If it is not, `validate` reports what is wrong.
 template <mesh M, class Point = typename mesh_traits<M>::point>
 class bulk_reader : read_connectivity<std::uint32_t> {
     using traits = mesh_traits<M>;
@@ -131,7 +133,7 @@ class bulk_reader : read_connectivity<std::uint32_t> {
     using halfedge = typename traits::halfedge;
 
 public:
-    /// Errors: mesh_error for more elements than can be numbered.
+    /// Takes a mesh and numbers its elements. Errors: mesh_error for more elements than can be numbered.
     explicit bulk_reader(const M& mesh)
         : read_connectivity(std::is_trivially_copyable_v<Point>)
         , mesh_(mesh)
@@ -141,8 +143,8 @@ public:
     {
     }
 
-    /// The native mesh with its elements, numbered, directed and started as they are there; nothing unless the mesh is
-    /// one that can be refined. Cost: O(elements).
+    /// Returns the native mesh with the same elements, or nothing if the mesh cannot be refined. Their numbers, the
+    /// directions of edges and the starts of faces and fans are the same. Cost: O(elements).
     [[nodiscard]] std::optional<basic_mesh<Point, index>> read(int generation)
     {
         t_.vertices = vertices_.size();
@@ -164,14 +166,15 @@ private:
             if (read_corners(t_.faces * degree))
                 return true;
         }
-        t_.degree = 0; // of some other face it is another one, or something is wrong
+        t_.degree = 0; // another face has another degree, or something is wrong
         t_.face_corner = storage<index>(t_.faces + 1);
         all(t_.faces, [this](std::size_t f) { return t_.face_corner[f + 1] = index(degree_of(f)), true; });
         const std::size_t corners = t_.sum_degrees(2 * edges_.size() + 1);
         t_.corner_face = storage<index>(corners);
         return read_corners(corners);
     }
-    /// One more than there are half-edges for faces whose sides do not come back to the first.
+    /// Returns the degree of a face. For a face whose sides do not come back to the first, it is the number of
+    /// half-edges plus one.
     [[nodiscard]] std::size_t degree_of(std::size_t f) const
     {
         std::size_t result = 0;
@@ -185,7 +188,7 @@ private:
         return all(t_.faces, [this](std::size_t f) {
             const std::size_t first = t_.first_corner(f), end = t_.first_corner(f + 1);
             const auto start = traits::halfedge_of(mesh_, faces_[f]);
-            if (not has_halfedge(mesh_, start)) // a face that was added alone
+            if (not has_halfedge(mesh_, start)) // a face that was added without half-edges
                 return false;
             auto h = start;
             for (std::size_t c = first; c < end; ++c) {
@@ -193,7 +196,7 @@ private:
                     return false;
                 const auto along = traits::edge_of(mesh_, h);
                 const std::size_t e = edges_.number(mesh_, along);
-                if (e >= edges_.size()) // it has been removed, or leads nowhere
+                if (e >= edges_.size()) // the edge was removed or does not exist
                     return false;
                 const std::size_t number = 2 * e + side_of(h, along);
                 const auto from = traits::source(mesh_, h);
@@ -202,7 +205,7 @@ private:
                     return false;
                 t_.corner_vertex[c] = index(v);
                 t_.corner_halfedge[c] = index(number);
-                store(t_.halfedge_corner[number], index(c)); // faces of a bad mesh may share it
+                store(t_.halfedge_corner[number], index(c)); // in an invalid mesh several faces may share it
                 if (traits::halfedge_of(mesh_, from) == h)
                     store(t_.vertex_corner[v], index(c));
                 if (t_.degree == 0)
@@ -212,15 +215,16 @@ private:
             return h == start and end - first >= 3 and comes_to_no_vertex_twice(first, end);
         });
     }
-    /// 0 is the one that directs the edge and has a face.
+    /// Returns the side of an edge on which a half-edge lies. Side 0 is that of the half-edge that directs the edge, or
+    /// of the only one with a face.
     [[nodiscard]] std::size_t side_of(halfedge h, typename traits::edge e) const
     {
         const auto directs = traits::halfedge_of(mesh_, e);
         const bool is_first = (directs == h) != traits::is_boundary(mesh_, directs);
         return is_first ? 0 : 1;
     }
-    /// What no corner tells: a side of an edge that lies in no face says so, and a vertex whose half-edge lies in none
-    /// has one that leaves it all the same.
+    /// Checks what no corner shows. A side of an edge that lies in no face must be a boundary side. A vertex whose
+    /// half-edge lies in no face must still start at a half-edge that leaves it.
     [[nodiscard]] bool boundary_is_said() const
     {
         if (is_closed_)

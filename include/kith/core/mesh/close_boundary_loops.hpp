@@ -11,9 +11,9 @@
 
 namespace kith {
 
-/// The mesh with a cone of triangles over every boundary loop, so that schemes for closed meshes can refine a part of
-/// one: what does not reach as far as the cones is as in the whole. All elements keep their numbers, those of the cones
-/// come after them. Precondition: it has its edges. Cost: O(elements).
+/// Returns the mesh with a cone of triangles over every boundary loop, so that schemes for closed meshes can refine a
+/// part of a mesh. Elements out of reach of the cones are refined as in the whole mesh. All elements keep their
+/// numbers; those of the cones come after them. Precondition: the mesh has its edges. Cost: O(elements).
 template <class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> close_boundary_loops(const basic_mesh<Point, Index>& mesh)
 {
@@ -23,7 +23,7 @@ basic_mesh<Point, Index> close_boundary_loops(const basic_mesh<Point, Index>& me
     for (std::size_t e = 0; e < t.edges(); ++e)
         if (t.is_boundary(e))
             boundary.push_back(t.halfedge_corner[2 * e]);
-    std::vector<Index> leaving(mesh.vertex_count(), none); // per vertex: which boundary edge leaves it
+    std::vector<Index> leaving(mesh.vertex_count(), none); // per vertex: the boundary edge that leaves it
     for (std::size_t i = 0; i < boundary.size(); ++i)
         leaving[t.corner_vertex[boundary[i]]] = Index(i);
     const auto end_of = [&](std::size_t i) { return t.target(boundary[i]); };

@@ -5,7 +5,7 @@
 
 namespace kith {
 
-/// How much of a new level's connectivity is wanted: none (only values are computed), face-vertex lists, or all.
+/// The connectivity that is wanted of a new level: none (only values are computed), face-vertex lists, or everything.
 enum class connect : unsigned char { nothing, faces, everything };
 
 } // namespace kith

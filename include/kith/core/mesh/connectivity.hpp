@@ -15,14 +15,16 @@ namespace kith {
 
 namespace detail {
 
-/// Makes a branch of a choice, which it is not: fans look alike, so that the processor guesses right and does not wait
-/// for the remainder before it asks for what the corner leads to.
+/// Returns the condition, and claims that it is rarely true, so that the compiler makes a branch instead of a
+/// conditional move. The claim is false, but fans look alike, so the processor predicts the branch. It then loads the
+/// data of the next corner without waiting for the remainder.
 inline bool is_rare(bool condition)
 {
     return __builtin_expect_with_probability(condition, 0, 0.999) != 0;
 }
 
-/// The corner after c and the one before it in a face, where all faces have `degree` corners. 4 spares a division.
+/// Returns the corner after or before c in its face if all faces have `degree` corners. For degree 4 there is no
+/// division.
 template <std::unsigned_integral Index>
 Index next_of_alike(Index c, Index degree)
 {
@@ -42,8 +44,8 @@ Index prev_of_alike(Index c, Index degree)
 
 /// The connectivity of a mesh as flat arrays of indices, corner by corner.
 ///
-/// A *corner* is a vertex in a face; it stands for the half-edge that leaves the vertex inside the face, too. The
-/// corners of a face are contiguous and counter-clockwise. Half-edge 2e+s is side s of edge e; the side of a boundary
+/// A *corner* is a vertex in a face; it also stands for the half-edge that leaves the vertex inside the face. The
+/// corners of a face are contiguous and counter-clockwise. Half-edge 2e+s is side s of edge e. The side of a boundary
 /// edge that has no face is always side 1 and has no corner. Everything else is arithmetic on these arrays.
 template <std::unsigned_integral Index>
 struct connectivity {
@@ -51,17 +53,18 @@ struct connectivity {
 
     std::size_t vertices = 0;
     std::size_t faces = 0;
-    int degree = 0;                 ///< of all faces alike, 3 or 4; 0: mixed, see face_corner
+    int degree = 0;                 ///< of all faces, if it is 3 or 4; 0: mixed degrees, see face_corner
     storage<Index> corner_vertex;   ///< per corner
     storage<Index> corner_halfedge; ///< per corner: 2e+s
     storage<Index> halfedge_corner; ///< two per edge
-    storage<Index> vertex_corner;   ///< per vertex: where its fan starts; at the boundary the side without neighbour
+    storage<Index> vertex_corner;   ///< per vertex: where its fan starts; at the boundary, no face lies clockwise
     storage<Index> face_corner;     ///< mixed only, faces+1: the first corner of each face
-    storage<Index> corner_face;     ///< mixed only
+    storage<Index> corner_face;     ///< mixed only: the face of each corner
 
     [[nodiscard]] std::size_t corners() const { return corner_vertex.size(); }
     [[nodiscard]] std::size_t edges() const { return halfedge_corner.size() / 2; }
-    /// Face-vertex lists only: the last level of a refinement, unless more was asked for.
+    /// Returns true if there are face-vertex lists only, as in the last level of a refinement unless more was
+    /// requested.
     [[nodiscard]] bool faces_only() const { return corner_halfedge.empty() and corners() != 0; }
 
     [[nodiscard]] Index first_corner(std::size_t face) const
@@ -72,8 +75,8 @@ struct connectivity {
     {
         return degree != 0 ? Index(corner / Index(degree)) : corner_face[corner];
     }
-    // Where faces have several degrees it is seen at the corners whether two are of one face: its bounds would be one
-    // more read that misses the cache.
+    // With mixed degrees, corner_face tells if two corners belong to one face. The bounds of the face would be one more
+    // read that misses the cache.
     [[nodiscard]] Index next(Index corner) const
     {
         if (degree != 0)
@@ -91,25 +94,27 @@ struct connectivity {
                    ? before
                    : Index(face_corner[corner_face[corner] + 1] - 1);
     }
-    /// The corner of the same edge in the other face; none at the boundary.
+    /// Returns the corner of the same edge in the other face; none at the boundary.
     [[nodiscard]] Index across(Index corner) const { return halfedge_corner[corner_halfedge[corner] ^ 1]; }
-    /// The corner of the same vertex in the next face of its fan; none at its end.
+    /// Returns the corner of the same vertex in the next face of its fan; none at the end of the fan.
     [[nodiscard]] Index next_in_fan(Index corner) const { return across(prev(corner)); }
-    /// The vertex that a corner's half-edge leads to.
+    /// Returns the vertex that the half-edge of a corner leads to.
     [[nodiscard]] Index target(Index corner) const { return corner_vertex[next(corner)]; }
 
-    /// No edge has a side without a face, nor are there faces without edges. Cost: O(1).
+    /// Returns true if every side of every edge has a face. It is false if there are face-vertex lists only.
+    /// Cost: O(1).
     [[nodiscard]] bool is_closed() const { return corners() == 2 * edges(); }
     [[nodiscard]] bool is_boundary(std::size_t edge) const { return halfedge_corner[2 * edge + 1] == none; }
-    /// The vertices of an edge, as it is directed.
+    /// Returns the two vertices of an edge, in its direction.
     [[nodiscard]] std::array<Index, 2> ends(std::size_t edge) const
     {
         const Index corner = halfedge_corner[2 * edge];
         return {corner_vertex[corner], target(corner)};
     }
 
-    /// Room for the vertices of so many faces: all have `alike` corners or, where that is 0, each degree_of(f), asked
-    /// in their order, and then where each lies is filled in. Cost: O(faces), with several degrees O(corners).
+    /// Allocates the vertices of `count` faces, which all have `alike` corners. If `alike` is 0, degree_of(f) is the
+    /// number of corners of face f, and is called in the order of the faces. Then face_corner and corner_face are
+    /// filled in, too. Cost: O(faces), with mixed degrees O(corners).
     template <class DegreeOf>
     void allocate_faces(std::size_t count, int alike, DegreeOf degree_of)
     {
@@ -127,8 +132,8 @@ struct connectivity {
         }
         corner_vertex = storage<Index>(size);
     }
-    /// Makes the first corners of all faces, when face_corner[f + 1] is the degree of f; how many corners they have.
-    /// What comes to more than `most` is cut off there.
+    /// Computes the first corners of all faces from their degrees in face_corner[f + 1], and returns the number of
+    /// corners. Sums larger than `most` are set to `most`.
     std::size_t sum_degrees(std::size_t most = std::numeric_limits<std::size_t>::max())
     {
         std::size_t sum = 0;
@@ -137,7 +142,7 @@ struct connectivity {
             face_corner[f + 1] = Index(sum = std::min(sum + face_corner[f + 1], most));
         return sum;
     }
-    /// Room for so many edges, whose sides have no corners yet. Precondition: the faces are allocated.
+    /// Allocates `count` edges, whose sides have no corners yet. Precondition: the faces are allocated.
     void allocate_edges(std::size_t count)
     {
         corner_halfedge = storage<Index>(corners());
@@ -151,7 +156,7 @@ struct connectivity {
     }
 };
 
-/// Counts of a mesh, with the boundary classes. Cost: O(edges), of a closed mesh O(1).
+/// Returns the counts of a mesh, including those of boundary vertices. Cost: O(edges), for a closed mesh O(1).
 template <std::unsigned_integral Index>
 counts count(const connectivity<Index>& mesh)
 {

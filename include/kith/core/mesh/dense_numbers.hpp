@@ -13,7 +13,8 @@
 
 namespace kith {
 
-/// The elements of one kind of a mesh, numbered in its order without gaps: meshes may hold removed ones.
+/// The numbering of the elements of one kind of a mesh, in its order and without gaps, since meshes may hold removed
+/// elements.
 template <mesh M, class Handle>
 class dense_numbers {
     using traits = mesh_traits<M>;
@@ -22,8 +23,8 @@ public:
     using index_type = std::uint32_t;
     static constexpr index_type none = std::numeric_limits<index_type>::max();
 
-    /// `bound` is above all indices of the range. Errors: mesh_error for more elements than can be numbered. Cost:
-    /// O(bound).
+    /// Numbers the elements of a range; `bound` is larger than all their indices. Errors: mesh_error for more elements
+    /// than can be numbered. Cost: O(bound).
     template <class Range>
     dense_numbers(const M& mesh, Range range, std::size_t bound)
     {
@@ -45,13 +46,15 @@ public:
         else
             return kept_[i];
     }
-    /// Whether any handle, an invalid one or that of another mesh too, may be that of an element here.
+    /// Returns true if a handle may belong to an element here. Any handle may be given: an invalid one, or one of
+    /// another mesh.
     [[nodiscard]] bool has(const M& mesh, Handle x) const
     {
         const auto index = std::size_t(traits::index(mesh, x));
         return numbers_.empty() ? index < size_ : index < numbers_.size() and numbers_[index] != none;
     }
-    /// At least `size()` for handles that are not those of an element here, as those of removed ones.
+    /// Returns the number of an element. For a handle that belongs to no element here, such as a removed one, the
+    /// result is at least `size()`.
     [[nodiscard]] std::size_t number(const M& mesh, Handle x) const
     {
         const auto index = std::size_t(traits::index(mesh, x));
@@ -63,7 +66,8 @@ public:
 private:
     static constexpr bool can_be_made = requires(std::size_t i) { traits::template at<Handle>(i); };
 
-    /// Keeps the handles and, below the bound, their numbers. Ranges such as views::filter are no constant ones.
+    /// Keeps the handles and, for indices below the bound, their numbers. The range is not const, as ranges such as
+    /// views::filter cannot be iterated if const.
     template <class Range>
     [[gnu::noinline]] void keep(const M& mesh, Range& range, std::size_t bound)
     {
@@ -83,9 +87,10 @@ private:
     }
 
     std::size_t size_ = 0;
-    // The handles or, where the mesh makes them, their indices; none of these where there are no gaps, either.
+    // The handles, or their indices if handles can be made from these. Empty if there are no gaps and handles can be
+    // made.
     std::vector<std::conditional_t<can_be_made, index_type, Handle>> kept_;
-    std::vector<index_type> numbers_; // empty where there are no gaps
+    std::vector<index_type> numbers_; // empty if there are no gaps
 };
 
 } // namespace kith

@@ -20,7 +20,7 @@
 
 namespace kith {
 
-/// A mesh that is made in bulk and can be written by several threads; `mesh_traits` says what each line means.
+/// A mesh type that can be allocated at once and written by several threads; `mesh_traits` describes each line.
 template <class M, class T = mesh_traits<M>>
 concept fillable_mesh = mesh<M> and std::default_initializable<M> and
                         requires(M& m, std::size_t n, typename T::vertex v, typename T::face f,
@@ -38,7 +38,7 @@ concept fillable_mesh = mesh<M> and std::default_initializable<M> and
                             T::mark_odd_generation(m);
                         };
 
-/// The points of the native mesh that a mesh is lifted to, of which it can be made again.
+/// The point type of the native mesh into which a mesh is converted, and from which it can be made again.
 template <class M>
 struct lifted_point {
     using type = typename mesh_traits<M>::point;
@@ -46,9 +46,10 @@ struct lifted_point {
 template <fillable_mesh M>
 struct lifted_point<M> : native_point<typename mesh_traits<M>::point> {};
 
-/// A mesh of another library into which a level is written: its elements are numbered as they would be in a native
-/// mesh, and half-edge 2e+s is side s of edge e. What writes into it stays out of the loops, which have all else
-/// inlined: as fast, and without the assertions of the other library in every loop. Its points may be seen as arrays.
+/// A mesh of another library into which a level is written. Its elements are numbered as in a native mesh, and
+/// half-edge 2e+s is side s of edge e. The writing functions are called out of line, and all other code is inlined into
+/// the loops. This is as fast, and keeps the assertions of the other library out of the loops. Its points may be seen
+/// as arrays.
 template <fillable_mesh M, class Point>
     requires std::same_as<Point, typename mesh_traits<M>::point> or std::same_as<Point, typename lifted_point<M>::type>
 class foreign_level final : public level_writer<Point, std::uint32_t> {
@@ -59,7 +60,7 @@ class foreign_level final : public level_writer<Point, std::uint32_t> {
     using halfedge = typename traits::halfedge;
 
 public:
-    /// Precondition: the mesh is empty; it gets the attributes of `source`, if there is one.
+    /// Takes an empty mesh, which gets the attributes of `source` if there is one.
     explicit foreign_level(M& mesh, const M* source = nullptr) : mesh_(&mesh), source_(source) {}
 
     void make_room(std::size_t vertices, std::size_t edges, std::size_t faces, bool is_closed) override
@@ -74,16 +75,18 @@ public:
         traits::make_room(*mesh_, vertices, edges, faces);
     }
 
-    /// Its points, to be assigned; arrays only where that is what they are in memory, see array_point.
+    /// Returns the points of the mesh, to be assigned; as arrays only if that is their layout in memory, see
+    /// array_point.
     [[nodiscard]] Point* points() const override { return reinterpret_cast<Point*>(traits::points(*mesh_)); }
 
-    /// Lets the fan of a vertex start at a half-edge that leaves it; at the boundary `finish` turns it.
+    /// Sets the half-edge at which the fan of a vertex starts; it leaves the vertex. At the boundary `finish` changes
+    /// it.
     void set_start(index id, index leaving) override
     {
         traits::set_start(*mesh_, at<vertex>(id), at<halfedge>(leaving));
     }
 
-    /// Safe for different faces on several threads. Errors: those of `set_start`.
+    /// Writes faces of one degree. Safe for different faces on several threads. Errors: those of `set_start`.
     void set_faces(index first, std::size_t degree, std::span<const face_line<index>> lines) override
     {
         for (; not lines.empty(); lines = lines.subspan(degree), ++first) {
@@ -100,13 +103,13 @@ public:
         }
     }
 
-    /// When all faces are there: joins the sides that have none.
+    /// Joins the boundary sides. If there is a boundary, marks an odd generation. Precondition: all faces are written.
     void finish(int generation) override
     {
         if (is_closed_)
             return;
         close_boundary();
-        // Only a boundary between two steps of sqrt(3) or 4-8 needs this to be remembered.
+        // Only a boundary between two steps of sqrt(3) or 4-8 needs the parity of the generation.
         if (generation % 2 != 0)
             traits::mark_odd_generation(*mesh_);
     }
@@ -117,11 +120,11 @@ private:
     {
         return traits::template at<Handle>(number);
     }
-    /// Half-edges without a face run along the boundary the other way. Fans start where nothing lies clockwise: behind
-    /// the boundary edge that leaves the vertex.
+    /// Joins the half-edges without a face, which run along the boundary in the opposite direction. Each boundary fan
+    /// starts at the corner without a neighbour clockwise: at the boundary edge that leaves the vertex.
     void close_boundary()
     {
-        std::vector<std::pair<halfedge, vertex>> boundary; // with where it leads to
+        std::vector<std::pair<halfedge, vertex>> boundary; // each with the vertex it leads to
         std::vector<halfedge> leaving(vertex_count_);
         std::mutex adding;
         detail::for_parts(edge_count_, true, [&](std::size_t begin, std::size_t end) {
@@ -148,7 +151,7 @@ private:
     bool is_closed_ = false;
 };
 
-/// Writes the elements of a native mesh, in the same order and direction. Precondition: it has its edges.
+/// Writes the elements of a native mesh, in the same order and direction. Precondition: the mesh has its edges.
 /// Errors: those of `make_room`. Cost: O(elements).
 template <class Point, std::unsigned_integral Index>
 void write_level(level_writer<Point, Index>& level, const basic_mesh<Point, Index>& mesh)
@@ -173,19 +176,20 @@ void write_level(level_writer<Point, Index>& level, const basic_mesh<Point, Inde
     level.finish(mesh.generation());
 }
 
-/// The mesh of another library with the elements of a native one, in the same order and direction, and with the
+/// Returns a mesh of another library with the elements of a native mesh, in the same order and direction. It gets the
 /// attributes of `source` if there is one.
 /// Precondition: the native mesh has its edges. Errors: those of `make_room`. Cost: O(elements).
 template <fillable_mesh M, class Point>
 M fill(const basic_mesh<Point, std::uint32_t>& fine, const M* source = nullptr)
 {
-    M result; // not moved from here on: meshes of OpenMesh copy instead
+    M result; // not moved from here on: meshes of OpenMesh would be copied
     foreign_level<M, Point> level(result, source);
     write_level(level, fine);
     return result;
 }
 
-/// The mesh with these elements, refined from `source`, with what of the source it keeps.
+/// Returns a mesh with the elements of a native mesh that was refined from `source`, with all data of the source that
+/// its type keeps.
 template <refinable_mesh M, class Point>
 M build_like(const M& source, basic_mesh<Point, std::uint32_t>&& fine)
 {

@@ -11,39 +11,40 @@
 
 namespace kith {
 
-/// One line of a new face: a vertex and the side by which the boundary of the face leaves it.
+/// A side of a new face: a vertex, and the half-edge by which the boundary of the face leaves it.
 template <class Index>
 struct face_line {
     Index vertex;
     Index halfedge;
 };
 
-/// The lines of a face in their order, as `polygon` gives them.
+/// The sides of a face in their order, as `polygon` returns them.
 template <class T>
 concept face_sides = requires(const T& lines) {
     (*lines.begin()).vertex;
     (*lines.begin()).halfedge;
 };
 
-/// What a step writes the next level into when that is no native mesh: numbers are those that the elements would have
-/// there, and half-edge 2e+s is side s of edge e. The scheme is trusted and declares its edges: each element is written
-/// once, and what is written is a manifold.
+/// A target other than a native mesh into which a step writes the next level. The elements have the numbers that they
+/// would have in a native mesh, and half-edge 2e+s is side s of edge e. The scheme must declare its edges and is
+/// trusted: it writes each element once, and the result is a manifold.
 template <class S>
 concept level_sink = requires(S& sink, typename S::index_type i,
                               std::span<const face_line<typename S::index_type>> lines) {
     requires std::unsigned_integral<typename S::index_type>; // as of a native mesh
-    // The array of all points, of which each is assigned once; several threads do.
+    // The array of all points. Several threads assign the points, each point once.
     { sink.points() } -> std::same_as<typename S::point_type*>;
-    // Face i has these lines, counter-clockwise from its first corner: any range of face_line. Several threads make
+    // Sets the sides of face i, counter-clockwise from its first corner: any range of face_line. Several threads set
     // different faces.
     sink.set_face(i, lines);
-    // The fan of vertex i starts at a half-edge that leaves it. Several threads, and maybe before its faces are there.
+    // Sets the half-edge that leaves vertex i and starts its fan. Called by several threads, maybe before its faces are
+    // set.
     sink.set_start(i, i);
-    // Comes last, with the generation of the level: nothing lies on the sides that no face has named.
+    // Ends the writing, with the generation of the level. The sides that no face has named are boundary sides.
     sink.finish(0);
 };
 
-/// A level_sink behind virtual functions: a step that writes into it is compiled once, whatever it is that is written.
+/// The virtual interface of a level_sink: a step that writes into it is compiled once for all types of targets.
 template <class Point, std::unsigned_integral Index>
 class level_writer {
 public:
@@ -51,11 +52,12 @@ public:
     using index_type = Index;
     using lines = std::span<const face_line<Index>>;
 
-    /// Comes first. A level is closed when it has no boundary. Errors: mesh_error for more elements than it can number.
+    /// Allocates the elements; must be called first. A level is closed if it has no boundary. Errors: mesh_error for
+    /// more elements than the target can number.
     virtual void make_room(std::size_t vertices, std::size_t edges, std::size_t faces, bool is_closed) = 0;
     [[nodiscard]] virtual Point* points() const = 0;
     virtual void set_start(Index vertex, Index leaving) = 0;
-    /// Faces of one degree whose numbers follow one another, the lines of all in one list.
+    /// Writes faces of one degree with consecutive numbers; `of_faces` lists the sides of all of them.
     virtual void set_faces(Index first, std::size_t degree, lines of_faces) = 0;
     virtual void finish(int generation) = 0;
 

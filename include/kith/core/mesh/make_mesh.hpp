@@ -22,13 +22,13 @@
 
 namespace kith {
 
-/// Faces as they stand in a file: vertex numbers, counter-clockwise, face after face.
+/// The faces as in a file: vertex numbers, counter-clockwise, face after face.
 struct face_list {
-    std::vector<std::size_t> first{0}; ///< faces+1: where each face begins in `vertices`
+    std::vector<std::size_t> first{0}; ///< faces+1: the position of each face in `vertices`
     std::vector<std::size_t> vertices;
 
     face_list() = default;
-    /// From any range of ranges of numbers, e.g. a vector of vectors or of arrays.
+    /// Takes the faces from any range of ranges of numbers, e.g. a vector of vectors or of arrays.
     template <std::ranges::input_range Faces>
         requires std::ranges::input_range<std::ranges::range_reference_t<const Faces&>>
     explicit face_list(const Faces& faces)
@@ -82,7 +82,7 @@ void check_points(const Points& points, mesh_report& report)
 
 /// Reports the vertices of a face that do not exist.
 void check_indices(std::size_t vertices, const face_list& faces, std::size_t face, mesh_report& report);
-/// Errors: mesh_error for vertices that do not exist.
+/// Throws mesh_error if there are vertices that do not exist.
 void require_indices(std::size_t vertices, const face_list& faces, std::size_t first_number);
 void check_faces(std::size_t vertices, const face_list& faces, mesh_report& report);
 #ifdef KITH_HAS_BODIES
@@ -120,14 +120,14 @@ KITH_IN_LIBRARY void check_faces(std::size_t vertices, const face_list& faces, m
 }
 #endif
 
-/// Copies what lies at the corners of a face in such an order that its smallest vertex comes first.
+/// Copies the values at the corners of a face, beginning with the corner of the smallest vertex.
 template <class Values, class Out>
 void from_smallest_vertex(std::span<const std::size_t> face, const Values& at_corners, Out out)
 {
     std::ranges::rotate_copy(at_corners, at_corners.begin() + (std::ranges::min_element(face) - face.begin()), out);
 }
 
-/// The faces as connectivity, each from its smallest vertex on, without edges yet.
+/// Returns the connectivity of the faces, each from its smallest vertex on, without edges.
 template <std::unsigned_integral Index>
 connectivity<Index> connect_faces(std::size_t vertices, const face_list& faces)
 {
@@ -149,8 +149,8 @@ extern template connectivity<std::size_t> connect_faces(std::size_t, const face_
 
 } // namespace detail
 
-/// Everything that is wrong with a list of points and faces; empty when a mesh can be made of it. Vertices and faces
-/// are told by numbers from `first_number` on.
+/// Returns a report of everything that is wrong with a list of points and faces. It is empty if they form a mesh. In
+/// messages, vertices and faces are numbered from `first_number` on.
 /// Cost: O(corners log valence) time, O(corners) memory.
 template <std::ranges::input_range Points>
 mesh_report validate(const Points& points, const face_list& faces, std::size_t first_number = 0)
@@ -166,10 +166,11 @@ mesh_report validate(const Points& points, const face_list& faces, std::size_t f
     return report;
 }
 
-/// The native mesh of these points and faces. Vertices and faces keep their numbers; each face is stored from its
-/// smallest vertex on, and edges are numbered by their ends, so that the order in which a file lists the corners of a
-/// face or the faces themselves does not change a bit of any refined point.
-/// Errors: mesh_error with everything that `validate` finds, in numbers from `first_number` on. Cost: as `validate`.
+/// Returns the native mesh of these points and faces. Vertices and faces keep their numbers; each face is stored from
+/// its smallest vertex on, and edges are numbered by their ends. So the order of the faces in a file, or of the corners
+/// of a face, does not change a bit of any refined point.
+/// Errors: mesh_error with everything that `validate` finds, with elements numbered from `first_number` on. Cost: that
+/// of `validate`.
 template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points>
     requires affine_value<std::ranges::range_value_t<Points>>
 auto make_mesh(const Points& points, const face_list& faces, std::size_t first_number = 0)
@@ -193,14 +194,14 @@ auto make_mesh(const Points& points, const face_list& faces, std::size_t first_n
     return basic_mesh<point, Index>(std::move(copy), std::move(topology));
 }
 
-/// The same from a range of ranges, e.g. std::vector<std::vector<int>>.
+/// Returns the native mesh of points and faces from a range of ranges, e.g. std::vector<std::vector<int>>.
 template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points, std::ranges::input_range Faces>
     requires(not std::same_as<Faces, face_list> and affine_value<std::ranges::range_value_t<Points>>)
 auto make_mesh(const Points& points, const Faces& faces)
 {
     return make_mesh<Index>(points, face_list(faces));
 }
-/// Says that points of this type cannot be combined.
+/// Reports at compile time that points of this type cannot be combined.
 template <std::unsigned_integral Index = std::uint32_t, std::ranges::sized_range Points, class Faces>
     requires(not affine_value<std::ranges::range_value_t<Points>>)
 auto make_mesh(const Points&, const Faces&, std::size_t = 0)
@@ -209,9 +210,9 @@ auto make_mesh(const Points&, const Faces&, std::size_t = 0)
     return basic_mesh<std::array<double, 3>, Index>();
 }
 
-/// Values at the corners of faces, in the order of their list, in that of the mesh which `make_mesh` makes of these
-/// faces, as `on_corners` takes them: there each face begins with its smallest vertex. Errors: mesh_error unless there
-/// is a value per corner. Cost: O(corners).
+/// Returns values at the corners of faces in the order that `on_corners` takes: that of the mesh which `make_mesh`
+/// makes of these faces. There each face begins with its smallest vertex. Errors: mesh_error unless there is one value
+/// per corner. Cost: O(corners).
 template <std::ranges::contiguous_range Values>
 auto values_at_corners(const face_list& faces, const Values& values)
 {

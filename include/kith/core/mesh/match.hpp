@@ -16,22 +16,22 @@ namespace kith {
 
 namespace detail {
 
-/// Two faces at an edge, and whether both run through it in the same direction.
+/// Two faces at an edge, and a flag that is true if both run through it in the same direction.
 struct face_pair {
     std::size_t face, other;
     bool same_direction;
 };
 
-/// The faces that would have to be turned round so that neighbours agree, none of the first face of each part of the
-/// surface. Where a part is one-sided, such as a Moebius strip, some neighbours still disagree.
+/// The faces that would have to be reversed so that neighbours agree. The first face of each part of the surface is
+/// never among them. If a part is one-sided, such as a Moebius strip, some neighbours still disagree.
 struct face_directions {
     std::vector<bool> is_turned;
-    std::vector<std::size_t> part;  ///< of each face, by the first face in it
+    std::vector<std::size_t> part;  ///< of each face, by the first face in the part
     std::vector<bool> is_one_sided; ///< by part
 };
 
-/// Walks from the first face of each part over all neighbours that agree, and only then to those that do not, so that
-/// faces which agree already keep doing so. Cost: O(faces + pairs).
+/// Returns the faces that would have to be reversed. From the first face of each part, it visits all neighbours that
+/// agree, and only then those that do not. So faces that already agree keep doing so. Cost: O(faces + pairs).
 face_directions directions_of(std::size_t faces, const std::vector<face_pair>& pairs);
 #ifdef KITH_HAS_BODIES
 KITH_IN_LIBRARY face_directions directions_of(std::size_t faces, const std::vector<face_pair>& pairs)
@@ -46,8 +46,8 @@ KITH_IN_LIBRARY face_directions directions_of(std::size_t faces, const std::vect
         pair_at[first[pairs[i].other + 1]++] = i;
     }
     face_directions result{std::vector<bool>(faces), std::vector<std::size_t>(faces, faces), std::vector<bool>(faces)};
-    std::vector<std::size_t> agreeing;                     // met, with neighbours to look at
-    std::vector<std::pair<std::size_t, bool>> disagreeing; // and whether they are turned, in the order they were met
+    std::vector<std::size_t> agreeing;                     // visited, with neighbours to visit
+    std::vector<std::pair<std::size_t, bool>> disagreeing; // and if they are reversed, in the order they were met
     for (std::size_t start = 0; start < faces; ++start) {
         if (result.part[start] != faces)
             continue;
@@ -84,7 +84,7 @@ KITH_IN_LIBRARY face_directions directions_of(std::size_t faces, const std::vect
 }
 #endif
 
-/// A corner whose half-edge leads to the larger vertex of an edge, or comes from there.
+/// A corner, by the larger vertex of its edge: its half-edge leads to that vertex or comes from there.
 template <std::unsigned_integral Index>
 struct half_of_edge {
     Index to;
@@ -95,8 +95,8 @@ struct half_of_edge {
     }
 };
 
-/// Reports pairs of faces that run through their edge in the same direction. `halves` are those of each smaller vertex
-/// from first[vertex] on, sorted.
+/// Reports pairs of faces that run through their edge in the same direction. `halves` holds the corners of each smaller
+/// vertex from first[vertex] on, sorted.
 template <std::unsigned_integral Index>
 [[gnu::cold, gnu::noinline]] void report_turned_faces(const connectivity<Index>& t,
                                                       const std::vector<half_of_edge<Index>>& halves,
@@ -166,7 +166,7 @@ void pair_corners(connectivity<Index>& t, mesh_report& report)
                 });
             }
             has_turned_faces = has_turned_faces or (size == 2 and forward(run[0]) == forward(run[1]));
-            // Side 0 leaves the smaller vertex, or is the only side there is.
+            // Side 0 leaves the smaller vertex, or is the only side.
             const bool swap = size == 2 and not forward(run[0]);
             const Index e = Index(sides.size());
             sides.push_back(run[swap ? 1 : 0].corner);
@@ -181,9 +181,9 @@ void pair_corners(connectivity<Index>& t, mesh_report& report)
         report_turned_faces(t, halves, first, report);
 }
 
-/// Gives every vertex the corner at which its fan starts: at the boundary the corner without a neighbour clockwise,
-/// inside the one that looks at the smallest neighbour. The choice depends on the vertex numbers alone, so that
-/// neither the order of the faces nor the rotation of their corners changes a bit of the result.
+/// Sets for every vertex the corner at which its fan starts. At the boundary it is the corner without a neighbour
+/// clockwise, inside the corner whose half-edge leads to the smallest neighbour. The choice depends on the vertex
+/// numbers alone. So neither the order of the faces nor the rotation of their corners changes a bit of the result.
 template <std::unsigned_integral Index>
 void start_fans(connectivity<Index>& t, mesh_report& report)
 {
@@ -224,8 +224,8 @@ extern template void start_fans(connectivity<std::size_t>&, mesh_report&);
 
 } // namespace detail
 
-/// Finds the edges of a connectivity that has its faces only, and reports what is not a manifold.
-/// Cost: O(corners), with a sort of the half-edges of each vertex.
+/// Finds the edges of a connectivity that has its faces only, and reports all places where it is not a manifold.
+/// Cost: O(corners), and a sort of the half-edges of each vertex.
 template <std::unsigned_integral Index>
 void match(connectivity<Index>& topology, mesh_report& report)
 {

@@ -27,21 +27,22 @@ enum class problem : unsigned char {
     nonmanifold_vertex,
 };
 
-/// Messages about elements, by kind: all of them are counted, and the first few of each kind are kept as text.
+/// The messages about elements, by kind. All messages are counted, and the first few of each kind are kept as text.
 class element_messages {
 public:
     static constexpr std::size_t told_of_each_kind = 8;
 
-    /// The number of an element in messages.
+    /// Returns the number of an element in messages.
     [[nodiscard]] std::string number(std::size_t element) const;
 
     [[nodiscard]] bool empty() const { return told_.empty(); }
-    /// One line per message that was kept, then the number of further ones of each kind.
+    /// Returns one line per message that was kept, then the number of further messages of each kind.
     [[nodiscard]] std::vector<std::string> lines() const;
     [[nodiscard]] std::string text() const;
 
 protected:
-    /// `kinds` are the names of the kinds in plural and outlive the object; elements are numbered from `first_number`.
+    /// Begins without messages. `kinds` are the names of the kinds in plural and must outlive the object; elements are
+    /// numbered from `first_number`.
     explicit element_messages(std::span<const std::string_view> kinds, std::size_t first_number)
         : kinds_(kinds), counts_(kinds.size()), first_number_(first_number)
     {
@@ -65,54 +66,56 @@ private:
     std::vector<std::string> told_;
 };
 
-/// Everything that `validate` found: each problem counted, the first few of each kind told with their elements.
+/// A report of everything that `validate` found. Each problem is counted; the first few of each kind are described with
+/// their elements.
 class mesh_report : public element_messages {
 public:
     mesh_report() : mesh_report(0) {}
-    /// `first_number` is the number of the first element for the user: OBJ files begin with 1.
+    /// Begins an empty report. `first_number` is the number of the first element in messages; OBJ files begin with 1.
     explicit mesh_report(std::size_t first_number) : element_messages(names, first_number) {}
 
-    /// Adds a problem; `describe()` is called only while there is room to tell it.
+    /// Adds a problem; `describe()` is called only while there is room for its text.
     template <class Describe>
     void add(problem kind, const Describe& describe)
     {
         add_message(std::size_t(kind), describe);
     }
 
-    // Faults that several functions find; elements are named by their numbers.
+    // The faults below are found by several functions. Elements are named by their numbers.
     void add_no_faces();
     void add_not_finite(std::size_t vertex);
     void add_isolated(std::size_t vertex);
     void add_edge_without_face(std::size_t edge);
-    /// Of a face with these vertices, which are sorted.
+    /// Adds the faults of a face with these vertices: a repeated vertex, or fewer than three. The function sorts the
+    /// vertices.
     void add_face_faults(std::size_t face, std::vector<std::size_t>& vertices);
-    /// Of a face whose half-edges do not come back to the first.
+    /// Adds a face whose half-edges do not come back to the first.
     void add_open_face(std::size_t face);
-    /// Of a face one of whose half-edges names another face, or does not come before its next.
+    /// Adds a face of which a half-edge names another face, or is not the one before its next.
     void add_unjoined_face(std::size_t face);
-    /// Of a face one of whose edges, or vertices, the library has removed.
+    /// Adds a face with an edge, or a vertex, that the mesh library has removed.
     void add_removed_edge(std::size_t face);
     void add_removed_vertex(std::size_t face);
-    /// Of a half-edge that names a face whose half-edges it is none of.
+    /// Adds a half-edge that names a face to which it does not belong.
     void add_lost_side(std::size_t halfedge, std::size_t face);
     void add_several_fans(std::size_t vertex, std::size_t faces);
-    /// Of a vertex whose half-edges lead to none of its faces.
+    /// Adds a vertex whose half-edge leads to none of its faces.
     void add_lost_fan(std::size_t vertex);
-    /// Of a vertex that starts at a half-edge of another one.
+    /// Adds a vertex that starts at a half-edge of another vertex.
     void add_foreign_start(std::size_t vertex, std::size_t halfedge, std::size_t other);
-    /// Of a vertex at the boundary that starts within its fan.
+    /// Adds a boundary vertex that starts in the middle of its fan.
     void add_late_start(std::size_t vertex, std::size_t halfedge, std::size_t first);
     void add_few_corners(std::size_t face, std::size_t corners);
     void add_repeated_corner(std::size_t face, std::size_t vertex);
 
-    /// Of an edge between two vertices, the smaller one first, whose two faces run through it in the same direction.
+    /// Adds an edge between two vertices, the smaller one first, whose two faces run through it in the same direction.
     void add_turned_face(std::size_t low, std::size_t high, std::size_t face, std::size_t other, bool is_one_sided);
 
     [[nodiscard]] bool ok() const { return empty(); }
     explicit operator bool() const { return ok(); }
     [[nodiscard]] std::size_t count(problem kind) const { return count_of(std::size_t(kind)); }
     [[nodiscard]] bool has(problem kind) const { return count(kind) != 0; }
-    /// Throws mesh_error with the text when there is any problem.
+    /// Throws mesh_error with the text if there is any problem.
     void require_ok() const;
 
 private:
@@ -130,7 +133,7 @@ private:
 
 KITH_IN_LIBRARY std::string element_messages::number(std::size_t element) const
 {
-    return std::to_string(std::ptrdiff_t(element + first_number_)); // one that was negative reads like that
+    return std::to_string(std::ptrdiff_t(element + first_number_)); // so a negative number is shown as it was
 }
 KITH_IN_LIBRARY void mesh_report::add_no_faces()
 {

@@ -15,13 +15,13 @@ namespace kith {
 template <class Point, std::unsigned_integral Index>
 class basic_mesh;
 
-/// What kith needs to know of a mesh type. Specialise it once per mesh library: static functions over dumb handles,
-/// each O(1), nothing added to the mesh. `examples/own_mesh.cpp` adapts a home-made mesh in one page.
+/// The interface of a mesh type to kith. Specialise it once per mesh library: static functions over simple handles.
+/// Each is O(1), and nothing is added to the mesh. `examples/own_mesh.cpp` adapts a home-made mesh in one page.
 ///
 ///   vertex, edge, face, halfedge   small regular handles, valid as long as the mesh is not changed
 ///   point                          the coordinates of a vertex; needs an `affine<point>`
 ///
-///   vertices(m) edges(m) faces(m)  ranges of handles, removed elements left out, always in the same order
+///   vertices(m) edges(m) faces(m)  ranges of handles without removed elements, always in the same order
 ///   index(m, x)                    a number of x (all four kinds), unique among its kind ...
 ///   vertex_bound(m) edge_bound(m) face_bound(m) halfedge_bound(m)
 ///                                  ... and below this bound
@@ -29,7 +29,7 @@ class basic_mesh;
 ///   opposite(m, h)                 the other half-edge of the edge of h
 ///   is_boundary(m, h)              h has no face; only next, prev and face_of need not work then
 ///   source(m, h) edge_of(m, h) face_of(m, h)
-///   halfedge_of(m, v)              a half-edge that leaves v; any one, the library turns it to the boundary itself
+///   halfedge_of(m, v)              any half-edge that leaves v; the library finds the boundary itself
 ///   halfedge_of(m, e)              the half-edge that directs e
 ///   halfedge_of(m, f)              the half-edge at which f starts
 ///   is_isolated(m, v)              v has no edge
@@ -39,38 +39,37 @@ class basic_mesh;
 ///                                  mesh can be read, not written)
 ///
 ///   build(basic_mesh<point, uint32_t>&&, const M& source) -> M
-///                                  the same for a mesh that was refined from `source`, of which it may keep more than
-///                                  elements (optional)
+///                                  the mesh with these elements that was refined from `source`, of which it may keep
+///                                  more than elements (optional)
 ///
 ///   points(m)                      the array of all points, by index (optional: without it vertices cannot be moved)
 ///
-///   For meshes that several threads may write; `fill` is their `build` then, and `refine` makes the last level in
-///   them:
+///   The following functions are for meshes that several threads may write. `fill` then replaces `build`, and `refine`
+///   writes the last level directly into the mesh:
 ///
-///   request_like(m, source)        lets an empty m have the attributes that `source` has (optional; comes first)
+///   request_like(m, source)        gives an empty m the attributes that `source` has (optional; called first)
 ///   make_room(m, vertices, edges, faces)
-///                                  gives an empty m so many elements, not joined yet; throws mesh_error for more than
-///                                  it can number
+///                                  gives an empty m these numbers of elements, not joined yet; throws mesh_error for
+///                                  more than it can number
 ///   at<Handle>(i)                  the vertex, edge, half-edge or face whose index is i; half-edges 2i and 2i+1 are
 ///                                  edge i
 ///   set_side(m, h, f, v, next)     h lies in face f, leads to v and is followed by `next`
 ///   set_boundary_side(m, h, v, next)
-///                                  the same for a half-edge without face
+///                                  h lies in no face, leads to v and is followed by `next`
 ///   set_start(m, f, h, degree)     f starts at h; throws mesh_error for faces of a degree that it cannot hold
-///   set_start(m, v, h)             v starts at h, which leaves it; comes before the boundary sides
-///   target(m, h)                   where h was told to lead
-///   mark_odd_generation(m)         for `generation` to remember
+///   set_start(m, v, h)             v starts at h, which leaves it; called before set_boundary_side
+///   target(m, h)                   the vertex that was set as the one that h leads to
+///   mark_odd_generation(m)         stores that `generation` is odd
 ///
-///   generation(m)                  how many steps `build` was told the mesh is away from its control mesh (optional;
-///                                  0)
+///   generation(m)                  the number of steps since the control mesh, as given to `build` (optional; 0)
 ///
 /// The order in which a mesh starts its vertices, edges and faces is the order of the operands of a mask, so it is
 /// part of the promise "same mesh, same bits"; `build` keeps it.
 template <class M>
 struct mesh_traits;
 
-/// What `vertices`, `edges` and `faces` may return where all handles are made of numbers from 0 on: those of which
-/// is_removed(handle) is not true.
+/// A range that `vertices`, `edges` and `faces` may return if handles are made of numbers from 0 on. It skips all
+/// handles for which is_removed(handle) is true.
 template <class Handle, std::integral Number, class IsRemoved>
 class numbered_handles {
 public:
@@ -118,11 +117,11 @@ private:
     IsRemoved is_removed_;
 };
 
-/// A range of what converts to T.
+/// A range whose elements convert to T.
 template <class R, class T>
 concept range_of = std::ranges::input_range<R> and std::convertible_to<std::ranges::range_reference_t<R>, T>;
 
-/// A mesh that kith can read: see mesh_traits for what each line means.
+/// A mesh that kith can read; see mesh_traits for the meaning of each line.
 template <class M, class T = mesh_traits<M>>
 concept mesh = std::regular<typename T::vertex> and std::regular<typename T::edge> and
                std::regular<typename T::face> and std::regular<typename T::halfedge> and
@@ -174,9 +173,9 @@ concept refinable_mesh = mesh<M, T> and requires(basic_mesh<typename T::point, s
 
 namespace detail {
 
-/// Calls f(half-edge) for each side of a face in its order, from where it starts, and returns whether they came back
-/// there: in a mesh that was joined by hand they may lead anywhere, of which only half-edges of the mesh are met, and
-/// no more than there are. Cost: O(sides).
+/// Calls f(half-edge) for each side of a face in its order, from its first side on. Returns true if the walk came back
+/// to the first side. In a mesh that was joined by hand, half-edges may lead anywhere. The walk then stops at a
+/// half-edge that is not in the mesh, or after as many sides as there are half-edges. Cost: O(sides).
 template <mesh M, class F>
 bool for_each_side(const M& mesh, typename mesh_traits<M>::face face, const F& f)
 {
@@ -193,14 +192,14 @@ bool for_each_side(const M& mesh, typename mesh_traits<M>::face face, const F& f
     return false;
 }
 
-/// Whether a half-edge is one of the mesh.
+/// Returns true if a half-edge belongs to the mesh.
 template <mesh M>
 bool has_halfedge(const M& mesh, typename mesh_traits<M>::halfedge h)
 {
     return std::size_t(mesh_traits<M>::index(mesh, h)) < mesh_traits<M>::halfedge_bound(mesh);
 }
 
-/// Whether the half-edge at which a vertex starts is one that leaves it.
+/// Returns true if the half-edge at which a vertex starts leaves that vertex.
 template <mesh M>
 bool starts_at_its_own(const M& mesh, typename mesh_traits<M>::vertex v)
 {
@@ -209,7 +208,7 @@ bool starts_at_its_own(const M& mesh, typename mesh_traits<M>::vertex v)
     return has_halfedge(mesh, start) and traits::index(mesh, traits::source(mesh, start)) == traits::index(mesh, v);
 }
 
-/// Whether a half-edge in a face names that face and is the one before its next.
+/// Returns true if a half-edge names the given face as its own and is the one before its next.
 template <mesh M>
 bool is_side_of(const M& mesh, typename mesh_traits<M>::halfedge h, typename mesh_traits<M>::face face)
 {
@@ -222,12 +221,13 @@ bool is_side_of(const M& mesh, typename mesh_traits<M>::halfedge h, typename mes
 
 } // namespace detail
 
-/// Whether the program links what reads and makes meshes of this type, such as kith::compiled_cgal; adapters say so.
+/// The flag of mesh types whose reading and making code is in a library that the program links, such as
+/// kith::compiled_cgal. Adapters set it.
 template <class M>
 inline constexpr bool is_compiled_mesh = false;
 
-/// As which compiled type of mesh those of another type are read, such as a class by its base: with `type` and
-/// of(mesh), which returns such a view or reference. Adapters say so.
+/// The compiled mesh type as which meshes of another type are read, such as the base of a class. It has `type`, and
+/// of(mesh), which returns a view or a reference of that type. Adapters define it.
 template <class M>
 struct compiled_view {};
 template <class M>

@@ -5,11 +5,11 @@
 
 #include <optional>
 
-/// Which elements of a level are incident to two others. Thesis 4.3.1. The order is that of the walk around the first
-/// argument; of several such elements the first is returned.
+/// The queries for elements of a level that are incident to two given elements. Thesis 4.3.1. Each query searches in
+/// the order of the walk around its first argument. If several elements fit, it returns the first one.
 namespace kith {
 
-/// Returns the edge between two vertices; nothing if there is none. Cost: O(valence of `a`).
+/// Returns the edge between two vertices, or nothing if there is none. Cost: O(valence of `a`).
 template <walkable_level Level>
 std::optional<edge<Level>> edge_between(const vertex<Level>& a, const vertex<Level>& b)
 {
@@ -19,7 +19,7 @@ std::optional<edge<Level>> edge_between(const vertex<Level>& a, const vertex<Lev
     return std::nullopt;
 }
 
-/// Returns the edge that lies between two faces, seen from `f`; nothing if there is none. Cost: O(degree of `f`).
+/// Returns the edge between two faces, seen from `f`, or nothing if there is none. Cost: O(degree of `f`).
 template <walkable_level Level>
 std::optional<edge<Level>> shared_edge(const face<Level>& f, const face<Level>& g)
 {
@@ -29,7 +29,7 @@ std::optional<edge<Level>> shared_edge(const face<Level>& f, const face<Level>& 
     return std::nullopt;
 }
 
-/// Returns a face that has both vertices; nothing if there is none. Cost: O(corners of the faces around `a`).
+/// Returns a face that contains both vertices, or nothing if there is none. Cost: O(corners of the faces around `a`).
 template <walkable_level Level>
 std::optional<face<Level>> common_face(const vertex<Level>& a, const vertex<Level>& b)
 {
@@ -40,7 +40,7 @@ std::optional<face<Level>> common_face(const vertex<Level>& a, const vertex<Leve
     return std::nullopt;
 }
 
-/// Returns a face that has both edges; nothing if there is none. Cost: O(1).
+/// Returns a face that contains both edges, or nothing if there is none. Cost: O(1).
 template <walkable_level Level>
 std::optional<face<Level>> common_face(const edge<Level>& a, const edge<Level>& b)
 {
@@ -54,7 +54,7 @@ std::optional<face<Level>> common_face(const edge<Level>& a, const edge<Level>& 
     return std::nullopt;
 }
 
-/// Returns the vertex at which two edges meet; nothing if there is none. Cost: O(1).
+/// Returns a vertex at which two edges meet, or nothing if there is none. Cost: O(1).
 template <walkable_level Level>
 std::optional<vertex<Level>> common_vertex(const edge<Level>& a, const edge<Level>& b)
 {

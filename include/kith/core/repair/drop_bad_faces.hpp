@@ -15,7 +15,7 @@
 
 namespace kith::detail {
 
-/// Returns whether a face comes to no vertex twice; otherwise it is reported as left out.
+/// Returns true if a face contains no vertex twice; otherwise reports the face as left out.
 inline bool stays_unfolded(mended_soup& s, std::size_t face, const std::vector<std::size_t>& corners)
 {
     std::vector<std::size_t> sorted;
@@ -30,7 +30,7 @@ inline bool stays_unfolded(mended_soup& s, std::size_t face, const std::vector<s
     return false;
 }
 
-/// Leaves out faces that come to a vertex twice; returns whether there are such.
+/// Leaves out faces that contain a vertex twice. Returns true if there were any.
 inline bool drop_folded_faces(mended_soup& s)
 {
     const std::size_t before = s.faces.size();
@@ -38,8 +38,8 @@ inline bool drop_folded_faces(mended_soup& s)
     return s.faces.size() != before;
 }
 
-/// Leaves out corners that repeat the one before; then faces with fewer than three, which welding allows for those
-/// that have lost one.
+/// Leaves out corners that repeat the one before, then faces with fewer than three corners. With `weld` but without
+/// `drop`, only those that have lost a corner are left out.
 inline void clean_faces(mended_soup& s, bool is_welded)
 {
     std::vector<std::size_t> kept;
@@ -73,10 +73,11 @@ inline void clean_faces(mended_soup& s, bool is_welded)
     });
 }
 
-/// Leaves out faces with the corners of an earlier one; a face and its back stay if they are a surface of their own.
+/// Leaves out faces with the corners of an earlier face. A face and its back both stay if they form a surface of their
+/// own, without other faces at their edges.
 inline void drop_repeated_faces(mended_soup& s)
 {
-    std::vector<std::size_t> sides_at(s.faces.vertices.size()); // by corner: how many sides the edge after it has
+    std::vector<std::size_t> sides_at(s.faces.vertices.size()); // by corner: the number of sides of the edge after it
     sides_by_edge(s.faces).for_each_edge([&](std::span<const face_side> at) {
         for (const face_side& side : at)
             sides_at[side.corner] = at.size();

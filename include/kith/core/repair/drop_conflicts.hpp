@@ -18,8 +18,8 @@
 
 namespace kith::detail {
 
-/// Leaves out faces until each edge has two sides at most, in opposite directions if `directed`. Faces in many
-/// conflicts go first, then those of small parts of the surface, then those with large numbers.
+/// Leaves out faces until each edge has at most two sides; in opposite directions if `directed` is true. Faces in many
+/// conflicts go first, then faces of small parts of the surface, then faces with large numbers.
 inline void drop_conflicts(mended_soup& s, bool directed)
 {
     const sides_by_edge sides(s.faces);
@@ -49,7 +49,7 @@ inline void drop_conflicts(mended_soup& s, bool directed)
     std::vector<std::size_t> size(s.faces.size(), 0);
     for (const std::size_t p : part)
         ++size[p];
-    // Conflicts, faces of other parts of the surface, number; the largest goes first.
+    // Conflicts, number of faces in other parts of the surface, face number; the largest tuple goes first.
     std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> order;
     for (std::size_t f = 0; f < s.faces.size(); ++f)
         if (const std::size_t conflicts = conflicts_of(f); conflicts != 0)
@@ -78,8 +78,8 @@ inline void drop_conflicts(mended_soup& s, bool directed)
     s.drop_marked(is_dropped);
 }
 
-/// Leaves to each vertex its fan with most faces, of as many the one with the first face. Faces that go may leave
-/// other vertices with several fans, which are looked at again.
+/// Keeps at each vertex the fan with most faces, or, of equally large fans, the one with the first face. The faces left
+/// out may leave other vertices with several fans, so these vertices are checked again.
 inline void drop_fans(mended_soup& s)
 {
     const sides_by_edge sides(s.faces);

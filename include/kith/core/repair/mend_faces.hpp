@@ -20,26 +20,26 @@
 
 namespace kith::detail {
 
-/// Faces after a repair, and where they come from.
+/// The faces after a repair, and the original elements from which they come.
 struct mended_faces {
     face_list faces{};
     std::vector<std::size_t> from_vertex{}, from_face{}, from_corner{}, vertex_at{};
     repair_report report{};
 };
 
-/// The repair of faces by their vertices alone; `points` are looked at only to weld. Precondition: all vertices exist.
-/// Cost: O(corners log corners).
+/// Returns the repaired faces. The repair looks at their vertices only; `points` are used only for welding.
+/// Precondition: all vertices exist. Cost: O(corners log corners).
 mended_faces mend_faces(std::size_t vertices, const face_list& faces, const point_coordinates& points,
                         const repair_options& options, std::size_t first_number);
 
-/// Returns the pairs of vertices that welding joins, the joined one first.
+/// Returns the pairs of vertices that welding joins; the vertex that is removed comes first.
 std::vector<std::pair<std::size_t, std::size_t>> pairs_to_weld(const face_list& faces, const point_coordinates& points,
                                                                double tolerance);
 
 #ifdef KITH_HAS_BODIES
 
-/// Returns the vertices that may be joined: those on an edge with one side, and after them those without a face. A
-/// vertex that faces surround stays apart, as it would have several fans.
+/// Returns the vertices that may be joined: first those on an edge with one side, then those without a face. A vertex
+/// that faces surround is never joined, as it would have several fans.
 KITH_IN_LIBRARY std::vector<std::size_t> vertices_to_weld(std::size_t vertices, const face_list& faces)
 {
     enum : unsigned char { isolated, inner, outer };
@@ -69,7 +69,7 @@ pairs_to_weld(const face_list& faces, const point_coordinates& points, double to
     return result;
 }
 
-/// Joins vertices, to be called before others are added.
+/// Joins vertices by welding. It must be called before other vertices are added.
 inline void weld_vertices(mended_soup& s, const point_coordinates& points)
 {
     const auto into = joined_points(points, vertices_to_weld(points.size(), s.faces), *s.options.weld);
@@ -82,7 +82,8 @@ inline void weld_vertices(mended_soup& s, const point_coordinates& points)
         v = into[v];
 }
 
-/// Leaves out vertices that are joined and, with `drop`, those without a face, and completes the maps.
+/// Leaves out the joined vertices and, with `drop`, the vertices without a face; completes the maps and returns the
+/// result.
 inline mended_faces result_of(mended_soup& s, std::size_t corners)
 {
     std::vector<bool> is_used(s.from_vertex.size(), false);

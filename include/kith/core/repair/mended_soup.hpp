@@ -17,7 +17,7 @@
 
 namespace kith::detail {
 
-/// Faces in the course of a repair, and where their elements come from.
+/// The faces during a repair, and the original elements from which they come.
 struct mended_soup {
     static constexpr std::size_t none = std::size_t(-1);
 
@@ -35,10 +35,10 @@ struct mended_soup {
             std::iota(numbers->begin(), numbers->end(), std::size_t(0));
     }
 
-    /// The number of a vertex in messages.
+    /// Returns the number of a vertex in messages.
     [[nodiscard]] std::string number(std::size_t vertex) const { return report.number(from_vertex[vertex]); }
 
-    /// Makes the faces anew: f(face, corners) may change the corners of a face, and returns whether it stays.
+    /// Rebuilds the faces: f(face, corners) may change the corners of a face, and returns true if the face stays.
     template <class F>
     void remake(const F& f)
     {
@@ -68,9 +68,9 @@ struct mended_soup {
     repair_options options;
     face_list faces;
     std::vector<std::size_t> from_face, from_corner; ///< the numbers in the original
-    std::vector<std::size_t> kept_as;                ///< by original corner: the one that stands for it
-    std::vector<std::size_t> from_vertex;            ///< those of new vertices, too, which come last
-    std::vector<bool> is_joined;                     ///< whether the vertex has become another one
+    std::vector<std::size_t> kept_as;                ///< by original corner: the corner that stands for it
+    std::vector<std::size_t> from_vertex;            ///< also for new vertices, which come last
+    std::vector<bool> is_joined;                     ///< true if the vertex was joined with another one
     repair_report report;
 };
 

@@ -5,16 +5,16 @@
 
 namespace kith {
 
-/// The ways in which `repair` may change faces that form no manifold; without any it changes nothing.
+/// The ways in which `repair` may change faces that form no manifold. Without any of them it changes nothing.
 struct repair_options {
-    /// Leaves out repeated corners, degenerate and repeated faces, then the faces that take part in most conflicts at
-    /// edges, then all but the largest fan of a vertex, and in the end the vertices without a face.
+    /// Leaves out repeated corners, then degenerate and repeated faces. Then the faces in most conflicts at edges go,
+    /// then all but the largest fan of each vertex, and at last vertices without a face.
     bool drop = false;
-    /// Cuts edges that have more than two faces, or two that do not agree, and gives each fan of faces a vertex.
+    /// Cuts edges that have more than two faces, or two that do not agree, and gives each fan of faces its own vertex.
     bool split = false;
-    /// Turns faces round so that neighbours agree: in each part of the surface the fewer ones.
+    /// Reverses faces so that neighbours agree: in each part of the surface the smaller number of faces.
     bool orient = false;
-    /// Joins vertices at the boundary, and those without a face, that lie within this distance of each other.
+    /// Joins boundary vertices, and vertices without a face, that lie within this distance of each other.
     std::optional<double> weld{};
 };
 

@@ -22,11 +22,12 @@ enum class repair_step : unsigned char {
     dropped_vertex,
 };
 
-/// Everything that `repair` did: each change counted, the first few of each kind told with the elements of the input.
+/// A report of everything that `repair` did. Each change is counted; the first few of each kind are described with the
+/// elements of the input.
 class repair_report : public element_messages {
 public:
     repair_report() : repair_report(0) {}
-    /// `first_number` is the number of the first element for the user: OBJ files begin with 1.
+    /// Begins an empty report. `first_number` is the number of the first element in messages; OBJ files begin with 1.
     explicit repair_report(std::size_t first_number) : element_messages(names, first_number) {}
 
     [[nodiscard]] std::size_t count(repair_step kind) const { return count_of(std::size_t(kind)); }
@@ -34,14 +35,14 @@ public:
 
     void add_joined(std::size_t vertex, std::size_t into);
     void add_removed_corner(std::size_t face, std::size_t vertex);
-    /// `why()` returns the reason, such as "as it has 2 corners".
+    /// Reports that a face was left out. `why()` returns the reason, such as "as it has 2 corners".
     template <class Why>
     void add_dropped_face(std::size_t face, const Why& why)
     {
         add_message(std::size_t(repair_step::dropped_face), [&] { return named("face", face) + "left out, " + why(); });
     }
     void add_turned(std::size_t face);
-    /// `why()` returns the reason, such as "as it has 3 faces".
+    /// Reports that an edge was cut. `why()` returns the reason, such as "as it has 3 faces".
     template <class Why>
     void add_cut(std::size_t low, std::size_t high, const Why& why)
     {

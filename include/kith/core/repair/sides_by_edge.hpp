@@ -14,14 +14,14 @@
 
 namespace kith::detail {
 
-/// A side of a face from one corner to the next, by the ends of its edge.
+/// A side of a face from one corner to the next, with the two ends of its edge.
 struct face_side {
     std::size_t low, high, corner;
 
     friend auto operator<=>(const face_side&, const face_side&) = default;
 };
 
-/// The sides of all faces, sorted by their edges; the sides of an edge in the order of corners.
+/// The sides of all faces, sorted by their edges. The sides of an edge are in the order of their corners.
 class sides_by_edge {
 public:
     explicit sides_by_edge(const face_list& faces) : face_of_(faces.vertices.size()), faces_(faces)
@@ -48,7 +48,7 @@ public:
         const std::size_t f = face_of_[corner];
         return corner == faces_.first[f] ? faces_.first[f + 1] - 1 : corner - 1;
     }
-    /// Returns whether a side leads to the larger end of its edge.
+    /// Returns true if a side leads to the larger end of its edge.
     [[nodiscard]] bool is_forward(const face_side& side) const { return faces_.vertices[side.corner] == side.low; }
     [[nodiscard]] bool agree(std::span<const face_side> two) const { return is_forward(two[0]) != is_forward(two[1]); }
 
@@ -63,7 +63,7 @@ public:
             run = end;
         }
     }
-    /// Returns the pairs of faces at edges that have two sides, of different faces.
+    /// Returns the pairs of faces at all edges that have exactly two sides, of different faces.
     [[nodiscard]] std::vector<face_pair> pairs() const
     {
         std::vector<face_pair> result;
@@ -74,9 +74,9 @@ public:
         return result;
     }
 
-    /// Returns for each corner the corner across the side after it, or `none` at the boundary and where the edge has to
-    /// be cut: it has more than two sides, two of one face, or two that run in the same direction. Calls cut(sides) for
-    /// each edge to be cut.
+    /// Returns for each corner the corner across the side after it. It is `none` at the boundary and at edges that have
+    /// to be cut. An edge is cut if it has more than two sides, two sides of one face, or two that run in the same
+    /// direction. Calls cut(sides) for each of these edges.
     template <class Cut>
     [[nodiscard]] std::vector<std::size_t> across(const Cut& cut) const
     {

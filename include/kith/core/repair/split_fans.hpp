@@ -16,7 +16,7 @@
 
 namespace kith::detail {
 
-/// Turns the fewer faces of each part round, of as many those that do not have the first face.
+/// Reverses the smaller number of faces of each part of the surface; if both are equal, those without the first face.
 inline void turn_faces(mended_soup& s)
 {
     const face_directions directions = directions_of(s.faces.size(), sides_by_edge(s.faces).pairs());
@@ -50,10 +50,11 @@ inline void report_cut(mended_soup& s, const sides_by_edge& sides, std::span<con
     });
 }
 
-/// Fans of faces: sets of corners at a vertex that lie next to each other. A set is known by its first corner.
+/// The fans of faces: sets of corners at a vertex that lie next to each other. The first corner of a set stands for it.
 class corner_fans {
 public:
-    /// `across` has for each corner the one across the side after it, or `none`.
+    /// Joins the corners at all sides that have another side across. `across` has for each corner the one across the
+    /// side after it, or `none`.
     corner_fans(const sides_by_edge& sides, const std::vector<std::size_t>& across) : fan_(across.size())
     {
         std::iota(fan_.begin(), fan_.end(), std::size_t(0));
@@ -84,8 +85,8 @@ private:
     std::vector<std::size_t> fan_;
 };
 
-/// Joins two sides of an edge with more faces if both lie in one fan at an end of the edge: they belong to one sheet.
-/// Joining them closes that fan, so that the other sides of the edge get another vertex there.
+/// Joins two sides of an edge with more than two faces if both lie in one fan at an end of the edge: they belong to one
+/// sheet. Joining them closes that fan, so that the other sides of the edge get another vertex there.
 inline void join_sheets(const sides_by_edge& sides, std::span<const face_side> at, corner_fans& fans)
 {
     std::vector<std::size_t> left;
@@ -112,7 +113,7 @@ inline void join_sheets(const sides_by_edge& sides, std::span<const face_side> a
     }
 }
 
-/// Gives each fan of faces, between edges that are cut, a vertex of its own; the first fan keeps the vertex.
+/// Gives each fan of faces, between the edges that are cut, its own vertex. The first fan keeps the original vertex.
 inline void split_fans(mended_soup& s)
 {
     const sides_by_edge sides(s.faces);

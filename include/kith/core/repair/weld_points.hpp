@@ -30,14 +30,14 @@ struct point_coordinates {
     }
 };
 
-/// Returns a coordinate as a double, exact numbers rounded.
+/// Returns a coordinate as a double; exact numbers are rounded.
 template <class Number>
 double as_double(const Number& x)
 {
     if constexpr (requires { static_cast<double>(x); })
         return static_cast<double>(x);
     else
-        return to_double(x); // CGAL's
+        return to_double(x); // to_double of CGAL
 }
 
 template <std::ranges::input_range Points>
@@ -59,11 +59,11 @@ point_coordinates coordinates_of(const Points& points)
     return result;
 }
 
-/// Returns for each point the one that it is joined with, or itself. The candidates come one after the other: each is
-/// joined with the nearest point within the tolerance that stays, the first one among equally near, or stays. So no
-/// chain of near points collapses, and a point that is joined lies within the tolerance of its partner. Points that are
-/// not finite stay. Precondition: tolerance is 0 or more. Cost: O(points) on average, as a cell of the grid holds few
-/// points that stay.
+/// Returns for each point the point with which it is joined, or itself. The candidates are processed in order. Each is
+/// joined with the nearest point within the tolerance that stays, or the first of equally near ones; otherwise it
+/// stays. So no chain of near points collapses, and a joined point lies within the tolerance of its partner. Points
+/// that are not finite stay. Precondition: tolerance is 0 or more. Cost: O(points) on average, as a cell of the grid
+/// holds few points that stay.
 std::vector<std::size_t> joined_points(const point_coordinates& points, const std::vector<std::size_t>& candidates,
                                        double tolerance);
 
@@ -72,7 +72,7 @@ double diagonal_of(const point_coordinates& points);
 
 #ifdef KITH_HAS_BODIES
 
-/// Points that stay, by the cell of a grid in which they lie. The first three coordinates choose the cell.
+/// A grid with the points that stay, each in the cell in which it lies. The first three coordinates choose the cell.
 class point_grid {
 public:
     point_grid(const point_coordinates& points, double tolerance)
@@ -126,13 +126,15 @@ public:
     static constexpr std::size_t none = std::size_t(-1);
 
 private:
-    /// Coordinates that are so large that the grid has no numbers for their cells are cells themselves.
+    /// Returns the cell of a coordinate. For coordinates so large that the grid has no number for their cells, it is
+    /// the coordinate itself.
     [[nodiscard]] double cell_of(double x) const
     {
         const double cell = std::floor(x / (4 * tolerance_));
         return std::isfinite(cell) ? cell + 0 : x + 0; // -0 + 0 is 0
     }
-    /// Returns the square of the distance in tolerances; more than 1 for different points without tolerance.
+    /// Returns the square of the distance in units of the tolerance. Without tolerance, it is more than 1 for different
+    /// points.
     [[nodiscard]] double distance(std::size_t a, std::size_t b) const
     {
         double sum = 0;
@@ -155,9 +157,9 @@ private:
     double tolerance_;
     std::size_t axes_;
     std::size_t added_ = 0;
-    std::vector<std::size_t> next_;                        ///< in the same cell
-    std::vector<std::size_t> order_;                       ///< in which points were added
-    std::unordered_map<std::uint64_t, std::size_t> first_; ///< by the hash of the cell
+    std::vector<std::size_t> next_;                        ///< the next point in the same cell
+    std::vector<std::size_t> order_;                       ///< the order in which points were added
+    std::unordered_map<std::uint64_t, std::size_t> first_; ///< the first point by the hash of the cell
 };
 
 KITH_IN_LIBRARY std::vector<std::size_t> joined_points(const point_coordinates& points,

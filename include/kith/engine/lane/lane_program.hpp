@@ -15,17 +15,17 @@ namespace kith {
 template <std::floating_point Scalar>
 class lane_program_maker;
 
-/// What of a tape is needed for some of its values, as sums of weighted sums over slots: replayed, it walks no mesh and
-/// knows no scheme. Operations are those of the tape in their order, so each lane has the bits of the scheme's own
-/// text.
+/// A program that computes some values of a tape, as sums of weighted sums over slots. To replay it, neither a mesh nor
+/// a scheme is needed. Its operations are those of the tape in their order, so each lane has the bits that the scheme
+/// itself computes.
 template <std::floating_point Scalar>
 class lane_program {
 public:
     using slot = std::uint16_t;
 
-    /// The values of the tape that are read, one after the other in the first slots.
+    /// Returns the values of the tape that are read. They fill the first slots, one after the other.
     [[nodiscard]] std::span<const std::uint32_t> inputs() const { return inputs_; }
-    /// The slots of the outputs.
+    /// Returns the slots of the outputs.
     [[nodiscard]] std::span<const slot> outputs() const { return outputs_; }
     [[nodiscard]] std::size_t slots() const { return slots_; }
     [[nodiscard]] std::size_t bytes() const
@@ -33,11 +33,11 @@ public:
         return values_.size() * sizeof(value) + terms_.size() * sizeof(term) +
                (operands_.size() + outputs_.size()) * sizeof(slot) + inputs_.size() * sizeof(inputs_[0]);
     }
-    /// More slots were needed than there are numbers for: it must not run.
+    /// Returns true if more slots are needed than `slot` can number. Such a program must not run.
     [[nodiscard]] bool is_too_long() const { return slots_ > std::numeric_limits<slot>::max(); }
 
 #ifdef KITH_HAS_LANES
-    /// Makes all outputs; slot s is Size registers of so many bytes from slots[s * Size] on.
+    /// Computes all outputs. Slot s consists of `Size` registers of `Bytes` bytes, from slots[s * Size] on.
     template <std::size_t Size, std::size_t Bytes>
     [[gnu::always_inline]] void run(typename lanes<Scalar, Bytes>::type* slots) const
     {
@@ -94,7 +94,8 @@ public:
 private:
     friend class lane_program_maker<Scalar>;
 
-    /// The sum of some slots, times a weight; added to what came before one by one where it is not scaled.
+    /// A sum of `count` slots, multiplied by `weight` if `is_scaled`. The slots of an unscaled term are added one by
+    /// one to the terms before it.
     struct term {
         Scalar weight;
         std::uint16_t count;

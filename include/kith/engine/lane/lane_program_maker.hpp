@@ -15,12 +15,12 @@
 
 namespace kith {
 
-/// Makes programs of tapes, one after the other in the same memory.
+/// A maker of programs from tapes. It makes one after the other in the same memory.
 template <std::floating_point Scalar>
 class lane_program_maker {
 public:
-    /// What makes some values of a tape, the outputs. Cost: O(what they need), and a look at 64 values of the tape at
-    /// once.
+    /// Returns the program that computes some values of a tape, the outputs. Cost: O(nodes that the outputs need), and
+    /// one look at every 64 values of the tape.
     [[nodiscard]] lane_program<Scalar> make(const tape<Scalar>& from, std::span<const std::uint32_t> outputs)
     {
         tape_ = &from;
@@ -50,19 +50,19 @@ private:
     using slot = typename program::slot;
     using node = typename tape<Scalar>::node;
     using operation = typename tape<Scalar>::operation;
-    using place = std::uint32_t; ///< a slot of its own for each value; several share one in the end
+    using place = std::uint32_t; ///< of a value before slots are assigned; several places may share a slot
 
-    /// Numbers below a bound.
+    /// A set of numbers below a bound.
     class number_set {
     public:
         void restart(std::size_t bound) { words_.assign(bound / bits + 1, 0); }
-        /// Whether it was not in the set before.
+        /// Inserts a number. Returns true if it was not in the set before.
         bool insert(std::uint32_t number)
         {
             const std::uint64_t bit = std::uint64_t(1) << number % bits;
             return (std::exchange(words_[number / bits], words_[number / bits] | bit) & bit) == 0;
         }
-        /// In their order.
+        /// Calls f(number) for each number in the set, in increasing order.
         template <class F>
         void for_members(const F& f) const
         {
@@ -105,7 +105,7 @@ private:
         }
     }
 
-    /// f(summand) for what is added up in a node, from the left; a node that is no sum is one summand.
+    /// Calls f(summand) for each summand of a node, from the left. A node that is no sum is its own only summand.
     template <class F>
     void for_summands(std::uint32_t n, const F& f) const
     {
@@ -122,7 +122,7 @@ private:
                (sum.kind == operation::add and tape_->nodes[sum.b].kind == operation::load and is_sum_of_values(sum.a));
     }
 
-    /// The place of an operand. Precondition: what is no value has been made.
+    /// Returns the place of an operand. Precondition: unless it is a load, the operand has been made.
     [[nodiscard]] place operand(std::uint32_t n) const
     {
         const node& o = tape_->nodes[n];
@@ -134,7 +134,8 @@ private:
             place_of_node_[n] = make_node(n);
     }
 
-    /// Appends what makes a node, and before it what that needs and is no value; its place.
+    /// Appends the operations that make a node, after those of its operands that are no loads. Returns the place of the
+    /// node.
     place make_node(std::uint32_t n)
     {
         const node& root = tape_->nodes[n];
@@ -166,11 +167,12 @@ private:
         return places_++;
     }
 
-    /// Gives places slots, one to several that do not live at the same time, so that they fit the nearest cache.
+    /// Returns the program, after assigning slots to places. Places that are not alive at the same time share a slot,
+    /// so that the slots fit the nearest cache.
     [[nodiscard]] program with_slots(std::span<const std::uint32_t> outputs)
     {
         constexpr std::uint32_t never = 0, always = std::numeric_limits<std::uint32_t>::max();
-        last_read_.assign(places_, never); // by which value, counted from 1
+        last_read_.assign(places_, never); // by which value of the program, counted from 1
         const auto for_operands = [&](const auto& f) {
             std::size_t next = 0, t = 0;
             for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -199,7 +201,7 @@ private:
                 made.operands_.push_back(slot(slot_of_[p]));
                 if (last_read_[p] == i + 1) {
                     free_.push_back(slot_of_[p]);
-                    last_read_[p] = always; // once
+                    last_read_[p] = always; // so that the slot is freed once
                 }
             }
             if (free_.empty())
@@ -223,7 +225,7 @@ private:
     std::vector<typename program::term> terms_;
     std::vector<std::uint32_t> inputs_;
     std::vector<place> place_, place_of_node_;              // of values, of nodes
-    std::vector<place> places_read_, made_;                 // operand by operand, value by value of the program
+    std::vector<place> places_read_, made_;                 // of each operand, of each value of the program
     std::vector<std::uint32_t> last_read_, slot_of_, free_; // by place; slots
     place places_ = 0;
 };

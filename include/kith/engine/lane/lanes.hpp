@@ -8,21 +8,22 @@
 #include <concepts>
 #include <cstddef>
 
-/// As many numbers as a register of the processor holds, added and scaled side by side: each lane is what one number
-/// would be, to the bit. Vectors are those of g++ and clang. Every processor has registers of 16 bytes; on x86-64 most
-/// have wider ones, which functions marked KITH_LANES_OF_32_BYTES and KITH_LANES_OF_64_BYTES use: lane_bytes() looks.
+/// Lanes: the numbers that a register of the processor holds, which are added and scaled side by side. The result in
+/// each lane has the bits of the same operations on a single number. Vectors are those of g++ and clang. Every
+/// processor has registers of 16 bytes, and most x86-64 processors have wider ones. Functions marked
+/// KITH_LANES_OF_32_BYTES and KITH_LANES_OF_64_BYTES use these; lane_bytes() tells how wide they are.
 
 namespace kith {
 
-/// Values that are numbers, or arrays of a few numbers, which fit into lanes where there are any.
+/// True for values that fit into lanes, if there are lanes: numbers, and arrays of a few numbers.
 template <class Value>
 inline constexpr bool fits_lanes = false;
-/// The count of numbers that such a value has.
+/// The count of numbers in a value.
 template <class Value>
 inline constexpr std::size_t lane_numbers = 1;
 template <class Scalar, std::size_t N>
 inline constexpr std::size_t lane_numbers<std::array<Scalar, N>> = N;
-/// Returns the first of its numbers.
+/// Returns a pointer to the first number of a value.
 template <class Scalar>
 auto* first_number(Scalar& value)
 {
@@ -34,12 +35,12 @@ auto* first_number(Scalar& value)
 
 } // namespace kith
 
-// Patches, which use lanes, take about as long to compile as all else of a refinement. So headers alone leave them out,
-// and a deep refinement takes two to four times as long; kith::compiled_schemes has them. A program from headers alone
-// defines KITH_PATCHES in all of its files to have them.
+// Patches, which use lanes, take about as long to compile as the rest of a refinement. Headers alone leave them out,
+// and a deep refinement then takes two to four times as long. The library kith::compiled_schemes has them. A
+// header-only program gets them by defining KITH_PATCHES in all of its files.
 #if defined(__GNUC__) and (defined(KITH_COMPILED_SCHEMES) or defined(KITH_PATCHES))
 #define KITH_HAS_LANES 1
-// Aligned, so that their loops are as fast in every program.
+// Aligned, so that their loops are equally fast in every program.
 #if defined(__x86_64__)
 // prfchw needs no check at run time: a processor without it ignores the instruction.
 #define KITH_LANES_OF_16_BYTES [[gnu::target("prfchw"), gnu::noinline, gnu::aligned(64)]]
@@ -58,8 +59,9 @@ template <std::floating_point Scalar>
     requires(sizeof(Scalar) <= sizeof(double))
 inline constexpr bool fits_lanes<Scalar> = true;
 
-/// The bytes of the widest registers that this processor can use at its usual clock: the first ones that had 64 slow
-/// down for them; VBMI2 came with those that do not. Cost: that of a look.
+/// Returns the size in bytes of the widest registers that this processor can use at its usual clock. The first
+/// processors with 64 bytes slow down for these; processors that do not slow down also have VBMI2. Cost: that of a
+/// look.
 inline std::size_t lane_bytes()
 {
 #if defined(__x86_64__)
@@ -71,7 +73,7 @@ inline std::size_t lane_bytes()
     return 16;
 #endif
 }
-/// No registers have more.
+/// The size in bytes of the widest registers of any processor.
 inline constexpr std::size_t most_lane_bytes = 64;
 
 template <class Scalar, std::size_t Bytes>
@@ -80,8 +82,8 @@ struct lanes {
     typedef Scalar type __attribute__((vector_size(Bytes), may_alias));
 };
 
-/// Keeps the compiler from making a product and the sum that follows one operation, which would round once; clang does
-/// so within one expression only.
+/// Keeps the compiler from fusing a product with the sum that follows, which would round only once. clang fuses only
+/// within one expression.
 template <class Pack>
 [[gnu::always_inline]] inline void keep_rounded([[maybe_unused]] Pack& product)
 {
@@ -92,8 +94,8 @@ template <class Pack>
 #endif
 }
 
-/// Writes to memory without fetching what was there, where the processor can: for what is not read again soon. Other
-/// threads see it after `publish`.
+/// Writes a value without first fetching what was in memory, where the processor can. It suits values that are not read
+/// again soon. Other threads see the value after `publish`.
 template <class T>
 [[gnu::always_inline]] inline void store_past_caches(T* to, T value)
 {

@@ -13,9 +13,9 @@
 
 namespace kith {
 
-/// The operations of a scheme's text on its operands, in order. Each is a node, each value the node that it was stored
-/// from. A tape knows no numbers but the weights, so that what was recorded on one part of a mesh can be replayed on
-/// all parts that look alike, operation by operation, to the same bits.
+/// A record of the operations that a scheme performs on its operands, in order. Each operation is a node, and each
+/// value refers to the node from which it was stored. A tape contains no numbers but the weights. What was recorded on
+/// one part of a mesh can therefore be replayed on all parts that look alike, to the same bits.
 template <std::floating_point Scalar>
 struct tape {
     enum class operation : unsigned char { load, add, scale };
@@ -28,14 +28,14 @@ struct tape {
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
     std::vector<node> nodes;
-    std::vector<std::uint32_t> values; ///< its node; none for those that were there before
+    std::vector<std::uint32_t> values; ///< the node of each value; none for inputs
 
     std::uint32_t push(const node& n)
     {
         nodes.push_back(n);
         return std::uint32_t(nodes.size() - 1);
     }
-    /// Begins anew, in the same memory, with values that are there before.
+    /// Begins anew in the same memory, with `inputs` values that exist before the first operation.
     void restart(std::size_t inputs)
     {
         nodes.clear();
@@ -51,7 +51,7 @@ constinit inline thread_local tape<Scalar>* recording_on = nullptr;
 
 } // namespace detail
 
-/// Records on a tape while it lives.
+/// A guard during whose lifetime this thread records on a tape.
 template <std::floating_point Scalar>
 class recording {
 public:
@@ -64,15 +64,15 @@ private:
     tape<Scalar>* before_;
 };
 
-/// Makes the values of a tape, one operation after the other, of numbers or arrays of numbers. It has the bits of the
-/// text that was recorded.
+/// A player that computes the values of a tape from numbers or arrays of numbers, one operation after the other. The
+/// results have the bits of the recorded code.
 template <class Point>
 class tape_player {
     using scalar = typename affine<Point>::scalar;
     using sum = typename affine<Point>::sum;
 
 public:
-    /// Plays a tape from the values that are there before, which must outlive the use of the others. Cost: O(nodes).
+    /// Plays a tape with `before` as its inputs. They must outlive the calls of value(). Cost: O(nodes).
     void play(const tape<scalar>& played, std::span<const Point> before)
     {
         using operation = typename tape<scalar>::operation;
@@ -92,7 +92,7 @@ public:
             ++to;
         }
     }
-    /// Returns a value of the tape that was played last.
+    /// Returns a value of the tape that was played last, by its number.
     [[nodiscard]] Point value(std::uint32_t number) const
     {
         const std::uint32_t node = played_->values[number];
@@ -105,8 +105,8 @@ private:
     storage<sum> sums_; // by node
 };
 
-/// The number of a value on the tape. Its copy constructor is not trivial, because loops over such values run on one
-/// thread, and a tape belongs to a thread.
+/// The number of a value on the tape. Its copy constructor is not trivial, so that loops over such values run on one
+/// thread: a tape belongs to a thread.
 template <std::floating_point Scalar>
 struct recorded {
     std::uint32_t value = tape<Scalar>::none;

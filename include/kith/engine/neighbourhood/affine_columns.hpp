@@ -11,8 +11,8 @@
 
 namespace kith {
 
-/// The elements from whose numbers those of tuples follow: v, e or f, or vf, the first corners of faces where these
-/// have several degrees, 0.
+/// Returns the kind of the elements from whose numbers those of tuples follow: v, e or f. If faces have several degrees
+/// (`degree` 0), tuples at corners follow from the first corners of faces, vf.
 constexpr tuple_kind numbered_elements(tuple_kind kind, std::size_t degree)
 {
     switch (kind) {
@@ -23,26 +23,27 @@ constexpr tuple_kind numbered_elements(tuple_kind kind, std::size_t degree)
     default: return degree == 0 ? tuple_kind::vf : tuple_kind::f;
     }
 }
-/// By how much the indices of tuples grow with the number of such an element, where faces have this degree.
+/// Returns by how much the indices of tuples grow with the number of such an element, if faces have this degree.
 constexpr std::size_t tuples_of_each(tuple_kind kind, std::size_t degree)
 {
     const bool of_faces = kind != tuple_kind::f and numbered_elements(kind, degree) == tuple_kind::f;
     return tuples_per_element(kind) * (of_faces ? degree : 1);
 }
 
-/// The columns of a step of a whole mesh: the new element of a tuple has the number base + of_each * number of the
-/// element that the tuple belongs to + which of its tuples it is.
+/// The numbering of a step of a whole mesh by columns. The new element of a tuple has the number base + of_each * x +
+/// i. Here x is the number of the element to which the tuple belongs, and i counts the tuples of that element.
 struct column_bases {
     using by_kind = std::array<std::uint64_t, 7>;
     by_kind vertices{}, edges{}, faces{};
     by_kind vertices_of_each{}, edges_of_each{}, faces_of_each{};
-    by_kind corners{}; ///< the first one of the faces of a column
-    by_kind degrees{}; ///< of these faces; 0: those of the faces that they come from
+    by_kind corners{}; ///< the first corner of the faces of a column
+    by_kind degrees{}; ///< of these faces; 0: each has the degree of the face from which it comes
     by_kind vertex_counts{}, edge_counts{}, face_counts{}; ///< how many elements a column makes
 
     friend bool operator==(const column_bases&, const column_bases&) = default;
 
-    /// Where a column of vertices, edges or faces begins, v, e or f, or the corners of such faces, vf.
+    /// Returns the number where a column begins: of its vertices, edges or faces (`made` is v, e or f), or of the
+    /// corners of its faces (vf).
     [[nodiscard]] std::uint64_t base(tuple_kind made, tuple_kind kind) const
     {
         switch (made) {
@@ -52,7 +53,7 @@ struct column_bases {
         default: return corners[std::size_t(kind)];
         }
     }
-    /// How many an element has.
+    /// Returns the factor `of_each` of a column; `made` as in base().
     [[nodiscard]] std::uint64_t of_each(tuple_kind made, tuple_kind kind) const
     {
         switch (made) {
@@ -62,7 +63,7 @@ struct column_bases {
         default: return has_corners_of_face(kind) ? 1 : degrees[std::size_t(kind)] * faces_of_each[std::size_t(kind)];
         }
     }
-    /// How many vertices, edges or faces (v, e, f) a column makes.
+    /// Returns how many vertices, edges or faces (v, e, f) a column makes.
     [[nodiscard]] std::uint64_t count(tuple_kind made, tuple_kind kind) const
     {
         const by_kind& counts = made == tuple_kind::v   ? vertex_counts
@@ -70,14 +71,14 @@ struct column_bases {
                                                         : face_counts;
         return counts[std::size_t(kind)];
     }
-    /// The new faces have the corners of those that they come from.
+    /// Returns true if the new faces of a column have the degrees of the faces from which they come.
     [[nodiscard]] bool has_corners_of_face(tuple_kind kind) const { return degrees[std::size_t(kind)] == 0; }
 };
 
 namespace detail {
 
-/// Whether the numbers of a column are a base plus a multiple of the element's number, on closed meshes or on all. That
-/// holds where all tuples are picked, and where marks pick as many of the edges or corners of each face.
+/// Returns true if the numbers of a column are a base plus a multiple of the element's number, on closed meshes or on
+/// all meshes. They are if all tuples are picked, or if marks pick equally many edges or corners of each face.
 template <class Column>
 constexpr bool is_affine(bool closed)
 {
@@ -88,8 +89,9 @@ constexpr bool is_affine(bool closed)
     else
         return picks_without_condition<where>(closed);
 }
-/// Whether the same holds of the corners of its new faces: all have one degree, that of their parent face, or one per
-/// face at a vertex where the scheme states one valence.
+/// True if the numbers of the corners of a column's new faces are affine, too. Then all these faces have one fixed
+/// degree, or the degree of their parent face. Faces at vertices, one per vertex, may have the one valence that the
+/// scheme states.
 template <class Column, bool HasValence>
 inline constexpr bool has_affine_corners = fixed_degree_of<decltype(Column::degree)> != 0 or
                                            (Column::kind == tuple_kind::f and
@@ -114,7 +116,7 @@ using affine_edges = affine_columns<decltype(columns_type<Scheme>::edges)>;
 template <scheme Scheme>
 using affine_faces = affine_columns<decltype(columns_type<Scheme>::faces)>;
 
-/// Calls f(numbers, i, column) for each of some columns with their numbers.
+/// Calls f(numbers, i, column) for the i-th of some columns. `numbers` are those of all these columns.
 template <class List, class F>
 void for_each_base(const List& columns, const counts& coarse, int generation, const F& f)
 {
@@ -125,28 +127,28 @@ void for_each_base(const List& columns, const counts& coarse, int generation, co
 
 } // namespace detail
 
-/// The number of each new element is an affine function of that of one that it comes from: of a mesh without a
-/// boundary, or of any.
+/// Returns true if the number of each new element is an affine function of the number of an element from which it
+/// comes: on meshes without a boundary (`closed`), or on all meshes.
 template <scheme Scheme>
 constexpr bool numbers_are_affine(bool closed)
 {
     return detail::affine_vertices<Scheme>::affine(closed) and detail::affine_edges<Scheme>::affine(closed) and
            detail::affine_faces<Scheme>::affine(closed);
 }
-/// So are those of all corners.
+/// True if the numbers of all elements and corners are affine functions on meshes without a boundary.
 template <scheme Scheme>
 inline constexpr bool has_affine_numbers =
     numbers_are_affine<Scheme>(true) and detail::affine_faces<Scheme>::template corners<traits_of<Scheme>.valence != 0>;
-/// Vertices tell how many corners some new faces have.
+/// True if the valences of vertices are the degrees of some new faces.
 template <scheme Scheme>
 inline constexpr bool has_faces_by_valence = detail::affine_faces<Scheme>::by_valence;
-/// Marks tell what is picked, from the first refined level on: there the marked edges come first.
+/// True if marks decide which tuples are picked, from the first refined level on. There the marked edges come first.
 template <scheme Scheme>
 inline constexpr bool has_numbers_by_marks = detail::affine_vertices<Scheme>::by_marks or
                                              detail::affine_edges<Scheme>::by_marks or
                                              detail::affine_faces<Scheme>::by_marks;
 
-/// The columns of a step from a mesh with these counts. Precondition: numbers are affine there. Cost: O(1).
+/// Returns the numbering of a step from a mesh with these counts. Precondition: numbers are affine there. Cost: O(1).
 template <countable_scheme Scheme>
 column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int generation)
 {
@@ -162,7 +164,7 @@ column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int ge
             if constexpr (detail::numbers_by_marks<W>) {
                 const std::uint64_t marked = c.where.keep.marked(coarse, generation);
                 if constexpr (numbered_elements(Kind, 1) == tuple_kind::e)
-                    bases[kind] -= c.where.keep.picked(0, marked); // they follow one another
+                    bases[kind] -= c.where.keep.picked(0, marked); // the picked ones follow one another
                 else
                     of_each[kind] = c.where.keep.before(tuples_of_each(Kind, degree), marked);
             }
@@ -187,8 +189,9 @@ column_bases bases_of_columns(const Scheme& scheme, const counts& coarse, int ge
     return result;
 }
 
-/// Whether the next level has as many corners as its columns tell, and this one as its valence. Precondition: `fine`
-/// are the next counts.
+/// Returns true if the next level has as many corners as its columns say. If valences are degrees of new faces, this
+/// level must also be closed and have the valence that the scheme states. Precondition: `fine` are the counts of the
+/// next level.
 template <countable_scheme Scheme>
 bool agree_on_corners(const Scheme& scheme, const counts& coarse, const counts& fine, int generation)
 {

@@ -27,8 +27,8 @@ constexpr bool come_from_faces(const std::tuple<Columns...>*)
 
 } // namespace detail
 
-/// A scheme whose new faces come from faces, of one degree, and whose numbers follow in one way from the first level
-/// on. Then who owns a face owns its descendants.
+/// A scheme whose new faces come from faces and have one degree, and whose numbers follow in the same way from the
+/// first level on. Then the owner of a face owns its descendants.
 template <class Scheme, class Index>
 concept faces_descend_from_faces = has_affine_numbers<Scheme> and not has_numbers_by_marks<Scheme> and
                                    not has_faces_by_valence<Scheme> and not detail::may_ask_state<Scheme>() and
@@ -40,13 +40,13 @@ concept faces_descend_from_faces = has_affine_numbers<Scheme> and not has_number
 /// descendants of element x are `each` in number, from first + each * x on.
 struct descent {
     tuple_kind from;           ///< elements of the earlier level: v, e, f or vf
-    tuple_kind last;           ///< tuples that gave birth to the elements of the later level
+    tuple_kind last;           ///< the tuples that made the elements of the later level
     std::uint64_t first, each; ///< see above
 };
 
 /// Returns the descents of all vertices, edges, faces or corners (v, e, f, vf) that some steps make, in the order of
-/// their numbers. `steps` are at least one. All faces before and after each of them have this degree; with several, 0,
-/// elements may descend from corners, vf. Cost: O(result).
+/// their numbers. There is at least one step. All faces before and after each step have this degree; if they have
+/// several (0), elements may descend from corners (vf). Cost: O(result).
 inline std::vector<descent> descents_of(tuple_kind made, std::span<const column_bases> steps, std::size_t degree)
 {
     const column_bases& last = steps.back();
@@ -70,13 +70,13 @@ inline std::vector<descent> descents_of(tuple_kind made, std::span<const column_
     return result;
 }
 
-/// The corners of faces that descend in one way: face number f has those from offset + degree * f on. Where all steps
-/// keep the corners of faces they are from offset + c on, c being the first corner of the face before the steps.
+/// The corners of the faces of one descent. Face number f has the corners from offset + degree * f on. If all steps
+/// keep the degrees of faces, its corners begin at offset + c. Here c is the first corner of the face before the steps.
 struct descent_of_corners {
     std::uint64_t offset, degree; ///< offset modulo 2^64; degree 0: that of the face before the steps
 };
 
-/// Returns that of a way of descent of faces. Cost: O(steps).
+/// Returns the corners of the faces of a descent. Cost: O(steps).
 inline descent_of_corners corners_of(const descent& way, std::span<const column_bases> steps)
 {
     std::uint64_t kept = 0, face = way.first;

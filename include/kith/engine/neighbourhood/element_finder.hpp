@@ -14,26 +14,28 @@
 
 namespace kith {
 
-/// An element of a neighbourhood: the vertex of a corner, its edge, its face, the first corner of that.
+/// An element of a neighbourhood, given by a corner: the vertex of the corner, its edge, its face, or the first corner
+/// of its face.
 struct walked_element {
     tuple_kind kind; ///< v, e, f or vf
     walked_corner at;
 };
 
-/// Finds elements of alike neighbourhoods around up to `AtOnce` faces: step by step around all of them, so that what
-/// one waits for from the memory, the others do, too.
+/// A finder of elements in alike neighbourhoods around up to `AtOnce` faces. It goes step by step around all of them,
+/// so that they wait for the memory together.
 template <std::unsigned_integral Index, std::size_t AtOnce>
 class element_finder {
 public:
-    /// In a mesh that has its edges and outlives this.
+    /// Takes the connectivity of a mesh that has its edges. It must outlive this.
     explicit element_finder(const connectivity<Index>& mesh) : mesh_(&mesh) {}
 
-    /// Precondition: these steps can be made around each of the faces. Cost: O(steps * AtOnce).
+    /// Walks around each of the faces by these steps. Precondition: these steps can be made around each of them. Cost:
+    /// O(steps * AtOnce).
     void walk(std::span<const walk_step> steps, std::span<const Index> faces)
     {
         ensure_size(first_corners_, (steps.size() + 1) * AtOnce);
         Index* to = first_corners_.data();
-        for (std::size_t i = 0; i < AtOnce; ++i) // where there are fewer faces the first stands for them
+        for (std::size_t i = 0; i < AtOnce; ++i) // the first face stands for missing ones
             to[i] = mesh_->first_corner(faces[i < faces.size() ? i : 0]);
         count_ = faces.size();
         for (const walk_step& step : steps) {
@@ -43,7 +45,7 @@ public:
             std::fill(to + count_, to + AtOnce, to[0]);
         }
     }
-    /// The numbers of an element around each of the faces walked around last, `AtOnce` of them.
+    /// Writes the numbers of an element around each of the faces of the last walk(), `AtOnce` of them.
     void find(const walked_element& element, Index* to) const
     {
         const auto at_each = [&](const auto& number) {
@@ -65,7 +67,7 @@ private:
     }
 
     const connectivity<Index>* mesh_;
-    storage<Index> first_corners_; // of the faces of the neighbourhoods, in the order of the walk
+    storage<Index> first_corners_; // of the walked faces, step by step, `AtOnce` each
     std::size_t count_ = 0;
 };
 

@@ -16,9 +16,9 @@
 
 namespace kith {
 
-/// A tuple of elements of a face, told by a corner of the face: (v) and (v,f) at the corner; (e) and (e,f) of the side
-/// that leaves it; (v,e) at the end of that side that is first, or at the other one; (v,f,e) with that side if it is
-/// first, or with the side that leads to the corner; (f) with corner 0.
+/// A tuple of elements of a face, given by a corner of the face. (v) and (v,f) are at the vertex of the corner. (e) and
+/// (e,f) have the side that leaves the corner. (v,e) is at the start of that side if `is_first`, else at its end.
+/// (v,f,e) has that side if `is_first`, else the side that leads to the corner. (f) has corner 0.
 struct tuple_in_face {
     tuple_kind kind;
     std::uint8_t corner = 0;
@@ -32,11 +32,11 @@ struct face_children {
     /// A new face: its tuple, (f), (v,f), (e,f) or (v,f,e), and its corners.
     struct child {
         tuple_in_face born;
-        std::vector<std::uint8_t> vertices; ///< for each corner the place of its tuple in `tuples`
-        std::vector<std::uint8_t> along;    ///< for each corner one more than the corner to which that side of the face
-                                            ///< leads along which the side to this corner lies; 0 if it lies inside
+        std::vector<std::uint8_t> vertices; ///< for each corner the index of its tuple in `tuples`
+        std::vector<std::uint8_t> along;    ///< for each corner 1 + the corner to which a side of the face leads that
+                                            ///< contains the side to this corner; 0 if that lies inside the face
 
-        /// Returns the number of this child of a face among the tuples of its column. Faces have this degree.
+        /// Returns the index of the tuple that made this child of a face, in its column. All faces have this degree.
         [[nodiscard]] std::size_t tuple_of(std::size_t face, std::size_t degree) const
         {
             const std::size_t corner = degree * face + born.corner;
@@ -47,14 +47,14 @@ struct face_children {
     };
 
     std::size_t degree;
-    std::vector<tuple_in_face> tuples; ///< that give birth to the vertices of the children
+    std::vector<tuple_in_face> tuples; ///< the tuples that make the vertices of the children
     std::vector<child> children;
-    bool ends_lie_along_edges = false, middles_lie_along_edges = false; ///< new edges of tuples (v,e) and (e)
+    bool ends_lie_along_edges = false, middles_lie_along_edges = false; ///< of new edges from tuples (v,e) and (e)
 };
 
 namespace detail {
 
-/// Tells tuples of a level by the corners of one of its faces.
+/// A face of a level, in terms of which tuples are expressed.
 template <std::unsigned_integral Index>
 class tuples_around_face {
 public:
@@ -63,7 +63,7 @@ public:
     {
     }
 
-    /// Returns a tuple in terms of the face, or nothing if it has elements outside.
+    /// Returns a tuple in terms of the face, or nothing if it has elements outside the face.
     [[nodiscard]] std::optional<tuple_in_face> find(tuple_kind kind, std::size_t tuple) const
     {
         const auto corner_where = [&](const auto& is_here) -> std::optional<std::uint8_t> {
@@ -79,7 +79,7 @@ public:
         case tuple_kind::v: return make(corner_where([&](Index c) { return level_.corner_vertex[c] == tuple; }));
         case tuple_kind::e: return make(side_of(tuple, corner_where));
         case tuple_kind::ve: {
-            // An end of an edge is first from its origin, where its side 0 leaves.
+            // The first end of an edge is its origin, which its half-edge 0 leaves.
             const auto corner = side_of(tuple / 2, corner_where);
             return corner ? make(corner, (level_.corner_halfedge[first_ + *corner] % 2 == 0) == (tuple % 2 == 0))
                           : std::nullopt;
@@ -103,8 +103,8 @@ private:
     std::size_t first_, degree_;
 };
 
-/// Returns one more than the corner to which the side of a face of this degree leads that has both tuples on it; 0 if
-/// there is none.
+/// Returns 1 + the corner to which a side of a face leads that contains both tuples, or 0 if there is no such side. The
+/// face has this degree.
 inline std::uint8_t side_with(const tuple_in_face& from, const tuple_in_face& to, std::size_t degree)
 {
     const auto lies_on = [&](const tuple_in_face& tuple, std::size_t side) {
@@ -123,9 +123,9 @@ inline std::uint8_t side_with(const tuple_in_face& from, const tuple_in_face& to
 
 } // namespace detail
 
-/// Returns what a step makes of a face of a level; nothing if new faces of the face, or their vertices, come from other
-/// faces, too. `fine` is the next level and `ids` are the numbers of the step.
-/// Precondition: no scheme of the step asks for numbers, so that all inner faces are alike. Cost: O(faces of fine).
+/// Returns the faces that a step makes of a face of a level. Returns nothing if their vertices come from other faces,
+/// too. `fine` is the next level and `ids` are the numbers of the step.
+/// Precondition: the scheme of the step ignores numbers, so that all inner faces are alike. Cost: O(faces of fine).
 template <std::unsigned_integral Index, level_numbering Ids>
 std::optional<face_children> children_of_face(const connectivity<Index>& level, std::size_t face,
                                               const connectivity<Index>& fine, const Ids& ids)

@@ -23,23 +23,23 @@
 
 namespace kith {
 
-/// Classes of faces with alike neighbourhoods, including the state of the scheme there. No face is walked around for
-/// this. Two vertices are of one kind if their fans are alike from start to end. Two faces are of one class if their
-/// corners have the same places in fans of the same kinds. Each round over vertices and faces adds a ring (the colour
-/// refinement of Weisfeiler & Leman 1968). The elements around an element of a surface are in order, so this tells
-/// apart all but neighbourhoods that meet themselves again from behind; see `face_walk::is_disk`.
+/// Classes of faces with alike neighbourhoods, including the state of the scheme there. They are found without walking
+/// around faces. Two vertices are of one kind if their fans are alike from start to end. Two faces are of one class if
+/// their corners have the same places in fans of the same kinds. Each round over vertices and faces adds a ring (the
+/// colour refinement of Weisfeiler & Leman 1968). The elements around an element of a surface are in order. So this
+/// tells apart all neighbourhoods, except those that meet themselves again from another side; see `face_walk::is_disk`.
 template <std::unsigned_integral Index>
 class face_classes {
 public:
     using number = sequence_numbers::number;
     static constexpr std::size_t most_corners = std::size_t(1) << 30;
-    static constexpr number none = std::numeric_limits<number>::max(); ///< the class of faces that are left out
+    static constexpr number none = std::numeric_limits<number>::max(); ///< stands for the class of faces left out
 
-    /// Preconditions: the mesh has its edges and at most `most_corners`; rings > 0. Cost: O(corners) per ring, on all
-    /// threads.
+    /// Finds the classes by this many rings. Preconditions: the mesh has its edges and at most `most_corners`; rings >
+    /// 0. Cost: O(corners) per ring, on all threads.
     face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks);
 
-    /// Leaves out the faces without a mark; the numbers of the classes stay, and some may have no faces then.
+    /// Leaves out the faces without a mark. The numbers of the classes stay; some classes may then have no faces.
     void keep_marked(std::span<const unsigned char> is_marked)
     {
         for (std::size_t f = 0; f < class_.size(); ++f)
@@ -48,9 +48,9 @@ public:
     }
 
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// The class of each face.
+    /// Returns the class of each face, or `none`.
     [[nodiscard]] const storage<number>& of_faces() const { return class_; }
-    /// How many faces each class has. Cost: O(faces).
+    /// Returns the number of faces of each class. Cost: O(faces).
     [[nodiscard]] std::vector<std::size_t> sizes() const
     {
         std::vector<std::size_t> result(count_, 0);
@@ -61,10 +61,10 @@ public:
     }
 
 private:
-    /// What is seen of each face alone: its degree, and what the state says.
+    /// Sets the class of each face by what is seen of the face alone: its degree, and its state.
     void look_at_each(const connectivity<Index>& mesh, state_marks<Index>& marks)
     {
-        number used = 0; // of the numbers of items
+        number used = 0; // how many numbers of items are taken
         std::map<std::pair<std::uint32_t, Index>, number> first_items;
         for (std::size_t f = 0; f < mesh.faces; ++f) {
             const Index degree = mesh.first_corner(f + 1) - mesh.first_corner(f);
@@ -75,9 +75,9 @@ private:
             class_[f] = place->second;
         }
     }
-    /// The first of some vertices each, in the order of the faces that these lie at: threads that share them read and
-    /// write what lies in different places, and rarely wait for each other's cache lines. A mesh that was refined has
-    /// its vertices column by column, each in this order.
+    /// Returns the first vertex of each group of `vertices_at_once`, in the order of the faces at which these vertices
+    /// lie. Threads that share the groups then read and write in different places, and rarely wait for each other's
+    /// cache lines. A refined mesh has its vertices column by column, each column in this order.
     static std::vector<std::size_t> vertices_by_faces(const connectivity<Index>& mesh)
     {
         std::vector<std::size_t> firsts;
@@ -102,7 +102,7 @@ private:
                     Index c = start;
                     do {
                         const Index h = mesh.corner_halfedge[c];
-                        // With divisors that the compiler knows.
+                        // Divides by constants where possible, which is faster.
                         const Index face = degree == 4 ? c / 4 : degree == 3 ? c / 3 : mesh.corner_face[c];
                         const Index first = degree != 0 ? degree * face : mesh.face_corner[face];
                         const bool is_boundary = mesh.halfedge_corner[h ^ 1] == mesh.none;
@@ -147,10 +147,10 @@ private:
     // Per face: its class; before the last round the number of the class's first item. There are as many items as
     // corners.
     storage<number> class_;
-    storage<char32_t> place_in_fan_; // of corners: which place in which kind of fan
+    storage<char32_t> place_in_fan_; // of corners: the place in a fan, different for each kind of fan
 };
 
-// Outside of the class, so that what declares it `extern template` does not compile them.
+// Defined outside of the class, so that files that declare it `extern template` do not compile them.
 
 template <std::unsigned_integral Index>
 face_classes<Index>::face_classes(const connectivity<Index>& mesh, int rings, state_marks<Index> marks)
@@ -164,8 +164,9 @@ face_classes<Index>::face_classes(const connectivity<Index>& mesh, int rings, st
     }
 }
 
-/// How many classes a sample of faces has, divided by its faces; of small meshes all faces, which is as quick.
-/// Preconditions: the mesh has its edges and faces. Cost: that of one to two times `most_looks` walks at most.
+/// Returns the number of classes in a sample of faces, divided by the faces of the sample. For small meshes the sample
+/// is all faces, which is as quick. Preconditions: the mesh has its edges and faces. Cost: at most that of one to two
+/// times `most_looks` walks.
 template <std::unsigned_integral Index>
 double share_of_classes(const connectivity<Index>& mesh, int rings, std::size_t most_looks = 1024)
 {
@@ -174,7 +175,7 @@ double share_of_classes(const connectivity<Index>& mesh, int rings, std::size_t 
         return double(face_classes<Index>(mesh, rings, state_marks<Index>(mesh)).count()) / double(mesh.faces);
     face_walk<Index> walk(mesh, rings);
     std::unordered_set<std::u16string> classes;
-    const std::size_t step = mesh.faces / most_looks | 1; // odd: of four children of a face not always the same one
+    const std::size_t step = mesh.faces / most_looks | 1; // odd, to meet different ones of a face's four children
     std::size_t looks = 0;
     for (std::size_t f = 0; f < mesh.faces; f += step) {
         walk.around(f);

@@ -14,32 +14,32 @@
 
 namespace kith {
 
-/// A corner of a neighbourhood: of which of its faces, in the order of the walk, and which one there.
+/// A corner of a neighbourhood: the number of its face in the order of the walk, and which corner of that face it is.
 struct walked_corner {
     std::uint16_t face, corner;
 };
-/// How a face of a neighbourhood is found: across an edge of one that was found before.
+/// A step of a walk, to a new face of the neighbourhood: across an edge of a face that was found before.
 struct walk_step {
-    walked_corner from;     ///< its edge is crossed
+    walked_corner from;     ///< the corner whose edge is crossed
     std::uint16_t rotation; ///< the corner of the new face that lies across
 };
 
-/// The faces around a face, in an order that follows from the connectivity alone, and a key that two faces share when
-/// all that a scheme can ask within the rings has one answer for both: which corners lie across, which way edges
-/// run, where fans start, where the boundary is. Numbers are not in it.
+/// The faces around a face, in an order that follows from the connectivity alone, and a key. Two faces share a key if
+/// everything that a scheme can ask within the rings has one answer for both. That is: which corners lie across, which
+/// way edges run, where fans start, and where the boundary is. Numbers of elements are not in the key.
 template <std::unsigned_integral Index>
 class face_walk {
 public:
-    /// Larger neighbourhoods have no key.
+    /// The size of the largest neighbourhoods that have a key.
     static constexpr std::size_t most_faces = 512, most_corners = 8192;
 
-    /// Precondition: the mesh has its edges; it must outlive this. Cost: O(elements).
+    /// Takes a mesh, which must have its edges and outlive this, and the number of rings. Cost: O(elements).
     face_walk(const connectivity<Index>& mesh, int rings)
         : mesh_(mesh), rings_(rings), face_(mesh.faces, none), vertex_(mesh.vertices, none)
     {
     }
 
-    /// Walks around a face, `rings` rings of faces that share a vertex. Cost: O(corners within).
+    /// Walks around a face, over `rings` rings of faces that share a vertex. Cost: O(corners within).
     void around(std::size_t face)
     {
         faces_.clear();
@@ -64,15 +64,16 @@ public:
             face_[f] = none;
     }
 
-    /// The face itself comes first.
+    /// Returns the faces of the walk; the face itself comes first.
     [[nodiscard]] std::span<const Index> faces() const { return faces_; }
-    /// For each face but the first.
+    /// Returns the step to each face but the first.
     [[nodiscard]] std::span<const walk_step> steps() const { return steps_; }
-    /// Empty where there are too many faces or corners.
+    /// Returns the key; it is empty if there are too many faces or corners.
     [[nodiscard]] const std::u16string& key() const { return key_; }
-    /// Whether the neighbourhood is a disk that touches itself nowhere else than around the vertices whose whole fans
-    /// are in it. Then what is found by its steps around any face of its class (`face_classes`) is all that there is to
-    /// tell apart. Not so around a thin tube, where a vertex is met from both sides. Only where there is a key.
+    /// Returns true if the neighbourhood is a disk that touches itself only around the vertices whose whole fans are in
+    /// it. Then the steps of its walk, around any face of its class (`face_classes`), find all elements that can be
+    /// told apart. This is not so around a thin tube, where a vertex is met from both sides. Returns false if there is
+    /// no key.
     [[nodiscard]] bool is_disk() const { return is_disk_; }
 
 private:
@@ -85,7 +86,7 @@ private:
         places_.push_back(places_.back() + (mesh_.first_corner(face + std::size_t(1)) - mesh_.first_corner(face)));
     }
     [[nodiscard]] bool is_small() const { return faces_.size() <= most_faces and places_.back() <= most_corners; }
-    /// Calls f for the corners of a face.
+    /// Calls f(corner) for the corners of a face.
     template <class F>
     void for_corners(Index face, const F& f) const
     {
@@ -93,7 +94,7 @@ private:
         for (Index c = mesh_.first_corner(face); c < end; ++c)
             f(c);
     }
-    /// With divisors that the compiler knows, which takes a third of the time.
+    /// Returns the face of a corner. Dividing by constants takes a third of the time.
     [[nodiscard]] Index face_of(Index corner) const
     {
         return mesh_.degree == 4 ? corner / 4 : mesh_.degree == 3 ? corner / 3 : mesh_.face_of(corner);
@@ -103,7 +104,7 @@ private:
         const Index face = face_of(corner);
         return {std::uint16_t(face_[face]), std::uint16_t(corner - mesh_.first_corner(face))};
     }
-    /// Of a corner of a walked face, in the order of the walk.
+    /// Returns the place of a corner of a walked face, in the order of the walk.
     [[nodiscard]] std::size_t place_of(Index corner) const
     {
         const auto [face, at] = walked(corner);
@@ -138,8 +139,8 @@ private:
             c = mesh_.next(across);
         }
     }
-    /// In the order in which they are met. Of the first `inner` faces all fans are there: these vertices come first, so
-    /// many.
+    /// Numbers the vertices in the order in which they are met. Returns the number of vertices of the first `inner`
+    /// faces. These come first, and their fans are complete.
     std::size_t number_vertices(std::size_t inner)
     {
         std::size_t complete = 0;
@@ -156,9 +157,10 @@ private:
         }
         return inner >= faces_.size() ? vertices_.size() : complete;
     }
-    /// Glues the faces along the edges at vertices whose fans are whole, as a plane would be laid with them: a disk, by
-    /// its Euler characteristic, in which no vertex lies at two places. Each arc of corners that are glued around a
-    /// vertex lies at one place; around a vertex within they close, and no arc is left.
+    /// Returns true if the faces form a disk in which no vertex lies at two places. They are glued along the edges at
+    /// vertices whose fans are complete. The Euler characteristic tells a disk. The corners that are glued around a
+    /// vertex form arcs, each of which is one place of the vertex. Around an inner vertex they close to a circle, so
+    /// that no arc is left.
     [[nodiscard]] bool meets_no_other_side(std::size_t complete)
     {
         std::size_t sides = 0; // of edges that are glued
@@ -191,7 +193,7 @@ private:
                 if (across == none) {
                     const bool matters = vertex_[v] < complete or
                                          vertex_[mesh_.corner_vertex[mesh_.next(c)]] < complete;
-                    *to++ = matters ? boundary : outside; // all is cut off there
+                    *to++ = matters ? boundary : outside; // beyond it all is cut off
                     return;
                 }
                 *to++ = face_[face_of(across)] == none ? outside
@@ -202,7 +204,7 @@ private:
 
     const connectivity<Index>& mesh_;
     int rings_;
-    storage<Index> face_, vertex_; // numbers in the neighbourhood at work; none outside of it
+    storage<Index> face_, vertex_; // numbers in the current neighbourhood; none outside
     std::vector<Index> faces_, vertices_;
     std::vector<std::size_t>
         places_; // where the corners of each face begin in the order of the walk, and where all end

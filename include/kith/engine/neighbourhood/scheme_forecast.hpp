@@ -14,7 +14,7 @@ namespace kith {
 
 namespace detail {
 
-/// Makes a scheme that refines no element here the scheme of the next level: its state may count levels.
+/// Advances a scheme to the next level without any elements: its state may count levels.
 template <mesh Mesh, scheme Scheme>
 void advance_without_elements(Scheme& scheme, int generation)
 {
@@ -39,7 +39,7 @@ constexpr bool have_parts(const std::tuple<State&...>*)
     return (has_parts<State> and ...);
 }
 
-/// The columns of a scheme may look at its state.
+/// Returns true if the columns of a scheme may look at its state.
 template <scheme Scheme>
 constexpr bool may_ask_state()
 {
@@ -51,8 +51,8 @@ constexpr bool may_ask_state()
 
 } // namespace detail
 
-/// The scheme of one level after the other before there are any, as its columns tell it: where they may look at its
-/// state, with that of a part without elements.
+/// The schemes of future levels, one after the other, as far as their columns are concerned. If the columns may look at
+/// the state, it is the state of a part without elements.
 template <scheme Scheme>
 class scheme_forecast {
     static constexpr bool changes = detail::may_ask_state<Scheme>() and
@@ -61,7 +61,7 @@ class scheme_forecast {
                                             nullptr));
 
 public:
-    /// That of a control mesh of this generation, which must outlive this.
+    /// Begins with the scheme of a control mesh of this generation. The scheme must outlive this.
     scheme_forecast(const Scheme& scheme, int generation) : control_(scheme), generation_(generation)
     {
         if constexpr (changes)

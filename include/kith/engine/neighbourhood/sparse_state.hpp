@@ -25,7 +25,7 @@ namespace kith {
 
 namespace detail {
 
-/// Stands for what a state says of an element.
+/// A stand-in for the value that a state has at an element.
 struct any_value {
     template <class T>
         requires std::is_trivially_copyable_v<T>
@@ -34,7 +34,7 @@ struct any_value {
 
 } // namespace detail
 
-/// State of a level that says of which elements it says something, and what, such as creases.
+/// State of a level that can list the elements at which it has a value, and these values, such as creases.
 template <class State>
 concept sparse_state = requires(const State& state, void (*f)(tuple_kind, std::size_t, detail::any_value)) {
     state.for_each_place(f);
@@ -51,13 +51,14 @@ constexpr bool are_placed(const std::tuple<State&...>*)
 
 } // namespace detail
 
-/// A scheme all of whose state, if it has any, says where it is: away from there it is the scheme without it.
+/// A scheme whose state, if it has any, is sparse. Away from the elements with values it is the scheme without the
+/// state.
 template <class Scheme>
 concept scheme_of_places = scheme<Scheme> and
                            detail::are_placed(
                                static_cast<const decltype(detail::states_of(std::declval<Scheme&>()))*>(nullptr));
 
-/// Returns the scheme as it is where its state is empty, or the scheme itself if its state has no known places.
+/// Returns the scheme with empty state, or the scheme itself if its state is not sparse.
 template <scheme Scheme>
 Scheme without_state(const Scheme& scheme)
 {
@@ -67,8 +68,8 @@ Scheme without_state(const Scheme& scheme)
         return scheme;
 }
 
-/// Makes the state of a scheme that of a part of a level of which `whole`, the same scheme but for its state, has it.
-/// If the state does not say where it is, nothing changes; such a scheme must ignore numbers.
+/// Restricts the state of a scheme to a part of a level. `whole` is the same scheme with the state of that level. If
+/// the state is not sparse, nothing changes; such a scheme must ignore numbers.
 template <scheme Scheme, std::unsigned_integral Index>
 void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<Index>& part)
 {
@@ -76,15 +77,15 @@ void take_state_of_part(Scheme& scheme, const Scheme& whole, const part_numbers<
         detail::restrict_state(scheme, whole, part);
 }
 
-/// What the state of a scheme says of the elements of a level, as a part of the keys of neighbourhoods: so that faces
-/// are alike only where the state is, too.
+/// The values that the state of a scheme has at the elements of a level, as part of the keys of neighbourhoods. With
+/// them, faces are alike only if the state is alike, too.
 template <std::unsigned_integral Index>
 class state_marks {
 public:
-    /// Of no state.
+    /// Takes a mesh without state.
     explicit state_marks(const connectivity<Index>& mesh) : mesh_(mesh) {}
-    /// Precondition: the mesh, which must outlive this, has its edges. Errors: mesh_error for a state of
-    /// elements that do not exist. Cost: O(1) where there is no state, else O(elements).
+    /// Takes a mesh and the scheme with its state. Precondition: the mesh, which must outlive this, has its edges.
+    /// Errors: mesh_error for a state of elements that do not exist. Cost: O(1) if there is no state, else O(elements).
     template <scheme Scheme>
     state_marks(const connectivity<Index>& mesh, const Scheme& scheme) : state_marks(mesh)
     {
@@ -98,11 +99,11 @@ public:
         }
     }
 
-    /// There is no state.
+    /// Returns true if there is no state.
     [[nodiscard]] bool empty() const { return texts_.empty(); }
 
-    /// The key of a walk and, where the state says something of the elements that were met, before it what. Cost:
-    /// O(corners).
+    /// Returns the key of a walk. If the state has values at the elements that were met, they come before that key.
+    /// Cost: O(corners).
     [[nodiscard]] const std::u16string& key(const face_walk<Index>& walk)
     {
         if (texts_.empty() or walk.key().empty() or
@@ -113,14 +114,13 @@ public:
             append_all_of(f);
         return key_ += walk.key();
     }
-    /// What the state says of a face, its corners' vertices and its edges, as a number that is the same for the same
-    /// words; 0 where it says nothing. Precondition: there is state. Cost: O(1), or O(corners) at elements of which it
-    /// speaks.
+    /// Returns a number for the state of a face, of the vertices of its corners and of its edges. Equal state has equal
+    /// numbers; 0 means no state. Precondition: not empty(). Cost: O(1), or O(corners) of the face if there are values.
     [[nodiscard]] std::uint32_t number_of_face(std::size_t face);
 
 private:
     static constexpr Index none = connectivity<Index>::none;
-    static constexpr char16_t no_walk = 0xffff; // with which no key of a walk begins
+    static constexpr char16_t no_walk = 0xffff; // no key of a walk begins with it
 
     template <class Value>
     void add(tuple_kind kind, std::size_t element, char16_t which, const Value& value)
@@ -128,7 +128,7 @@ private:
         add_bytes(kind, element, which, std::as_bytes(std::span(&value, 1)));
     }
     void add_bytes(tuple_kind kind, std::size_t element, char16_t which, std::span<const std::byte> value);
-    /// Those that have the element.
+    /// Marks the faces that have the element.
     void mark_faces(tuple_kind kind, std::size_t element)
     {
         const auto mark = [&](Index corner) {
@@ -156,7 +156,7 @@ private:
             append(of_edge_[mesh_.corner_halfedge[c] / 2]);
         }
     }
-    /// How long a text is comes before it, so that keys are read in one way.
+    /// Appends a text after its length, so that keys can be read in one way only.
     void append(Index place)
     {
         if (place == none) {
@@ -169,13 +169,13 @@ private:
 
     const connectivity<Index>& mesh_;
     storage<Index> of_vertex_, of_edge_, of_face_; // places in the list of texts; empty without state
-    storage<unsigned char> is_marked_;             // of faces: whether there is a text of it, a vertex or an edge of it
+    storage<unsigned char> is_marked_;             // of faces: whether the face, a vertex or an edge of it has a text
     std::vector<std::u16string> texts_;
     std::u16string key_;
-    std::unordered_map<std::u16string, std::uint32_t> number_; // of what is said of a face and around it
+    std::unordered_map<std::u16string, std::uint32_t> number_; // of the texts at a face
 };
 
-// Outside of the class, so that what declares it `extern template` does not compile them.
+// Defined outside of the class, so that files that declare it `extern template` do not compile them.
 
 template <std::unsigned_integral Index>
 std::uint32_t state_marks<Index>::number_of_face(std::size_t face)

@@ -18,43 +18,43 @@
 
 namespace kith {
 
-/// A column of a step of a whole mesh: of which tuples it is, and where it begins.
+/// A column of a step of a whole mesh: the kind of its tuples, and the number where it begins.
 struct whole_column {
     tuple_kind kind;
     std::uint64_t base;
 };
 
-/// What is known of the number of an element of a part in the whole mesh, and becomes that of one of its `each`
-/// children in a column: base + number * each + which.
+/// A representation of the number that an element of a part has in the whole mesh. child(column, which, each) is the
+/// number of one of its `each` children in a column: base + number * each + which.
 template <class N>
 concept inherited_number = requires(const N& n, const whole_column& column, std::uint64_t i) {
     { n.child(column, i, i) } -> std::same_as<N>;
-    { n.of_each(i, i) } -> std::same_as<N>; // of what there is so often of each element
+    { n.of_each(i, i) } -> std::same_as<N>; // of things such as corners, several of which belong to each element
 };
 
-/// The columns that have led to an element, one after the other. Where they begin is another number in each mesh.
+/// A path of columns that has led to an element, one per step. In each mesh the columns begin at other numbers.
 class column_path {
     static constexpr int bits = 3;
 
 public:
     static constexpr int most_columns = std::numeric_limits<std::uint32_t>::digits / bits;
 
-    /// Precondition: there are fewer than most_columns.
+    /// Returns the path with one more column. Precondition: it has fewer than most_columns.
     [[nodiscard]] column_path then(tuple_kind kind) const
     {
         column_path result;
         result.kinds_ = kinds_ << bits | (std::uint32_t(kind) + 1);
         return result;
     }
-    /// The number of the first child of the first child and so on of the ancestor with number 0, in a mesh whose steps
-    /// have these bases; `last`: whether it is a vertex, an edge, a face or the first corner of one: v, e, f or vf. 0
-    /// for no columns at all.
-    /// Precondition: there is one for each step.
+    /// Returns the number that the element with number 0 leads to by this path: its first child, the first child of
+    /// that, and so on. The steps of the mesh have these bases. `last` is the kind of the result: a vertex, an edge, a
+    /// face or the first corner of a face (v, e, f or vf). Returns 0 for an empty path.
+    /// Precondition: any other path has one column for each step.
     [[nodiscard]] std::uint64_t base(tuple_kind last, std::span<const column_bases> bases, std::size_t degree) const
     {
         if (kinds_ == 0)
             return 0;
-        // What each step has made is told by the column after it.
+        // The kind of element that a step has made follows from the column after it.
         std::array<tuple_kind, most_columns> made;
         made[bases.size() - 1] = last;
         for (std::size_t step = bases.size() - 1; step > 0; --step) {
@@ -81,27 +81,27 @@ private:
     std::uint32_t kinds_ = 0; // the last one lowest
 };
 
-/// A number in the whole mesh as a function of that of an element of an earlier level: what the path makes of 0 +
-/// offset + factor * its number.
+/// A number in the whole mesh as a function of the number of an element of an earlier level, its source. It is offset +
+/// factor * (number of the source) + (what the path makes of 0).
 template <std::unsigned_integral Index>
 struct affine_number {
     Index offset, factor;
-    std::uint32_t source; ///< which element
+    std::uint32_t source; ///< which element of the earlier level
     column_path path{};
 
     [[nodiscard]] affine_number child(const whole_column& column, std::uint64_t which, std::uint64_t each) const
     {
         return {Index(which + each * offset), Index(each * factor), source, path.then(column.kind)};
     }
-    /// Of what there is `each` times of each element: a corner of a face, a side of an edge. What the path makes of 0
-    /// is multiplied, too.
+    /// Returns the number of one of `each` things that every element has, such as corners of a face or sides of an
+    /// edge. Then what the path makes of 0 must be multiplied by `each`, too.
     [[nodiscard]] affine_number of_each(std::uint64_t which, std::uint64_t each) const
     {
         return {Index(which + each * offset), Index(each * factor), source, path};
     }
 };
 
-/// A number in the whole mesh, and whether an element of the earlier level that is looked after gave birth to it.
+/// A number in the whole mesh, and whether its element descends from a wanted element of the earlier level.
 template <std::unsigned_integral Index>
 struct owned_number {
     Index number;
@@ -117,19 +117,19 @@ struct owned_number {
     }
 };
 
-/// The numbers of all elements of a part of a level.
+/// The numbers of all elements of a part of a level in the whole mesh.
 template <inherited_number Number>
 struct part_of_whole {
     storage<Number> vertices, edges, faces;
     storage<Number> first_corners; ///< of faces, where these may have several degrees
     std::size_t degree = 0;        ///< of all faces; 0: they may have several
 
-    /// That of the i-th corner of a face.
+    /// Returns the number of the i-th corner of a face.
     [[nodiscard]] Number corner(std::size_t face, std::size_t i) const
     {
         return degree != 0 ? faces[face].of_each(i, degree) : first_corners[face].of_each(i, 1);
     }
-    /// Those of a part of the part: of the elements listed.
+    /// Returns the numbers of a part of this part, which has the listed elements.
     template <std::unsigned_integral Index>
     [[nodiscard]] part_of_whole of_part(std::span<const Index> some_vertices, std::span<const Index> some_edges,
                                         std::span<const Index> some_faces) const
@@ -146,8 +146,8 @@ struct part_of_whole {
                 degree != 0 ? storage<Number>() : some(first_corners, some_faces),
                 degree};
     }
-    /// Returns the numbers of the next level of the part, which a step has made with these ids. Edges are left out
-    /// unless they are asked for.
+    /// Returns the numbers of the next level of the part, which a step has made with these ids. Edges are left out if
+    /// `with_edges` is false.
     /// Cost: O(elements).
     template <level_numbering Numbering, std::unsigned_integral Index>
     [[nodiscard]] part_of_whole next(const connectivity<Index>& part, const Numbering& ids, const column_bases& bases,
@@ -181,7 +181,7 @@ private:
         const std::uint64_t of_each = bases.of_each(made, Kind);
         const std::uint64_t step = made == tuple_kind::vf and not of_corners ? bases.degrees[std::size_t(Kind)] : 1;
         const std::size_t tuples = tuples_of_each(Kind, degree);
-        const bool some_are_picked = step * tuples != of_each; // as many of each face
+        const bool some_are_picked = step * tuples != of_each; // equally many of each face
         const storage<Number>& parents = of == tuple_kind::v   ? vertices
                                          : of == tuple_kind::e ? edges
                                          : of == tuple_kind::f ? faces
@@ -199,13 +199,13 @@ private:
     }
 };
 
-/// Room for the faces of the level that some steps of a whole mesh make. Cost: as `connectivity::allocate_faces`.
+/// Allocates the faces of the level that some steps of a whole mesh make. Cost: as `connectivity::allocate_faces`.
 template <std::unsigned_integral Index>
 void allocate_faces(connectivity<Index>& fine, const connectivity<Index>& coarse, std::span<const column_bases> bases)
 {
     struct run {
         std::size_t faces;
-        std::size_t degree; // 0: as the coarse mesh has them
+        std::size_t degree; // 0: those of the coarse faces
     };
     std::vector<run> runs{{coarse.faces, std::size_t(coarse.degree)}};
     for (const column_bases& step : bases) {

@@ -20,7 +20,7 @@ namespace kith {
 #ifdef KITH_HAS_LANES
 
 /// The patches of the faces that have no template. Some faces at a time are cut out with their rings and refined as a
-/// mesh of their own, level by level. What the text of the scheme does to their values is recorded, and played once.
+/// mesh of their own, level by level. The operations of the scheme on their values are recorded, and played once.
 template <class Point, std::unsigned_integral Index>
 class face_clusters {
     using scalar = scalar_of<Point>;
@@ -29,13 +29,13 @@ class face_clusters {
 public:
     using output = patch_output<Point, Index>;
 
-    /// Takes faces of the level that the recorder is for, increasing.
+    /// Takes the recorder of a level, and faces of that level in increasing order.
     face_clusters(std::shared_ptr<const part_recorder<scalar, Index>> recorder, std::vector<Index> faces)
         : recorder_(std::move(recorder)), faces_(std::move(faces))
     {
     }
 
-    /// Makes what these faces of the mesh own, on several threads where that is worth it. Cost: that of the steps.
+    /// Writes the patches of these faces of the mesh, on several threads if that is worth it. Cost: that of the steps.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to, bool parallel) const
     {
         detail::for_shared_parts(faces_.size(), at_once, parallel, [&](detail::parts_to_do parts) {
@@ -48,10 +48,10 @@ public:
 
 private:
     using numbers_in_whole = part_of_whole<owned_number<Index>>;
-    // Neighbours by their numbers: closer than in the order of the surface, where a mesh is in order.
+    // Faces with successive numbers. In a well-ordered mesh they lie closer together than in the order of the surface.
     static constexpr std::size_t at_once = 64;
 
-    /// The memory of a thread.
+    /// The working memory of a thread.
     class worker {
     public:
         worker(const face_clusters& clusters, const basic_mesh<Point, Index>& mesh)
@@ -77,7 +77,8 @@ private:
         }
 
     private:
-        /// `given`: the numbers from which those in what is written follow, where they are others than here.
+        /// Returns the numbers of a part's elements in the whole mesh. `given` are numbers of the coarse elements that
+        /// replace those of the mesh, or nothing.
         [[nodiscard]] numbers_in_whole numbers_of(const submesh<Point, Index>& part, std::span<const Index> faces,
                                                   const element_numbers<Index>* given)
         {
@@ -158,7 +159,7 @@ private:
         const basic_mesh<Point, Index>& mesh_;
         submesh_cutter<Point, Index> cutter_;
         std::vector<bool> is_one_;
-        tape<scalar> tape_; // of one part after the other
+        tape<scalar> tape_; // reused for one part after the other
         tape_player<Point> player_;
     };
 

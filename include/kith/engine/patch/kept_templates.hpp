@@ -22,7 +22,7 @@ namespace kith {
 
 namespace detail {
 
-/// Becomes a Scheme and nothing else, no base of it.
+/// A type that converts to Scheme and to nothing else, not even to a base of it.
 template <class Scheme>
 struct only_as {
     template <std::same_as<Scheme> Same>
@@ -31,20 +31,20 @@ struct only_as {
 
 } // namespace detail
 
-/// Schemes that can be told apart by their members, if they have any. Their masks have to follow from these members:
-/// changes of what a scheme reads from elsewhere are not noticed. The comparison must be one of their own, as that of a
-/// base would leave out the members that a derived scheme adds.
+/// A scheme that can be told apart by its members, if it has any. Its masks have to follow from these members: changes
+/// of data that it reads from elsewhere are not noticed. The comparison must be the scheme's own. That of a base would
+/// leave out the members that a derived scheme adds.
 template <class Scheme>
 concept comparable_scheme = std::is_empty_v<Scheme> or (std::equality_comparable<Scheme> and
                                                         requires(const detail::only_as<Scheme>& s) { s == s; });
 
 namespace detail {
 
-/// Numbers for the schemes of one type that templates are kept of. Safe on several threads.
+/// The numbers of the schemes of one type for which templates are kept. Safe on several threads.
 template <comparable_scheme Scheme>
 class scheme_numbers {
 public:
-    /// Returns the same number for schemes that are equal. Cost: O(schemes).
+    /// Returns the number of a scheme; equal schemes have equal numbers. Cost: O(schemes).
     std::size_t of(const Scheme& scheme)
     {
         constexpr std::size_t most_schemes = 64;
@@ -70,26 +70,26 @@ private:
 
 } // namespace detail
 
-/// Templates of a scheme without its state for so many steps of any mesh, by the neighbourhoods and the state there
-/// that they are for. They are kept for the process, for each type of scheme and point, so that who refines this mesh
-/// again, or another one, is spared making them; those of schemes that cannot be told apart are not. A template takes
-/// some 5 to 30 KB. Those of one type of scheme, number and index take `most_bytes` at most: the least recently used
-/// ones are given up. Safe on several threads.
+/// A cache of the templates of a scheme for some number of steps on any mesh. The keys are neighbourhoods, with the
+/// state of the scheme there. Templates are kept until the process ends, per type of scheme, number and index. Thus
+/// later refinements, of this mesh or another one, need not make them again. Schemes that cannot be told apart share
+/// none. A template takes some 5 to 30 KB. Those of one type of scheme, number and index take at most `most_bytes`: the
+/// least recently used ones are given up. Safe on several threads.
 template <std::floating_point Scalar, std::unsigned_integral Index>
 class kept_templates {
 public:
     using pointer = std::shared_ptr<const patch_template<Scalar, Index>>;
     static constexpr std::size_t most_bytes = std::size_t(64) << 20;
 
-    /// Returns those of a scheme for so many steps that begin at a level of this generation; `made` is the key of the
-    /// patch_output_kind.
+    /// Returns the templates of a scheme for `steps` steps that begin at a level of this generation, with classes by
+    /// this many rings. `made` is the key of the patch_output_kind.
     template <scheme Scheme>
     static kept_templates of(const Scheme& scheme, int generation, int rings, std::size_t steps, std::size_t made = 0)
     {
         std::shared_ptr<store> where;
         std::size_t number = 0;
         if constexpr (comparable_scheme<Scheme>) {
-            // Never destroyed, since static objects of a user may refine until the end.
+            // Never destroyed, since static objects of a program may refine until its end.
             static const auto& of_all = *new std::shared_ptr<store>(std::make_shared<store>());
             static auto& numbers = *new detail::scheme_numbers<Scheme>();
             where = of_all;
@@ -103,12 +103,11 @@ public:
         return result;
     }
 
-    /// Nothing is kept for these steps.
+    /// Returns true if no template is kept for these steps.
     [[nodiscard]] bool empty() const { return store_->empty(purpose_); }
-    /// The template for the neighbourhoods that have this key of a walk and of the state there; nullptr where none is
-    /// kept.
+    /// Returns the template for neighbourhoods whose walk and state have this key, or nullptr if none is kept.
     [[nodiscard]] pointer find(const std::u16string& key) const { return store_->find(purpose_, key); }
-    /// Keeps a template and hands it back.
+    /// Keeps a template and returns it.
     pointer keep(const std::u16string& key, patch_template<Scalar, Index> made) const
     {
         auto shared = std::make_shared<const patch_template<Scalar, Index>>(std::move(made));
@@ -116,8 +115,8 @@ public:
         return shared;
     }
 
-    /// Returns what these steps have made without templates of levels with so many faces and this connectivity. Patches
-    /// may be a gain with the one and none with the other.
+    /// Returns what these steps have made without templates, of levels with so many faces and this connectivity.
+    /// Patches may be a gain with one connectivity and none with another.
     [[nodiscard]] template_demand demand(std::size_t faces, connect last_level) const
     {
         return store_->demand(purpose_and(faces, last_level));
@@ -128,8 +127,8 @@ public:
     }
 
 private:
-    /// Two lists of templates: the young one has what was asked for since it began. When it is full, the old list is
-    /// given up, and it becomes the old one.
+    /// Two lists of templates. The young list has the templates that were asked for since it began. When it is full, it
+    /// replaces the old list.
     class store {
     public:
         bool empty(const std::u16string& purpose)
@@ -191,7 +190,7 @@ private:
 
         std::mutex mutex_;
         lists young_, old_;
-        std::size_t bytes_ = 0; // of the young ones
+        std::size_t bytes_ = 0; // of the young list
         std::unordered_map<std::u16string, template_demand> demands_;
     };
 
@@ -206,7 +205,7 @@ private:
     }
 
     std::shared_ptr<store> store_;
-    std::u16string purpose_; // of which scheme, from which generation on, by how many rings and steps
+    std::u16string purpose_; // the scheme, first generation, rings, steps and output kind
 };
 
 } // namespace kith

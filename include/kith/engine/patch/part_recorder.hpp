@@ -23,14 +23,15 @@
 
 namespace kith {
 
-/// Tells what patches make for the vertices of the last level: their points, or other values in the place of points,
-/// such as limits.
+/// The kind of output of patches at the vertices of the last level: their points, or other values in the place of
+/// points, such as limits.
 template <std::floating_point Scalar, std::unsigned_integral Index, class Scheme>
 struct patch_output_kind {
     using is_wanted = std::function<bool(std::size_t)>;
 
     std::size_t key = 0; ///< a distinct constant per kind; it is part of the key of the template cache
-    /// Puts the values of wanted vertices in the place of their points, in a part of the last level. Empty for points.
+    /// Writes the values of wanted vertices in the place of their points, in a part of the last level. The function is
+    /// empty if the output is points.
     std::function<void(basic_mesh<recorded<Scalar>, Index>& last, const Scheme&, const is_wanted&)> replace_points{};
 
     [[nodiscard]] bool are_points() const { return key == 0; }
@@ -43,9 +44,9 @@ struct recorded_part {
     part_of_whole<Number> numbers;
 };
 
-/// Records what some steps of a scheme make of parts of the level whose faces own patches, whatever the scheme is.
-/// It is the bridge from the text of a scheme, which is a template, to the code of patches. That is compiled once for
-/// all schemes and numbers of components. Virtual functions are called once per part, never per element.
+/// A recorder of what some steps of any scheme make of parts of the level whose faces own patches. It connects the code
+/// of a scheme, a C++ template, with the code of patches. The latter is compiled once for all schemes and numbers of
+/// components. Virtual functions are called once per part, never per element.
 template <std::floating_point Scalar, std::unsigned_integral Index>
 class part_recorder {
 public:
@@ -58,22 +59,23 @@ public:
 
     /// Returns the degree of the faces of all refined levels; 0 if they have several.
     [[nodiscard]] std::size_t degree() const { return degree_; }
-    /// Returns how many rings a part must have around the faces that are wanted.
+    /// Returns how many rings a part must have around the wanted faces.
     [[nodiscard]] int rings() const { return rings_.front(); }
-    /// Returns the templates that are kept of this scheme for these steps.
+    /// Returns the kept templates of this scheme for these steps.
     [[nodiscard]] const kept_templates<Scalar, Index>& templates() const { return templates_; }
-    /// Returns what the state of the scheme says of the elements of the level, which must outlive the result.
+    /// Returns the marks of the scheme's state on the level, which must outlive the result.
     [[nodiscard]] virtual state_marks<Index> marks_on(const connectivity<Index>& level) const = 0;
 
-    /// Records the steps of a part of the level on the tape of this thread, to which its values belong. `from` tells
-    /// which elements of the level the part has. A face is wanted if a model owns it, or if its number is owned.
-    /// Errors and cost: those of the steps.
+    /// Records the steps of a part of the level on the tape of this thread, to which the values of the part belong.
+    /// `from` lists the elements of the level that the part has. A face is wanted if a model owns it, or if its number
+    /// is owned. Errors and cost: those of the steps.
     [[nodiscard]] virtual affine_part record(basic_mesh<recorded<Scalar>, Index> part, const part_numbers<Index>& from,
                                              const sources_of_part<Index>& sources) const = 0;
     [[nodiscard]] virtual owned_part record(basic_mesh<recorded<Scalar>, Index> part, const part_numbers<Index>& from,
                                             part_of_whole<owned_number<Index>> numbers) const = 0;
-    /// Returns what a step makes of each face of a level; nothing if its children come from other faces, too.
-    /// Precondition: there are faces, of the degree of refined ones. Cost: O(elements), and a step around a face.
+    /// Returns the faces that a step makes of each face of a level, or nothing if these come from other faces, too.
+    /// Precondition: the level has faces, and they have the degree of refined faces. Cost: O(elements), and a step
+    /// around a face.
     [[nodiscard]] virtual std::optional<face_children> children_of_faces(const connectivity<Index>& level,
                                                                          int generation) const = 0;
 
@@ -104,7 +106,7 @@ class part_recorder_of final : public part_recorder<Scalar, Index> {
 public:
     using output_kind = patch_output_kind<Scalar, Index, Scheme>;
 
-    /// Records from the level of this generation that a plan begins with, by the scheme there.
+    /// Takes the scheme at the level with which a plan begins, and the generation of that level.
     part_recorder_of(const Scheme& scheme, const patch_plan& plan, int generation, output_kind kind)
         : base(numbering::common_degree, rings_before_steps(scheme, plan.bases.size(), plan.last_rings), plan.bases,
                kept_templates<Scalar, Index>::of(without_state(scheme), generation, plan.rings, plan.bases.size(),
@@ -150,7 +152,7 @@ public:
     }
 
 private:
-    /// Makes a step. Faces have the degree of refined ones, if these have one.
+    /// Makes one step. If refined faces have one degree, the faces of `part` must have that degree.
     static mesh step(const mesh& part, const Scheme& scheme, numbering& ids)
     {
         constexpr int degree = int(numbering::common_degree);
@@ -160,9 +162,9 @@ private:
             return refine_level<connect::everything>(
                 level_elements<native_level<recorded<Scalar>, Index, degree>>(part), scheme, part.generation(), ids);
     }
-    /// Makes all steps. `is_own` tells by the number of an element whether it is wanted. After a step all is cut off
-    /// that no wanted face needs, since what is written down costs more. Precondition: the rings of the first step are
-    /// there.
+    /// Makes all steps and returns the last level. is_own(number) tells whether an element is wanted. After each step
+    /// the faces that no wanted face needs are cut off, since recording them would cost more. Precondition: the part
+    /// has the rings of the first step.
     template <inherited_number Number, class IsOwn>
     recorded_part<Scalar, Index, Number> last_of(mesh part, const part_numbers<Index>& from,
                                                  part_of_whole<Number> numbers, const IsOwn& is_own) const
@@ -197,13 +199,13 @@ private:
         return {std::move(fine), std::move(numbers)};
     }
 
-    Scheme scheme_, plain_; // of the level; without its state
+    Scheme scheme_, plain_; // with the state of the level; without state
     output_kind kind_;
 };
 
 } // namespace detail
 
-/// Returns the recorder of a scheme for the level of this generation that a plan begins with. There is none of a scheme
+/// Returns the recorder of a scheme for the level of this generation with which a plan begins, or nullptr for a scheme
 /// without patches.
 template <std::floating_point Scalar, std::unsigned_integral Index, scheme Scheme>
 std::shared_ptr<const part_recorder<Scalar, Index>>

@@ -18,7 +18,7 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// Writes what some faces of a level own, after templates, as many faces at a time as two registers have lanes.
+/// A writer of the patches of faces by templates. It fills as many faces at a time as two registers have lanes.
 template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patch_filler {
@@ -31,10 +31,11 @@ public:
 
     static constexpr std::size_t at_once = writer::at_once;
 
-    /// How many numbers are found for the faces of a class that are filled in one call.
+    /// Returns how many numbers find() writes for the faces of a class that are filled in one call.
     static std::size_t numbers_found(const template_type& t) { return (t.inputs.size() + t.sources.size()) * at_once; }
 
-    /// Fills from a mesh, past the caches if the level that is written is too large to be in them when it is read.
+    /// Takes a coarse mesh and the output. With `past_caches`, it writes past the caches, for a level too large to stay
+    /// in them until it is read.
     patch_filler(const basic_mesh<Point, Index>& coarse, const patch_output<Point, Index>& to, bool past_caches)
         : coarse_(&coarse)
         , writer_(to, past_caches)
@@ -44,8 +45,8 @@ public:
     {
     }
 
-    /// Finds the vertices of the inputs and the numbers of the sources. Precondition: the template is of the class of
-    /// these faces, 1 to `at_once`.
+    /// Finds the vertices of the inputs and the numbers of the sources. Precondition: there are 1 to `at_once` faces,
+    /// all of the class of the template.
     void find(const template_type& t, std::span<const Index> faces, std::span<Index> found)
     {
         finder_.walk(t.steps, faces);
@@ -64,14 +65,14 @@ public:
             to += at_once;
         }
     }
-    /// Fetches the points that will be read.
+    /// Prefetches the points that will be read.
     void call_for(const template_type& t, std::span<const Index> found) const
     {
         for (const Index v : found.first(t.inputs.size() * at_once))
             __builtin_prefetch(&coarse_->point(v));
     }
-    /// `bases`: what is added to each multiple in this mesh. Precondition: this is what `find` has found for so many
-    /// faces.
+    /// Writes the patches of `count` faces. `bases` has what is added to each multiple in this mesh. Precondition:
+    /// find() has found `found` for these faces.
     /// Cost: that of the program.
     void fill(const template_type& t, std::span<const Index> bases, std::span<const Index> found, std::size_t count)
     {
@@ -88,7 +89,7 @@ public:
     }
 
 private:
-    /// f(begin, count) for as many of these faces at a time as there are lanes.
+    /// Calls f(begin, count) for as many of these faces at a time as there are lanes.
     template <std::size_t Bytes, class F>
     static void in_parts(std::size_t count, const F& f)
     {
@@ -97,7 +98,7 @@ private:
             f(begin, std::min(width, count - begin));
     }
 
-    // Functions of their own: in the loop g++ 12 makes slower code of them.
+    // Separate functions, because g++ 12 makes slower code of them inside the loop.
 
     KITH_LANES_OF_16_BYTES void fill_16_bytes(const template_type& t, std::span<const Index> bases, const Index* found,
                                               std::size_t count)
@@ -116,7 +117,7 @@ private:
         fill_registers<64>(t, bases, found, count);
     }
 #endif
-    /// Of at most as many faces as there are lanes.
+    /// Writes the patches of at most as many faces as there are lanes.
     template <std::size_t Bytes>
     [[gnu::always_inline]] void fill_registers(const template_type& t, std::span<const Index> bases, const Index* found,
                                                std::size_t count)
@@ -131,7 +132,7 @@ private:
         writer_.template write<faces>(t, slots_.data(), count);
     }
 
-    /// The points of the inputs, each neighbourhood into a lane.
+    /// Loads the points of the inputs, each neighbourhood into a lane.
     template <std::size_t Width>
     [[gnu::always_inline]] void load(const template_type& t, const Index* found)
     {
@@ -147,7 +148,7 @@ private:
     const basic_mesh<Point, Index>* coarse_;
     writer writer_;
     element_finder<Index, at_once> finder_;
-    const element_numbers<Index>* numbers_; // in what is written, or nothing
+    const element_numbers<Index>* numbers_; // of coarse elements in the output, or nothing
     std::size_t lane_bytes_;
     storage<scalar> slots_;
 };

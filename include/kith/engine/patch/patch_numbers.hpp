@@ -13,16 +13,16 @@
 
 namespace kith {
 
-/// What is numbered: vertices, two sides of each edge, faces and their corners.
+/// The kinds of things with numbers: vertices, the two sides of each edge, faces and their corners.
 enum class number_kind : unsigned char { vertex, side, face, corner };
 
-/// The numbers that a patch writes and those of the places where it does, which all follow from the numbers of few
-/// coarse elements: a number is an offset plus a multiple, which is a factor times the number of a source, plus where
-/// the columns begin that have led there.
+/// The numbers that a patch writes, and the numbers of the places to which it writes them. All follow from the numbers
+/// of a few coarse elements, the sources. A number is an offset plus a multiple. A multiple is a factor times the
+/// number of a source, plus the number that the path of columns adds.
 template <std::unsigned_integral Index>
 class patch_numbers {
 public:
-    using place = std::uint16_t; ///< in the list of multiples
+    using place = std::uint16_t; ///< an index in the list of multiples
 
     struct multiple {
         std::uint32_t source; ///< its place in the list of sources
@@ -30,12 +30,12 @@ public:
         column_path path;
         number_kind kind;
     };
-    /// Numbers one by one.
+    /// A list of numbers one by one.
     struct list {
         std::vector<Index> offset;
         std::vector<place> of;
     };
-    /// Numbers that follow one another, or every second one.
+    /// A run of numbers that follow one another, or of every second one.
     struct run {
         Index offset;
         place of;
@@ -43,15 +43,15 @@ public:
         std::uint32_t count;
     };
 
-    /// Faces that follow one another and have as many corners.
+    /// A run of faces that follow one another and have the same degree.
     struct face_run {
         Index offset;
         place of;
         std::uint32_t degree, count;
     };
 
-    /// What is added to a multiple of the number of a source in a mesh whose steps have these bases and whose faces
-    /// have this degree, or several: 0.
+    /// Returns what is added to a multiple of the number of a source in a mesh. The steps of the mesh have these bases,
+    /// and its faces have this degree, or several (0).
     static Index base(const multiple& m, std::span<const column_bases> bases, std::size_t degree)
     {
         switch (m.kind) {
@@ -64,7 +64,7 @@ public:
         }
     }
 
-    /// Begins anew, in the same memory, with sources with numbers below `sources`.
+    /// Begins anew in the same memory, with sources whose numbers are below `sources`.
     void restart(std::size_t sources)
     {
         multiples_.clear();
@@ -74,9 +74,9 @@ public:
     }
 
     [[nodiscard]] const std::vector<multiple>& multiples() const { return multiples_; }
-    /// Those that multiples are of.
+    /// Returns the sources of the multiples.
     [[nodiscard]] const std::vector<std::uint32_t>& sources() const { return sources_; }
-    /// There are more than places are for: it must not be used.
+    /// Returns true if there are more multiples than `place` can number. Then the lists must not be used.
     [[nodiscard]] bool is_too_long() const { return multiples_.size() > std::numeric_limits<place>::max(); }
 
     [[nodiscard]] list all(number_kind kind, std::span<const affine_number<Index>> numbers)
@@ -104,7 +104,7 @@ public:
         }
         return result;
     }
-    /// Of faces that have so many corners each.
+    /// Returns the runs of faces with these numbers and degrees.
     [[nodiscard]] std::vector<face_run> runs_of_faces(std::span<const affine_number<Index>> numbers,
                                                       std::span<const std::uint32_t> degrees)
     {

@@ -18,14 +18,14 @@
 
 namespace kith {
 
-/// A scheme whose last steps may be made patch by patch: its numbers follow from the tuples in one way everywhere, its
-/// reach is known, and it takes parts of a mesh, which have a rim.
+/// A scheme whose last steps may be made patch by patch. Its numbers follow from the tuples in one way everywhere, and
+/// its reach is known. It can refine parts of a mesh, which have a cut boundary.
 template <class Scheme, class Point, class Index>
 concept patchable_scheme = fits_lanes<Point> and reaching_scheme<Scheme> and not needs_closed<Scheme> and
                            separable_scheme<Scheme, Index> and has_affine_numbers<Scheme>;
 
-/// The rings around some faces that are enough on each level before a step, if there are to be `last` on the last
-/// level. At least one, so that the fans of all their vertices are whole.
+/// Returns the rings around some faces that each step needs on the level before it, if the last level is to have `last`
+/// rings. There is at least one ring, so that the fans of all vertices of the faces are complete.
 template <reaching_scheme Scheme>
 std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps, int last)
 {
@@ -39,19 +39,19 @@ std::vector<int> rings_before_steps(const Scheme& scheme, std::size_t steps, int
     return rings;
 }
 
-/// Which steps of a refinement are made patch by patch.
+/// The steps of a refinement that are made patch by patch.
 struct patch_plan {
     int first;                       ///< the first level that is like refined ones: in degrees, valences and marks
     int begin;                       ///< the level whose faces own patches of the last one
-    int rings;                       ///< by which the class of a face says all of its patch
-    int last_rings;                  ///< around a face of the last level that the values of its vertices follow from
+    int rings;                       ///< around a face, by which its class determines its patch
+    int last_rings;                  ///< around a face of the last level, on which values at its vertices depend
     std::vector<counts> levels;      ///< from the control mesh to the last one
     std::vector<column_bases> bases; ///< of the steps from `begin` on
 
     [[nodiscard]] const counts& of_begin() const { return levels[std::size_t(begin)]; }
     [[nodiscard]] const counts& last() const { return levels.back(); }
     [[nodiscard]] double faces_of_patch() const { return double(last().faces) / double(of_begin().faces); }
-    /// Returns what a strategy follows from.
+    /// Returns the sizes from which a strategy follows.
     [[nodiscard]] patch_sizes sizes() const { return {double(last().faces), faces_of_patch(), rings}; }
     /// Returns true if the classes of the faces that own patches can be found.
     [[nodiscard]] bool has_room_for_classes() const
@@ -59,8 +59,8 @@ struct patch_plan {
         return 2 * of_begin().edges <= face_classes<std::uint32_t>::most_corners;
     }
 
-    /// Returns true if these are the counts of a mesh where patches may begin, and of the next level. They are not if
-    /// the state of the scheme says of which tuples elements are made, otherwise than it does of no elements at all.
+    /// Returns true if a mesh where patches may begin, and its next level, have the counts of the plan. They do not if
+    /// the state of the scheme changes which tuples make elements, compared with the state of no elements at all.
     template <reaching_scheme Scheme, std::unsigned_integral Index>
     [[nodiscard]] bool has_counts_of(const connectivity<Index>& mesh, const Scheme& scheme, int generation) const
     {
@@ -70,7 +70,7 @@ struct patch_plan {
                bases_of_columns(scheme, here, generation) == bases.front();
     }
 
-    /// Begins at a level. Precondition: it lies before the last one. Cost: O(levels).
+    /// Makes patches begin at this level. Precondition: it lies before the last one. Cost: O(levels).
     template <reaching_scheme Scheme>
     void begin_at(int level, const Scheme& scheme, int generation)
     {
@@ -84,10 +84,10 @@ struct patch_plan {
     }
 };
 
-/// Returns which steps are made in patches of at most some hundred faces each. `degree` is that of all faces of the
-/// control mesh, or 0 if they have several; `last_rings` is that of patch_plan. Returns nothing where there is no step
-/// to make, and for a mesh that is empty or too large. Returns nothing either where the numbers of the scheme do not
-/// follow in one way, or where it minds the order of elements without any state.
+/// Returns the steps that are made in patches of at most some hundred faces each. `degree` is that of all faces of the
+/// control mesh, or 0 if they have several; `last_rings` is that of patch_plan. Returns nothing if there is no step to
+/// make, or if the mesh is empty or too large. Returns nothing either if the numbers of the scheme do not follow in one
+/// way. The scheme must also ignore the order of elements when it has no state, else nothing is returned.
 /// Precondition: the levels can be counted. Cost: O(levels).
 template <reaching_scheme Scheme>
 std::optional<patch_plan> plan_patches(const counts& control, int degree, const Scheme& scheme, int levels,

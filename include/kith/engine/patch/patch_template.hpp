@@ -14,11 +14,11 @@
 
 namespace kith {
 
-/// What some steps make of a face and its neighbourhood, for all faces whose neighbourhoods are alike: where the coarse
-/// points are, how they become the fine ones, and which numbers are written where. Made once, by the scheme's own text.
-/// A face owns what it, its left sides of edges and the starts of fans in it give birth to: the points and starts of
-/// these vertices, the corners of these faces, what lies on the half-edges at these corners, and that nothing lies
-/// across where they are at the boundary.
+/// The result of some steps on a face and its neighbourhood, for all faces whose neighbourhoods are alike. It tells
+/// where the coarse points are, how they become the fine ones, and which numbers are written where. It is made once, by
+/// the code of the scheme. A face owns its children, those of the edges whose left face it is, and those of the
+/// vertices whose fans start in it. For these it writes the points and first corners of vertices, the corners of faces,
+/// and the half-edges at these corners. At the boundary it also writes that nothing lies across.
 template <std::floating_point Scalar, std::unsigned_integral Index>
 struct patch_template {
     using numbers = patch_numbers<Index>;
@@ -26,11 +26,11 @@ struct patch_template {
     std::vector<walk_step> steps;                      ///< to the faces that inputs and sources lie in
     std::vector<walked_element> inputs;                ///< the vertices that fill the first slots of the program
     lane_program<Scalar> program;                      ///< its outputs are the points of the owned vertices
-    std::vector<walked_element> sources;               ///< the elements whose numbers others follow from
-    std::vector<typename numbers::multiple> multiples; ///< those that only the numbers of faces follow from come last,
-    std::size_t multiples_of_others;                   ///< after so many
+    std::vector<walked_element> sources;               ///< the elements from whose numbers the others follow
+    std::vector<typename numbers::multiple> multiples; ///< those that only numbers of faces need come last,
+    std::size_t multiples_of_others;                   ///< after this many others
     std::vector<typename numbers::run> vertices, corners, halfedges; ///< the places that are written
-    std::vector<typename numbers::face_run> faces;                   ///< that the corners are of, in the same order
+    std::vector<typename numbers::face_run> faces;                   ///< the faces of the corners, in the same order
     typename numbers::list vertex_corner, vertex_halfedge, corner_vertex, corner_halfedge,
         halfedge_corner; ///< what is written, run after run
 

@@ -18,26 +18,27 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// Where a level is written: its points, and the arrays of its connectivity or nothing.
+/// The memory to which a level is written: its points, and the arrays of its connectivity or nothing.
 template <class Point, std::unsigned_integral Index>
 struct patch_output {
     Point* points;
     Index* corner_vertex = nullptr;
-    Index* corner_halfedge = nullptr; ///< nothing: neither the others
+    Index* corner_halfedge = nullptr; ///< if null, the next two are, too
     Index* halfedge_corner = nullptr;
     Index* vertex_corner = nullptr;
     level_writer<Point, Index>* writer = nullptr; ///< of a mesh of another library, in place of these arrays
-    /// From which the numbers in what is written follow, where they are others than those in the coarse mesh. Its faces
-    /// have one degree then.
+    /// The numbers of the coarse elements from which the written numbers follow, if these differ from those in the
+    /// coarse mesh. Its faces have one degree then.
     const element_numbers<Index>* coarse_numbers = nullptr;
-    std::size_t lane_bytes = kith::lane_bytes(); ///< of the registers that fill it: fewer make the same bits
+    std::size_t lane_bytes = kith::lane_bytes(); ///< size of the registers; smaller ones make the same bits
 
     [[nodiscard]] bool has_faces() const { return corner_vertex != nullptr; }
     [[nodiscard]] bool has_edges() const { return corner_halfedge != nullptr; }
 };
 
-/// Writes what faces of one class own, some of them side by side, each in a lane, to the places that follow from their
-/// numbers: where a level is larger than the caches, past these.
+/// A writer of the patches of faces of one class. Several faces lie side by side, each in a lane. Elements are written
+/// to the places that follow from the numbers of the faces. If a level is larger than the caches, it is written past
+/// them.
 template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patch_writer {
@@ -47,18 +48,17 @@ class patch_writer {
 public:
     using template_type = patch_template<scalar, Index>;
 
-    /// How many faces lie side by side in registers of so many bytes. As many as fit two of them: what finds an operand
-    /// or a place is done once for all.
+    /// The number of faces that lie side by side in registers of `Bytes` bytes. They fill two registers, so that an
+    /// operand or a place is found once for both.
     template <std::size_t Bytes>
     static constexpr std::size_t width = 2 * lanes<scalar, Bytes>::count;
-    /// How many faces numbers are found for at once; of these as many are written together as fit.
+    /// The number of faces for which numbers are found at once. Of these as many are written together as fit.
     static constexpr std::size_t at_once = width<most_lane_bytes>;
 
     patch_writer(const patch_output<Point, Index>& to, bool past_caches) : to_(to), past_caches_(past_caches) {}
 
-    /// Begins with `Width` faces that have these numbers, `at_once` for each source, and calls for the places that are
-    /// written.
-    /// `bases`: what is added to each multiple in this mesh.
+    /// Begins with `Width` faces, and prefetches the places that will be written. `bases` has what is added to each
+    /// multiple in this mesh. `sources` has `at_once` numbers for each source.
     template <std::size_t Width>
     [[gnu::always_inline]] void begin(const template_type& t, const Index* bases, const Index* sources)
     {
@@ -72,8 +72,8 @@ public:
             call_for<Width>(to_.vertex_corner, t.vertices);
         }
     }
-    /// Writes points from the slots of the program, coordinate by coordinate and lane by lane, and numbers; where a
-    /// call is made for each, those of the first `count` lanes.
+    /// Writes points, from the slots of the program, and numbers. A slot has the lanes of one coordinate after those of
+    /// another. A level_writer is called for the first `count` lanes only.
     template <std::size_t Width>
     [[gnu::always_inline]] void write(const template_type& t, const scalar* slots, std::size_t count)
     {
@@ -113,12 +113,13 @@ private:
     using run = typename patch_numbers<Index>::run;
     using list = typename patch_numbers<Index>::list;
 
-    /// Shorter runs than a line of the cache leave lines half written, which others fill later.
+    /// Returns true if a run is written past the caches. A run shorter than a cache line would leave lines half
+    /// written, which others fill later.
     [[nodiscard]] bool goes_past_caches(const run& r, std::size_t bytes) const
     {
         return past_caches_ and r.step == 1 and r.count * bytes >= 64;
     }
-    /// Calls for what will be written: it is here when the program has run.
+    /// Prefetches the places that will be written, so that they are in the caches when the program has run.
     template <std::size_t Width, class T>
     [[gnu::always_inline]] void call_for(T* array, const std::vector<run>& places) const
     {
@@ -132,7 +133,7 @@ private:
                 }
     }
 
-    /// The points of the owned vertices.
+    /// Writes the points of the owned vertices.
     template <std::size_t Width>
     [[gnu::always_inline]] void write_points(const template_type& t, const scalar* slots) const
     {
@@ -158,7 +159,7 @@ private:
         }
     }
 
-    /// Lines of faces, run by run.
+    /// Writes the lines of faces to a level_writer, run by run.
     template <std::size_t Width>
     [[gnu::always_inline]] void write_faces(level_writer<Point, Index>& to, const template_type& t, std::size_t count)
     {
@@ -193,7 +194,7 @@ private:
                                  Index(t.vertex_halfedge.offset[v] + multiple<Width>(t.vertex_halfedge.of[v], lane)));
     }
 
-    /// Numbers into the places of an array.
+    /// Writes numbers to the places of an array.
     template <std::size_t Width>
     [[gnu::always_inline]] void write_numbers(Index* array, const std::vector<run>& places, const list& numbers) const
     {
@@ -220,7 +221,7 @@ private:
 
     typedef std::uint32_t quad __attribute__((vector_size(16), may_alias));
 
-    /// The same for four lanes, four numbers at a time, which are turned from lanes into rows.
+    /// Writes numbers for four lanes, four numbers at a time, which are transposed from lanes to rows.
     template <std::size_t Width>
     [[gnu::always_inline]] void write_quads(Index* const* to, std::size_t count, bool past_caches, const Index* offset,
                                             const typename patch_numbers<Index>::place* of, std::size_t lane) const
@@ -242,8 +243,8 @@ private:
             store(to[3] + i, quad(__builtin_shufflevector(ef, gh, 2, 3, 6, 7)));
         };
         std::size_t i = 0;
-        // Each line of the cache at once: a processor has few buffers for what goes past the caches, and what leaves
-        // them half full is slow.
+        // Writes whole cache lines: a processor has few buffers for writes past the caches, and is slow if these leave
+        // half full.
         if (is_aligned)
             for (; i + 16 <= count; i += 16) {
                 quad lines[4][4];

@@ -28,8 +28,8 @@ namespace kith {
 
 #ifdef KITH_HAS_LANES
 
-/// A level whose faces own patches of the last one, with a template for each class of faces that is worth it. Faces of
-/// other classes are refined as meshes of their own. It knows the scheme by its part_recorder alone.
+/// A level whose faces own patches of the last level, with a template for each class of faces that is worth it. Faces
+/// of other classes are refined as meshes of their own. The scheme is known only by its part_recorder.
 template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
 class patched_level {
@@ -37,8 +37,8 @@ public:
     using output = patch_output<Point, Index>;
     using recorder_pointer = std::shared_ptr<const part_recorder<scalar_of<Point>, Index>>;
 
-    /// Returns that of the level that the plan begins with, with its classes by the rings of the plan, to make faces or
-    /// all connectivity. Returns nothing where it is no gain. Cost: O(faces), and that of the templates.
+    /// Returns the patches of the level with which the plan begins, or nothing if they are no gain. `classes` are by
+    /// its rings; patches make all connectivity if `with_edges`, else faces. Cost: O(faces), and that of the templates.
     static std::optional<patched_level> make(const basic_mesh<Point, Index>& mesh, const face_classes<Index>& classes,
                                              recorder_pointer recorder, const patch_plan& plan,
                                              const strategy_costs& costs, bool with_edges);
@@ -46,14 +46,14 @@ public:
     /// Returns the number of classes that have a template.
     [[nodiscard]] std::size_t template_count() const { return templates_.size(); }
 
-    /// Keeps where the points and numbers lie that the templates read, so that `fill` need not find them again: some
-    /// hundred bytes for a face.
+    /// Keeps where the points and numbers lie that templates read, so that `fill` need not find them: some hundred
+    /// bytes per face.
     /// Cost: O(faces).
     void keep_what_is_found(const basic_mesh<Point, Index>& mesh);
 
-    /// Makes the points of the last level, or what follows from them, and of its connectivity what there is room for.
-    /// The mesh is that of `make`, or one with other points. Cost: that of the programs, and of refining the faces that
-    /// have no template.
+    /// Writes the points of the last level, or values in their place, and as much connectivity as `to` has arrays for.
+    /// The mesh is the one given to `make`, or has other points. Cost: that of the programs, and of refining the faces
+    /// that have no template.
     void fill(const basic_mesh<Point, Index>& mesh, const output& to) const;
 
 private:
@@ -64,16 +64,16 @@ private:
     static constexpr class_number none = std::numeric_limits<class_number>::max();
     static constexpr Index no_face = std::numeric_limits<Index>::max();
 
-    /// Some faces with one template that are filled together.
+    /// A batch of faces with one template, which are filled together.
     struct batch {
         class_number of; ///< the template
-        Index first;     ///< of the faces
+        Index first;     ///< of its faces in `faces_`
         Index count;
-        std::size_t found = 0; ///< where begins what is found for them
+        std::size_t found = 0; ///< where the numbers found for them begin
     };
 
-    /// Returns a face for each class that may have a template, for which it can be made: one of the first faces of the
-    /// class, if the neighbourhood of one of them is a disk. Calls found(class) when it has been walked around.
+    /// Returns a face for each class that may have a template, to make it from, or no_face. It is one of the first
+    /// faces of its class, and its neighbourhood is a disk. Calls found(class) after walking around it.
     template <class MayHaveOne, class Found>
     static std::vector<Index> models_of(const face_classes<Index>& classes, face_walk<Index>& walk,
                                         const MayHaveOne& may_have_one, const Found& found)
@@ -81,7 +81,7 @@ private:
         constexpr unsigned char most_looks = 8;
         std::vector<Index> models(classes.count(), no_face);
         std::vector<unsigned char> looks_left(classes.count(), most_looks);
-        std::size_t left = classes.count(); // of which a face is looked for
+        std::size_t left = classes.count(); // classes for which a face is looked for
         for (class_number c = 0; c < classes.count(); ++c)
             if (not may_have_one(c)) {
                 looks_left[c] = 0;
@@ -101,7 +101,7 @@ private:
         return models;
     }
 
-    /// With the templates of the classes that have one.
+    /// Takes the template of each class, or nullptr for a class without one.
     patched_level(const face_classes<Index>& classes, std::vector<typename templates::pointer> of_class,
                   recorder_pointer recorder, const patch_plan& plan)
         : vertices_(plan.last().vertices), is_worth_threads_(detail::is_worth_threads(plan.last().faces))
@@ -120,7 +120,7 @@ private:
             clusters_.emplace(std::move(recorder), std::move(without_template));
     }
 
-    /// Brings faces of one template together, in their order. Returns those that have none.
+    /// Collects the faces of each template in batches, in their order. Returns the faces without a template.
     std::vector<Index> put_into_batches(const face_classes<Index>& classes,
                                         std::span<const class_number> template_of_class)
     {
@@ -169,14 +169,14 @@ private:
     std::size_t vertices_; // of the last level
     bool is_worth_threads_;
     std::vector<typename templates::pointer> templates_;
-    std::vector<std::vector<Index>> bases_; // of the multiples of each
+    std::vector<std::vector<Index>> bases_; // of the multiples of each template
     std::vector<batch> batches_;
     std::vector<Index> faces_;                            // batch after batch
-    storage<Index> found_;                                // the same; empty where nothing is kept
+    storage<Index> found_;                                // batch after batch; empty if nothing is kept
     std::optional<face_clusters<Point, Index>> clusters_; // of the faces without a template
 };
 
-// Outside of the class, so that what declares it `extern template` does not compile them.
+// Defined outside of the class, so that files that declare it `extern template` do not compile them.
 
 template <class Point, std::unsigned_integral Index>
     requires fits_lanes<Point>
@@ -219,7 +219,7 @@ patched_level<Point, Index>::make(const basic_mesh<Point, Index>& mesh, const fa
         wanted.size(),
         detail::is_worth_threads(plan.last().faces),
         [&](std::size_t begin, std::size_t end) {
-            if (begin == end) // often all are kept ones
+            if (begin == end) // often all templates are kept ones
                 return;
             template_maker<Point, Index> maker(mesh, *recorder, plan.rings);
             maker.make(std::span(models_of_wanted).subspan(begin, end - begin),
@@ -278,7 +278,7 @@ void patched_level<Point, Index>::fill(const basic_mesh<Point, Index>& mesh, con
         clusters_->fill(mesh, to, is_worth_threads_);
 }
 
-/// Makes the patches of a level, its scheme being this one. Returns nothing where they are no gain, or where the counts
+/// Returns the patches of a level with this scheme, or nothing if they are no gain. Returns nothing, too, if the counts
 /// of the level are not those of the plan. Cost: O(faces), and that of the templates.
 template <class Point, std::unsigned_integral Index, scheme Scheme>
     requires patchable_scheme<Scheme, Point, Index>

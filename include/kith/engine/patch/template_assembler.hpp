@@ -22,15 +22,16 @@
 
 namespace kith {
 
-/// Elements of a part of the coarse level: which face owns each, of those that templates are made for, the models, and
-/// where a walk around one of these meets it.
+/// The elements of a part of the coarse level. For each it tells the model that owns it, and the corner where a walk
+/// around a model meets it. Models are the faces for which templates are made.
 template <std::unsigned_integral Index>
 class sources_of_part {
 public:
     static constexpr std::uint32_t no_model = std::numeric_limits<std::uint32_t>::max();
 
-    /// Of the connectivity of a part, which must outlive this, where its faces come from, increasing, and the models
-    /// among these. `degree`: of all faces of any level; 0: they may have several.
+    /// Takes the connectivity of a part, which must outlive this. `face_from` are the faces of the level that the part
+    /// has, in increasing order; the models are among them. `degree` is that of all faces of any level, or 0 if they
+    /// have several.
     sources_of_part(const connectivity<Index>& part, std::size_t degree, std::span<const Index> face_from,
                     std::span<const unsigned char> edge_is_turned, std::span<const Index> models)
         : topology_(part)
@@ -44,7 +45,7 @@ public:
             model_of_[position(models[m])] = std::uint32_t(m);
     }
 
-    /// From now on elements are where a walk has met them that went by these faces. Cost: O(elements of the part).
+    /// Notes where a walk by these faces has met each element. Cost: O(elements of the part).
     void walked(std::span<const Index> faces)
     {
         std::ranges::fill(at_, nowhere);
@@ -63,7 +64,7 @@ public:
         }
     }
 
-    /// Each element is a source of its own number.
+    /// Returns the numbers of all elements, each of which is the source of its own number.
     [[nodiscard]] part_of_whole<affine_number<Index>> numbers() const
     {
         std::uint32_t id = 0;
@@ -82,7 +83,7 @@ public:
         return result;
     }
     [[nodiscard]] bool is_walked(std::uint32_t id) const { return at_[id].face != nowhere.face; }
-    /// Precondition: the last walk has met it.
+    /// Returns an element as a corner of the last walk. Precondition: the walk has met it.
     [[nodiscard]] walked_element source(std::uint32_t id) const
     {
         return {id < edge(0)         ? tuple_kind::v
@@ -92,7 +93,7 @@ public:
                 at_[id]};
     }
     [[nodiscard]] std::size_t size() const { return at_.size(); }
-    /// The model that owns an element, or no_model.
+    /// Returns the model that owns an element, or no_model.
     [[nodiscard]] std::uint32_t owner(std::uint32_t id) const
     {
         if (id < edge(0))
@@ -123,7 +124,7 @@ private:
     std::vector<walked_corner> at_;       // by source: vertices, edges, faces, their corners
 };
 
-/// Makes a template of what some steps have made of a neighbourhood; knows no scheme.
+/// An assembler of templates from what some steps have made of a neighbourhood. It does not know the scheme.
 template <std::floating_point Scalar, std::unsigned_integral Index>
 class template_assembler {
     using result = patch_template<Scalar, Index>;
@@ -131,10 +132,10 @@ class template_assembler {
     using affine_numbers = part_of_whole<number>;
 
 public:
-    /// Of the face that was walked around last and what it owns, with the last level of a part that has its
-    /// neighbourhood, the numbers of that and its tape; nothing where it is too large to be numbered, or
-    /// follows from what the walk has not met, since the scheme reaches further than it says. Cost: that of the
-    /// program, and of sorting numbers.
+    /// Returns the template of the face of the last walk, which owns these vertices and faces of `fine`. `fine` is the
+    /// last level of a part with the neighbourhood of that face; `numbers` and `tape` belong to it. Returns nothing if
+    /// the template is too large to be numbered. Returns nothing either if it depends on elements that the walk has not
+    /// met, since the scheme reaches further than it says. Cost: that of the program, and of sorting numbers.
     [[nodiscard]] std::optional<result> assemble(const face_walk<Index>& walk, std::span<std::uint32_t> vertices,
                                                  std::span<std::uint32_t> faces, const sources_of_part<Index>& sources,
                                                  const affine_numbers& numbers,
@@ -170,8 +171,9 @@ public:
     }
 
 private:
-    /// The class of a face is told by more rings than its patch reads points and numbers from: of sqrt(3) by 72 faces,
-    /// of which half are read or lead to one.
+    /// Leaves out the faces of the walk that the patch does not need. The class of a face depends on more rings than
+    /// those from which its patch reads points and numbers. For sqrt(3) they have 72 faces, of which half are read or
+    /// lead to one that is.
     static void leave_out_unread_faces(result& made)
     {
         std::vector<bool> is_read(made.steps.size() + 1, false);
@@ -206,7 +208,7 @@ private:
 
     static auto order_of(const number& n) { return std::tuple(n.source, n.factor, n.path, n.offset); }
 
-    /// Sorts elements by their numbers.
+    /// Sorts elements by their numbers in the whole mesh.
     static void put_in_order(std::span<std::uint32_t> elements, const storage<number>& numbers)
     {
         std::ranges::sort(elements, {}, [&](std::uint32_t i) { return order_of(numbers[i]); });
@@ -266,7 +268,7 @@ private:
         made.faces = listed_.runs_of_faces(faces, degrees);
     }
 
-    // Of one template after the other:
+    // Reused for one template after the other:
     lane_program_maker<Scalar> programs_;
     patch_numbers<Index> listed_;
 };

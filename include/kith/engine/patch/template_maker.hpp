@@ -21,7 +21,7 @@
 
 namespace kith {
 
-/// The elements of a list that each model owns, model by model, as places in the list.
+/// The elements of a list that each model owns, model by model, as indices in the list.
 class owned_elements {
 public:
     template <std::unsigned_integral Index>
@@ -54,15 +54,15 @@ private:
     std::vector<std::uint32_t> places_;
 };
 
-/// Makes templates for the faces of one level, of points or what follows from them.
+/// A maker of templates for the faces of one level, for points or values in their place.
 template <class Point, std::unsigned_integral Index>
 class template_maker {
     using scalar = scalar_of<Point>;
     using value = recorded<scalar>;
 
 public:
-    /// Looks at the level that a plan begins with. It has its edges and, if there is one, the degree of refined
-    /// faces. `rings` are those of the plan. Both objects must outlive this. Cost: O(elements).
+    /// Takes the level with which a plan begins. The level has its edges and, if refined faces have one degree, that
+    /// degree. `rings` are those of the plan. The mesh and the recorder must outlive this. Cost: O(elements).
     template_maker(const basic_mesh<Point, Index>& mesh, const part_recorder<scalar_of<Point>, Index>& recorder,
                    int rings)
         : mesh_(mesh)
@@ -73,15 +73,15 @@ public:
     {
     }
 
-    /// Makes those of some faces, the models. They are refined together, for their neighbourhoods often overlap. Calls
-    /// take(i, key, template) for the i-th, with the key of its walk and of the state there, but not where it is too
-    /// large to be numbered.
+    /// Makes the templates of some faces, the models. They are refined together, since their neighbourhoods often
+    /// overlap. Calls take(i, key, template) for the i-th model, with the key of its walk and of the state there.
+    /// Models for which template_assembler returns nothing are skipped.
     template <class Take>
     void make(std::span<const Index> models, const Take& take)
     {
-        // Neighbourhoods of one ring have little in common, and what is written down of few stays in the caches.
+        // Neighbourhoods of one ring have little in common, and a tape of few of them stays in the caches.
         const std::size_t most_at_once = recorder_.rings() == 1 ? 8 : 64;
-        constexpr std::size_t most_faces = 4096; // around them: some megabytes are written down of these
+        constexpr std::size_t most_faces = 4096; // around the models: their tape has some megabytes
         std::size_t count = 0;
         for (std::size_t first = 0; first < models.size(); first += count) {
             count = std::min(most_at_once, models.size() - first);
@@ -135,7 +135,7 @@ private:
     submesh_cutter<Point, Index> cutter_;
     face_walk<Index> walk_;
     state_marks<Index> marks_;
-    tape<scalar> tape_; // of some templates after others
+    tape<scalar> tape_; // reused for one group of models after the other
     template_assembler<scalar, Index> assembler_;
 };
 

@@ -11,13 +11,14 @@
 
 namespace kith {
 
-/// The origin of the template of a class of faces.
+/// The origin of the template of a class of faces, if it has one.
 enum class template_choice : unsigned char { none, made, kept };
 
-/// The cost of a level patch by patch, in final faces level by level.
+/// An estimate of the cost of a level that is made patch by patch. The unit is the cost of a final face made level by
+/// level.
 class patch_estimate {
 public:
-    /// Estimates it for classes of these sizes, which own patches with faces only or with all connectivity.
+    /// Takes the sizes of the classes. Their patches have faces only, or all connectivity (`with_edges`).
     patch_estimate(const strategy_costs& costs, const patch_sizes& sizes, std::vector<std::size_t> of_classes,
                    bool with_edges)
         : costs_(costs)
@@ -28,12 +29,13 @@ public:
     {
     }
 
-    /// Returns true if making a template costs less than its class does without.
+    /// Returns true if making a template for a class costs less than refining its faces without one.
     [[nodiscard]] bool gains(std::size_t of_class) const
     {
         return alone(of_class) > filled(of_class) + of_template_ + costs_.of_class_again;
     }
-    /// Returns true if patches are cheaper than going level by level, if each class does what is best.
+    /// Returns true if patches are cheaper than going level by level, when each class takes the cheaper way and no
+    /// template is kept yet.
     [[nodiscard]] bool is_gain_without_kept() const
     {
         std::vector<template_choice> choices(of_classes_.size(), template_choice::none);
@@ -42,7 +44,7 @@ public:
                 choices[c] = template_choice::made;
         return is_gain(choices);
     }
-    /// Returns the same with these choices.
+    /// Returns true if patches are cheaper than going level by level, with these choices for the classes.
     [[nodiscard]] bool is_gain(std::span<const template_choice> choices) const
     {
         double cost = 0, faces = 0;

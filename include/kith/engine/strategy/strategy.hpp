@@ -18,7 +18,7 @@ enum class refinement_way : unsigned char {
     in_patches        ///< the last steps at once, by templates for faces that look alike
 };
 
-/// The reasons for a way. All but the first two speak of patches.
+/// The reasons for a way. All but the first two concern patches.
 enum class strategy_reason : unsigned char {
     forced,          ///< `force_way` asks for it
     gain,            ///< this way takes less time than level by level
@@ -33,19 +33,19 @@ enum class strategy_reason : unsigned char {
     many_classes     ///< too few faces share a template
 };
 
-/// The way in which a refinement makes its levels, and the reason: what `strategy_of` returns.
+/// The way in which a refinement makes its levels, and the reason, as returned by `strategy_of`.
 struct strategy {
     refinement_way way = refinement_way::by_levels;
     strategy_reason reason = strategy_reason::no_patches;
     bool is_ordered = false;   ///< the faces were put in the order of the surface first
     int begin = 0;             ///< the level whose faces own patches, if there are patches
-    double faces = 0;          ///< of the last level
-    double needed = 0;         ///< the faces of a last level, or of a patch, that would be enough
-    std::size_t classes = 0;   ///< of faces that look alike, if they were looked for
-    std::size_t templates = 0; ///< of these classes
+    double faces = 0;          ///< the faces of the last level
+    double needed = 0;         ///< how many faces of a last level, or of a patch, would be enough
+    std::size_t classes = 0;   ///< classes of faces that look alike, if they were looked for
+    std::size_t templates = 0; ///< of how many of these classes there is a template
 };
 
-/// Returns a strategy in a sentence for a reader, such as "in patches from level 3 on: 12 classes of faces, 12 with
+/// Returns a strategy as a sentence for a reader, such as "in patches from level 3 on: 12 classes of faces, 12 with
 /// templates".
 std::string explain(const strategy& how);
 
@@ -97,8 +97,8 @@ constinit inline std::atomic<unsigned char> way_that_is_forced = no_way;
 
 } // namespace detail
 
-/// Makes all refinements of the process go this way where they can, until it is called with nothing. For tests,
-/// comparisons and reports of faults; results do not depend on the way. Call it while nothing is refined.
+/// Makes all refinements of the process go this way where they can, until it is called with nothing. It is meant for
+/// tests, comparisons and fault reports: results do not depend on the way. Call it while nothing is being refined.
 inline void force_way(std::optional<refinement_way> way)
 {
     detail::way_that_is_forced = way ? static_cast<unsigned char>(*way) : detail::no_way;

@@ -8,20 +8,20 @@
 
 namespace kith {
 
-/// The faces that some steps have made without templates, of levels of one size. Who refines a small level once spends
-/// more on templates than they save. Who does it again and again gets them when about as much has been made without as
-/// they cost, which is never more than twice what would have been best (the ski rental problem: Karlin, Manasse,
-/// Rudolph & Sleator 1988).
+/// The number of faces that some steps have made without templates, for levels of one size. A caller that refines a
+/// small level once would spend more on templates than they save. A caller that does it again and again gets templates
+/// after having spent about as much without them as they cost. This is never more than twice the best possible cost
+/// (the ski rental problem: Karlin, Manasse, Rudolph & Sleator 1988).
 struct template_demand {
     double made = 0;      ///< final faces
-    double next_look = 0; ///< at so many faces in all; twice as many as at the last look, if that was in vain
+    double next_look = 0; ///< after how many faces in all; twice as many as at a last look in vain
 };
 
-/// Chooses whether the last steps of a refinement are made in patches. It hears what is known, the cheapest first. It
-/// is open until something speaks against patches, and nothing that is said after that counts.
+/// A choice whether the last steps of a refinement are made in patches. It hears facts, the cheapest first. It is open
+/// until a fact speaks against patches; later facts do not count.
 class strategy_choice {
 public:
-    /// Is closed from the beginning if another way is forced.
+    /// Begins open, or closed if another way is forced.
     strategy_choice(const strategy_costs& costs, connect last_level)
         : usual_(costs), costs_(costs), last_level_(last_level)
     {
@@ -32,10 +32,11 @@ public:
     [[nodiscard]] bool is_open() const { return is_open_; }
     /// Returns the costs at which classes of faces are looked at.
     [[nodiscard]] const strategy_costs& costs() const { return costs_; }
-    /// Returns the strategy as far as it is known: level by level, for the first reason that was told.
+    /// Returns the strategy as far as it is known: level by level, for the first reason that was heard, until patches
+    /// are chosen.
     [[nodiscard]] const strategy& so_far() const { return how_; }
 
-    /// Hears a reason against patches; so many faces would be enough.
+    /// Hears a reason against patches. `needed` faces would have been enough for them.
     void refuse(strategy_reason reason, double needed = 0)
     {
         if (not is_open_)
@@ -44,7 +45,7 @@ public:
         how_.reason = reason;
         how_.needed = needed;
     }
-    /// Hears what patches would make.
+    /// Hears the sizes of the patches that would be made.
     void hear_sizes(const patch_sizes& sizes)
     {
         how_.faces = sizes.faces;
@@ -52,7 +53,7 @@ public:
         if (sizes.faces < least)
             refuse(strategy_reason::few_faces, least);
     }
-    /// Hears how much was made without templates. Precondition: it is open.
+    /// Hears how many faces were made without templates. Precondition: it is open.
     void hear_demand(const patch_sizes& sizes, const template_demand& demand)
     {
         demand_ = demand;
@@ -68,15 +69,17 @@ public:
         else
             weigh(sizes, usual_.if_unlike(begins_late));
     }
-    /// Returns the faces below which patches gain nothing where faces lie in no order. They gain less than the order of
-    /// the surface alone or, if that cannot be had, than looking at a large level costs there.
+    /// Returns the faces of a patch below which patches gain nothing if faces lie in no order. Smaller patches gain
+    /// less than the order of the surface alone. If that order cannot be had, they gain less than looking at a large
+    /// level costs there.
     [[nodiscard]] double least_if_scattered(const patch_sizes& sizes, bool can_be_ordered) const
     {
         if (can_be_ordered)
             return last_level_ == connect::faces ? costs_.least_if_ordered : costs_.least_if_ordered_with_edges;
         return begins_late_ ? costs_.least_faces_if_scattered / sizes.faces : 0;
     }
-    /// Hears how the classes of faces are made: the last that can be known. Precondition: it is open.
+    /// Hears the number of classes and templates, and whether these are a gain. This is the last fact. Precondition: it
+    /// is open.
     void hear_classes(std::size_t classes, std::size_t templates, bool are_gain)
     {
         how_.classes = classes;
@@ -84,7 +87,7 @@ public:
         if (not are_gain)
             refuse(strategy_reason::many_classes);
     }
-    /// Ends the choice for patches, from a level on, which may be in the order of the surface.
+    /// Chooses patches that begin at this level, which may be in the order of the surface.
     void take_patches(int begin, bool is_ordered)
     {
         how_.way = refinement_way::in_patches;
@@ -93,7 +96,7 @@ public:
         how_.is_ordered = is_ordered;
     }
 
-    /// Returns the demand for the next time.
+    /// Returns the demand to be kept for the next refinement.
     [[nodiscard]] template_demand next_demand() const
     {
         if (how_.way == refinement_way::in_patches)
@@ -123,9 +126,9 @@ private:
     strategy_costs usual_, costs_;
     connect last_level_;
     template_demand demand_;
-    double least_to_look_ = 0; // faces of the last level; with fewer only who has templates gains by them
+    double least_to_look_ = 0; // of the last level; with fewer faces only kept templates are a gain
     bool is_open_ = true, was_worth_looking_ = false;
-    bool begins_late_ = false; // after several steps for the sake of alike faces: at a level that is large
+    bool begins_late_ = false; // several steps late, where faces are alike: at a large level
     strategy how_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace kith {
 
-/// A type whose values can be averaged: as up to four coordinates, and back. Where T() leaves them open nothing() is
-/// zero.
+/// The conversion of values that can be averaged to up to four coordinates, and back. If T() is uninitialized, it also
+/// has nothing(), which returns zero.
 template <class T>
 struct averaged_value;
 
@@ -19,14 +19,15 @@ namespace detail {
 template <class Number>
 using four_numbers = std::array<Number, 4>;
 
-/// Integers, such as the channels of a colour, are rounded, and kept in range where masks have negative weights.
+/// Converts a number to a coordinate. Integers, such as the channels of a colour, are rounded, and kept in range if
+/// masks have negative weights.
 template <class T, class Number>
 T as_coordinate(const Number& x)
 {
     if constexpr (std::same_as<T, Number>)
         return x;
     else if constexpr (not std::constructible_from<double, const Number&>)
-        return as_coordinate<T>(to_double(x)); // of the exact number's own library
+        return as_coordinate<T>(to_double(x)); // to_double of the exact number's own library
     else if constexpr (std::integral<T>)
         return rounded<T>(double(x));
     else
@@ -49,7 +50,7 @@ struct averaged_value<T> {
     }
 };
 
-/// Types with N coordinates, read and written by [i].
+/// The conversion of types with N coordinates, which are read and written by [i].
 template <class T, class Coordinate, std::size_t N>
     requires(N <= 4)
 struct averaged_coordinates {
@@ -74,11 +75,11 @@ template <class T, std::size_t N>
     requires(N <= 4 and (std::floating_point<T> or std::same_as<T, unsigned char>))
 struct averaged_value<std::array<T, N>> : averaged_coordinates<std::array<T, N>, T, N> {};
 
-/// Eigen's and glm's.
+/// The conversion of the vectors of Eigen and glm.
 template <is_fixed_vector T>
     requires(fixed_vector<T>::size <= 4)
 struct averaged_value<T> : averaged_coordinates<T, typename fixed_vector<T>::scalar, fixed_vector<T>::size> {
-    static T nothing() { return averaged_value::template store<double>({}); } // T() leaves Eigen's open
+    static T nothing() { return averaged_value::template store<double>({}); } // T() leaves those of Eigen uninitialized
 };
 
 namespace detail {

@@ -19,18 +19,19 @@
 
 namespace kith {
 
-/// What has become of the properties of a mesh that was converted, by the names they had there.
+/// A report on the properties of a mesh that was converted, by the names they had there.
 struct conversion_report {
     std::vector<std::string> carried;
-    /// Of those carried, and "points": whose values the new mesh cannot all hold exactly, such as doubles in floats.
+    /// The carried properties, and "points", whose values the new mesh cannot all hold exactly, such as doubles in
+    /// floats.
     std::vector<std::string> narrowed;
     std::vector<omission> left_out;
 };
 
 namespace detail {
 
-/// The elements of one kind in their order; of half-edges that of the edges, first the side that directs the edge or,
-/// where that has no face, the other one.
+/// Returns the elements of one kind in their order. Half-edges are in the order of the edges, first the side that
+/// directs the edge or, if that has no face, the other one.
 template <class Handle, mesh M>
 std::vector<Handle> all_handles(const M& mesh)
 {
@@ -49,12 +50,12 @@ std::vector<Handle> all_handles(const M& mesh)
     }
 }
 
-/// Copies the properties on elements of one kind to a mesh with the same elements.
+/// A copier of the properties on elements of one kind to a mesh with the same elements.
 template <class FromHandle, class ToHandle, mesh_with_properties From, mesh_with_properties To>
 class property_copier {
     using from_access = property_access<From>;
     using to_access = property_access<To>;
-    /// Where one of the meshes has exact numbers these are.
+    /// The type of numbers for the conversion: exact if one of the meshes has exact numbers.
     using number = std::conditional_t<std::floating_point<typename from_access::number>, typename to_access::number,
                                       typename from_access::number>;
 
@@ -108,7 +109,7 @@ private:
     template <class T, standard_property Which>
     static constexpr bool is_own = std::is_void_v<own_type<Which>> or std::same_as<T, own_type<Which>>;
 
-    /// Copies the one of this type, unless all are copied that have the name.
+    /// Copies the property of this type, unless all properties of its name have been copied.
     template <class T>
     void copy_once(const one_property& one, std::size_t properties, std::vector<std::type_index>& copied)
     {
@@ -117,7 +118,7 @@ private:
             not is_unnamed<From>(one.name, type) and copy<T>(one))
             copied.push_back(type);
     }
-    /// Whether it is of this type.
+    /// Copies a property if it has this type, and if is_free() does not leave it out. Returns true if it has this type.
     template <class T>
     bool copy(const one_property& one)
     {
@@ -176,7 +177,8 @@ private:
     void write(const numbers_of_values<number>&, const one_property&) // a mesh that takes any type
     {
     }
-    /// Whether the new mesh has room for a property of this name, which it then has; else it is left out.
+    /// Returns true if the new mesh has room for a property of this name, and notes it as carried. Otherwise notes it
+    /// as left out.
     bool is_free(const std::string& name, const std::string& to_name, bool is_there_in_its_type)
     {
         const auto there = to_access::template names<ToHandle>(to_);

@@ -9,7 +9,8 @@
 
 namespace kith::detail {
 
-/// What a function, a property map (`get(map, handle)`) or anything that takes handles in brackets says of an element.
+/// Returns the value of an element from a function, a property map (`get(map, handle)`) or anything that takes handles
+/// in brackets.
 template <class Source, class Handle>
 decltype(auto) map_value(const Source& source, const Handle& x)
 {
@@ -20,7 +21,7 @@ decltype(auto) map_value(const Source& source, const Handle& x)
     else
         return source[x];
 }
-/// Gives an element a value in a property map, or in anything that takes handles in brackets.
+/// Sets the value of an element in a property map, or in anything that takes handles in brackets.
 template <class Target, class Handle, class T>
 void put_value(Target& target, const Handle& x, const T& value)
 {
@@ -29,7 +30,8 @@ void put_value(Target& target, const Handle& x, const T& value)
     else
         target[x] = value;
 }
-/// The type of what a map says: of bits it may say something that stands for one.
+/// The type of the values of a map. For bits, a map may return an object that stands for one; its value_type is used
+/// then.
 template <class Source, class Handle>
 struct map_value_type {
     using type = std::remove_cvref_t<decltype(map_value(std::declval<const Source&>(), std::declval<const Handle&>()))>;

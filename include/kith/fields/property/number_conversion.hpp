@@ -9,7 +9,7 @@
 
 namespace kith::detail {
 
-/// Whether two values say the same; not a number is the same as itself.
+/// Returns true if two values are equal, or if both are not a number.
 template <class T>
 bool same_number(const T& a, const T& b)
 {
@@ -23,7 +23,7 @@ bool same_numbers(const Coordinates& a, const Coordinates& b)
         std::begin(a), std::end(a), std::begin(b), [](const auto& x, const auto& y) { return same_number(x, y); });
 }
 
-/// Values of several numbers of some type, and what is left of numbers when they have been values of that type.
+/// Values of one type, each as up to four numbers, and the rounding that numbers undergo as values of that type.
 template <class Number>
 struct numbers_of_values {
     using numbers = four_numbers<Number>;
@@ -39,7 +39,7 @@ struct numbers_of_values {
     rounding round;
 };
 
-/// How the numbers of one type are those of another.
+/// The conversion of the numbers of one type to those of another.
 template <class Number>
 struct number_conversion {
     using numbers = four_numbers<Number>;
@@ -57,7 +57,8 @@ struct number_conversion {
     }
 
 private:
-    /// Integers are those from 0 to 255, other numbers those from 0 to 1, and a colour without a fourth is opaque.
+    /// Returns a colour in the range of another type. The channels of integer types are from 0 to 255, those of others
+    /// from 0 to 1. A colour without a fourth channel is opaque.
     static numbers color(const numbers& x, rounding from, rounding to)
     {
         numbers result = opaque(x, from);

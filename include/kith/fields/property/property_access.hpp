@@ -11,55 +11,56 @@
 
 namespace kith {
 
-/// How properties with names are reached in a library's meshes; specialised beside mesh_traits, with
+/// The access to named properties in the meshes of a library, specialised beside mesh_traits. It has:
 ///
-///   number                             the type in which values are averaged
-///   value_types                        std::tuple of the types of values that are looked for
-///   names<Handle>(mesh)                of all properties on elements with such handles, but those of the library
-///                                      itself
-///   is_reserved(name)                  whether the library itself has, or may have, a property of that name
-///   follows_from_points(name)          whether the library makes it, as normals
-///   find<Handle, T>(mesh, name)        something with [handle] that converts to true if there are such values
-///   add<Handle, T>(mesh, name)         something with [handle] to write to, new where there is none
-///   standard_name<Handle>(which) what the library calls a standard_property on such elements; empty if it does not
-///   standard_type<which>               and the type of its values; void for any
+///   number                             the type in which values are averaged;
+///   value_types                        std::tuple of the types of values that are looked for;
+///   names<Handle>(mesh)                the names of all properties on elements with such handles, except those of the
+///                                      library itself;
+///   is_reserved(name)                  whether the library itself has, or may have, a property of that name;
+///   follows_from_points(name)          whether the library makes it, as normals;
+///   find<Handle, T>(mesh, name)        an object with [handle] that converts to true if there are such values;
+///   add<Handle, T>(mesh, name)         an object with [handle] to write to; a new property if there is none;
+///   standard_name<Handle>(which)       the library's name of a standard_property on such elements, or an empty one;
+///   standard_type<which>               and the type of its values; void for any type.
 ///
-/// and, where elements without an assigned value have another one than T():
+/// If elements without an assigned value have a value other than T(), it also has:
 ///
 ///   with_one_element(mesh)             a mesh with the same properties and one element of each kind, which have these
-///                                      values
-///   starts_with_a_value<T>             whether they are never left open
-///   add<Handle, T>(mesh, name, unset)  as above, where new with this value
+///                                      values;
+///   starts_with_a_value<T>             whether these values are never uninitialized;
+///   add<Handle, T>(mesh, name, unset)  as above; a new property has this value.
 ///
-/// and where several properties may have one name, each with another type:
+/// If several properties may have one name, each with another type:
 ///
-///   types_share_names                  true
+///   types_share_names                  true.
 ///
-/// and where properties that were given no name get one of the library, which means nothing in another mesh:
+/// If properties without a name get one from the library, which means nothing in another mesh:
 ///
-///   is_unnamed(name, type)             whether it is such a name, for values of a type; void for those of any
+///   is_unnamed(name, type)             whether it is such a name, for values of a type; void for those of any type.
 ///
-/// and where meshes of many types keep their properties in one base, so that types of values are compiled for it alone:
+/// If meshes of many types keep their properties in one base, for which alone types of values are then compiled:
 ///
 ///   base                               its type; its own property_access has number, value_types, find and add as
-///                                      here, and at<Handle>(number), an element
-///   base_of(mesh)                      the base of a mesh
-///   request<Handle>(mesh, name, type)  what the mesh does before a property is added there
+///                                      here, and at<Handle>(number), an element;
+///   base_of(mesh)                      the base of a mesh;
+///   request<Handle>(mesh, name, type)  prepares the mesh for a property that will be added there.
 ///
-/// and where there are properties of a mesh as a whole:
+/// If a mesh as a whole has properties:
 ///
-///   names_of_whole(mesh)               their names
-///   copy_of_whole(from, to, copied)    copies them, adds their names, and returns those of what it does not know
+///   names_of_whole(mesh)               their names;
+///   copy_of_whole(from, to, copied)    copies them, adds their names to `copied`, and returns the names of those whose
+///                                      type it does not know.
 ///
-/// and where values of types that are not named can be copied inside a mesh whose handles are numbers:
+/// If values of types that are not named can be copied inside a mesh whose handles are numbers:
 ///
 ///   other_properties<Handle>(mesh, known)
-///                                      std::vector<any_property>: all properties on elements with such handles, but
-///                                      the known ones and those of the library itself
+///                                      std::vector<any_property>: all properties on elements with such handles, except
+///                                      the known ones and those of the library itself.
 template <class M>
 struct property_access;
 
-/// A property that was left out, and the reason with the remedy.
+/// A property that was left out, with the reason and the remedy.
 struct omission {
     std::string name;
     std::string why;
@@ -71,10 +72,10 @@ namespace detail {
 struct known_property {
     std::string name;
     std::type_index type;
-    const void* array; ///< where its library has it, if that matters
+    const void* array; ///< the place where its library has it, if that matters
 };
 
-/// A property of any type, by what its library does with it. Elements are given by the numbers of their handles.
+/// A property of any type, with the functions of its library. Elements are given by the numbers of their handles.
 struct any_property {
     std::string name;
     void* array;
@@ -98,7 +99,7 @@ concept mesh_with_other_properties = mesh_with_properties<M> and
 
 namespace detail {
 
-/// True if the library gives this name to properties that have none of their own, for values of this type.
+/// Returns true if the library gives this name to properties without one, for values of this type.
 template <mesh_with_properties M>
 bool is_unnamed([[maybe_unused]] const std::string& name, [[maybe_unused]] std::type_index type = typeid(void))
 {
@@ -125,8 +126,8 @@ struct property_base<M> {
     static const type& of(const M& mesh) { return property_access<M>::base_of(mesh); }
 };
 
-/// Calls f(handle) in the order of dense numbers. A half-edge stands for the corner at its target, as is usual for
-/// texture coordinates.
+/// Calls f(handle) for all elements in the order of dense numbers. A half-edge stands for the corner at its target, as
+/// is usual for texture coordinates.
 template <class Handle, mesh M, class F>
 void for_each_handle(const M& mesh, const F& f)
 {
@@ -152,7 +153,7 @@ void for_each_handle(const M& mesh, const F& f)
         }
     }
 }
-/// The same in a list.
+/// Returns all handles in the order of for_each_handle.
 template <class Handle, mesh M>
 std::vector<Handle> handles_of(const M& mesh)
 {

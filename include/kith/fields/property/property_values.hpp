@@ -21,9 +21,9 @@
 
 namespace kith::detail {
 
-/// The properties of a mesh on elements with such handles, apart from the mesh and from the types of their values.
-/// Whatever takes them to finer levels is compiled once for all types. At vertices and corners, which half-edges stand
-/// for, what can be averaged is coordinates; the rest goes from an element to its heirs.
+/// The properties of a mesh on elements with such handles, independent of the mesh and of the types of their values.
+/// Code that takes them to finer levels is compiled once for all types. At vertices and corners, for which half-edges
+/// stand, values that can be averaged are kept as coordinates. All other values go from an element to its heirs.
 template <class Handle, mesh_with_properties M>
 class property_values {
     using access = property_access<M>;
@@ -54,23 +54,24 @@ public:
 
     [[nodiscard]] const std::vector<averaged>& means() const { return typed_.means; }
     [[nodiscard]] bool has_heirs() const { return not typed_.heirs.empty() or has_others_; }
-    /// Says that own_heirs() is needed for properties that are not here.
+    /// Notes that own_heirs() is needed for properties that are not here.
     void expect_others() { has_others_ = true; }
-    /// The elements of the control mesh, by number.
+    /// Returns the elements of the control mesh, by number.
     [[nodiscard]] const std::vector<Handle>& handles() const { return handles_; }
-    /// The names of the properties that are here, and of those that are not: of other types, or made of the points.
+    /// Returns the names of the properties that are here; unknown() returns the others: of other types, or made of the
+    /// points.
     [[nodiscard]] const std::vector<std::string>& known() const { return known_; }
     [[nodiscard]] const std::vector<std::string>& unknown() const { return unknown_; }
-    /// The properties that are here, as their library knows them.
+    /// Returns the properties that are here, as their library knows them.
     [[nodiscard]] const std::vector<known_property>& found() const { return typed_.found; }
 
-    /// Whether a property is here; `type` as in found().
+    /// Returns true if a property is here; `type` as in found().
     [[nodiscard]] bool has(const std::string& name, std::type_index type) const
     {
         return std::ranges::any_of(typed_.found,
                                    [&](const auto& each) { return each.name == name and each.type == type; });
     }
-    /// Takes the properties of others of the same mesh, too, but those that are here already.
+    /// Takes over properties of the same mesh from another object, except those that are here already.
     void add(property_values&& more)
     {
         for (const known_property& each : typed_.found)
@@ -94,7 +95,7 @@ public:
         std::erase_if(typed_.found, is_it);
         known_.erase(std::ranges::find(known_, name));
     }
-    /// Drops the values of all elements but these, whose numbers ascend.
+    /// Drops the values of all elements but these, whose numbers are increasing.
     void keep(std::span<const std::uint32_t> elements)
     {
         const auto keep_in = [&](auto& values) {
@@ -113,7 +114,7 @@ public:
             each.values->keep(elements);
     }
 
-    /// Those without a name of their own become unknown ones: in another mesh that name may stand for anything.
+    /// Moves properties without a name of their own to unknown(): in another mesh their name may stand for anything.
     void leave_out_unnamed()
     {
         const auto leave_out = [this](const auto& each) {
@@ -127,7 +128,7 @@ public:
         std::erase_if(typed_.heirs, leave_out);
     }
 
-    /// For the elements of the control mesh: that each inherits from itself.
+    /// Returns the heirs of the control mesh, where each element inherits from itself.
     [[nodiscard]] storage<std::uint32_t> own_heirs() const
     {
         storage<std::uint32_t> result(handles_.size());
@@ -135,7 +136,7 @@ public:
             result[i] = std::uint32_t(i + 1);
         return result;
     }
-    /// Writes to places of a mesh what they inherit; `swaps` gets how values there are exchanged with others.
+    /// Writes inherited values to places of a mesh. `swaps` gets the exchange of the values of each property.
     void write_heirs(M& fine, const written_places<Handle>& places, std::span<const std::uint32_t> heirs,
                      std::vector<std::unique_ptr<value_exchange>>* swaps = nullptr) const
     {
@@ -151,7 +152,7 @@ public:
         if (not typed_.heirs.empty())
             write_heirs(fine, places_in<Handle>(fine), heirs);
     }
-    /// Writes a property of means() to places of a mesh and returns how values there are exchanged with others.
+    /// Writes a property of means() to places of a mesh. Returns the exchange of its values.
     static std::unique_ptr<value_exchange>
     write_mean(M& fine, const averaged& mean, const written_places<Handle>& places, std::span<const coordinates> values)
     {
@@ -164,7 +165,7 @@ public:
     }
 
 private:
-    /// Returns how many properties of this name were read.
+    /// Reads the properties of this name. Returns how many were read.
     template <class... T>
     std::size_t read(const M& mesh, const std::string& name, std::size_t properties, unset_values<M>& unset,
                      std::tuple<T...>* types)
@@ -184,7 +185,7 @@ private:
             return read(unset_there);
         }
     }
-    /// Has the mesh do what it does before a property is written.
+    /// Prepares the mesh for a property that will be written.
     static void request([[maybe_unused]] M& mesh, [[maybe_unused]] const std::string& name,
                         [[maybe_unused]] std::type_index type)
     {

@@ -10,12 +10,13 @@
 
 namespace kith {
 
-/// What a mesh may have beside points for which libraries have a name and a type of their own.
+/// The properties beside points for which libraries have a name and a type of their own.
 enum class standard_property : unsigned char { color, normal, texture_coordinates, none };
 
 namespace detail {
 
-/// What libraries call it on elements with such handles, their word behind the letter of the elements: "v:color".
+/// Returns the name of a property on elements with such handles: a library's word after the letter of the elements,
+/// such as "v:color". Returns "" for `none`.
 template <mesh M, class Handle>
 std::string standard_name(standard_property which, const std::array<const char*, 3>& words)
 {

@@ -15,10 +15,10 @@
 
 namespace kith::detail {
 
-/// Values of any type, one per element of the control mesh.
+/// The inherited values of a property of any type, one per element of the control mesh.
 struct inherited_values {
     virtual ~inherited_values() = default;
-    /// Drops the values of all elements but these, whose numbers ascend.
+    /// Drops the values of all elements but these, whose numbers are increasing.
     virtual void keep(std::span<const std::uint32_t> elements) = 0;
 };
 template <class T>
@@ -33,12 +33,12 @@ struct inherited_values_of final : inherited_values {
         values.resize(elements.size(), nothing);
     }
 
-    T nothing; ///< which elements have that inherit nothing
+    T nothing; ///< the value of elements that inherit nothing
     std::vector<T> values;
 };
 
-/// Exchanges values between elements of one mesh, by the numbers of their handles. Never fails for types whose swap
-/// does not.
+/// An exchange of values between elements of one mesh, by the numbers of their handles. It never fails for types whose
+/// swap does not.
 struct value_exchange {
     virtual ~value_exchange() = default;
     virtual void swap(std::size_t a, std::size_t b) noexcept = 0;
@@ -69,7 +69,7 @@ struct value_exchange_in final : value_exchange {
 
     To to;
 };
-/// Returns how values of a map are exchanged where the handles of the mesh, or of the base, are numbers.
+/// Returns the exchange of the values of a map, or nullptr unless the handles of the mesh, or of the base, are numbers.
 template <class M, class Handle, class T, class To>
 std::unique_ptr<value_exchange> exchange_of(To to)
 {
@@ -94,7 +94,8 @@ std::unique_ptr<inherited_values> load_inherited(const From& from, const std::ve
         result->values.push_back(from[x]);
     return result;
 }
-/// heirs: one more than the number of the element that each has its value from, 0 for those that inherit nothing.
+/// Writes inherited values to handles. An entry of `heirs` is 1 + the number of the element from which a handle
+/// inherits, or 0 if it inherits nothing.
 template <class T, class To, class Handle>
 void store_inherited(To to, const std::vector<Handle>& handles, const inherited_values_of<T>& all,
                      std::span<const std::uint32_t> heirs)
@@ -103,7 +104,7 @@ void store_inherited(To to, const std::vector<Handle>& handles, const inherited_
         to[handles[i]] = heirs[i] == 0 ? all.nothing : T(all.values[heirs[i] - 1]);
 }
 
-/// The half-edges without a face, which inherit nothing; none for handles of other kinds.
+/// Returns the half-edges without a face, which inherit nothing. Returns none for handles of other kinds.
 template <class Handle, mesh M>
 std::vector<Handle> handles_beside_faces(const M& mesh)
 {
@@ -116,7 +117,7 @@ std::vector<Handle> handles_beside_faces(const M& mesh)
                     result.push_back(h);
     return result;
 }
-/// All elements of a mesh.
+/// Returns the places of all elements of a mesh.
 template <class Handle, mesh M>
 written_places<Handle> places_in(const M& mesh)
 {

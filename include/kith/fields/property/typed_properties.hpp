@@ -19,17 +19,17 @@
 #include <typeindex>
 #include <vector>
 
-// This is all that is compiled for each type of values. It knows the base alone that has the properties,
-// which meshes of many types may have in common.
+// Only this is compiled for each type of values. It knows only the base that has the properties, which meshes of many
+// types may have in common.
 
 namespace kith::detail {
 
-/// True if there are means of values on elements with such handles: at vertices and at corners.
+/// True if values on elements with such handles are averaged: at vertices and at corners.
 template <class Handle, class M>
 inline constexpr bool has_means = std::same_as<Handle, typename mesh_traits<M>::vertex> or
                                   std::same_as<Handle, typename mesh_traits<M>::halfedge>;
 
-/// A property whose values are averaged, as coordinates.
+/// A property whose values are averaged, as up to four coordinates.
 template <class Handle, class Base>
 struct averaged_property {
     using coordinates = four_numbers<typename property_access<Base>::number>;
@@ -37,7 +37,7 @@ struct averaged_property {
     std::string name;
     std::type_index type;
     storage<coordinates> values;
-    coordinates nothing; ///< which elements have that inherit nothing
+    coordinates nothing; ///< the value of elements that inherit nothing
     std::unique_ptr<value_exchange> (*write)(Base&, const averaged_property&, const written_places<Handle>&,
                                              std::span<const coordinates>);
 };
@@ -62,8 +62,8 @@ public:
     using averaged = averaged_property<Handle, Base>;
     using inherited = inherited_property<Handle, Base>;
 
-    /// Reads the properties of this name and of these types, and returns how many they are. `properties` is how many
-    /// have the name; some of them may have other types. Cost: O(elements) for each.
+    /// Reads the properties of this name and of these types. Returns how many they are. `properties` is how many have
+    /// the name; some of them may have other types. Cost: O(elements) for each.
     template <class... T>
     std::size_t read([[maybe_unused]] const Base& mesh, [[maybe_unused]] const std::string& name,
                      [[maybe_unused]] std::size_t properties, [[maybe_unused]] const std::vector<Handle>& handles,
@@ -131,7 +131,7 @@ private:
 template <class Base>
 inline constexpr bool has_compiled_properties = false;
 
-/// Same as typed_properties::read with the usual types, compiled in that library.
+/// Reads properties as typed_properties::read does with the usual types, compiled in the library of the base.
 template <class Handle, class Base>
 std::size_t read_in_library(typed_properties<Handle, Base>& properties_read, const Base& mesh, const std::string& name,
                             std::size_t properties, const std::vector<Handle>& handles, unset_values<Base>& unset);

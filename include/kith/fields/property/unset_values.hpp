@@ -10,14 +10,14 @@
 
 namespace kith::detail {
 
-/// Values that a constructor without arguments leaves open, and that say themselves what is zero.
+/// A type whose constructor without arguments leaves values uninitialized, and whose averaged_value says what is zero.
 template <class T>
 concept is_left_open = requires {
     { averaged_value<T>::nothing() } -> std::same_as<T>;
 };
 
-/// T(), zero where its constructor leaves it open, as those of OpenMesh's vectors and of CGAL's points and exact
-/// numbers do.
+/// Returns T(), or zero if that is uninitialized, as for the vectors of OpenMesh and for the points and exact numbers
+/// of CGAL.
 template <class T>
 const T& value_of_nothing()
 {
@@ -26,23 +26,23 @@ const T& value_of_nothing()
             return averaged_value<T>::nothing();
         else
             return T();
-    }(); // what is static is cleared before it is constructed
+    }(); // static memory is cleared before it is constructed
     return value;
 }
 
-/// Meshes whose properties have a default value each for elements without an assigned one, as property maps of CGAL
-/// have.
+/// A mesh with a default value per property, which elements without an assigned value have, as in property maps of
+/// CGAL.
 template <class M>
 concept mesh_with_unset_values = mesh_with_properties<M> and requires(const M& mesh) {
     { property_access<M>::with_one_element(mesh) } -> std::same_as<M>;
 };
 
-/// What elements have that inherit nothing: what the property has on new elements, else T(). Where the mesh has to be
-/// copied to find that out, once for all properties.
+/// The values of elements that inherit nothing: the value of the property on new elements, else T(). If the mesh has to
+/// be copied to find such a value, it is copied once for all properties.
 template <class M>
 class unset_values {
 public:
-    /// The mesh must outlive it.
+    /// Takes a mesh, which must outlive this.
     explicit unset_values(const M& mesh) : mesh_(&mesh) {}
 
     template <class Handle, class T>
@@ -62,7 +62,8 @@ private:
     std::optional<M> one_of_each_;
 };
 
-/// Returns a property to write to. Adds it if there is none; `nothing` is then the value of unassigned elements.
+/// Returns a property to write to. Adds it if there is none; unassigned elements then have the value `nothing`, if the
+/// mesh supports it.
 template <class Handle, class T, class M>
 auto add_unset(M& mesh, const std::string& name, const T& nothing)
 {

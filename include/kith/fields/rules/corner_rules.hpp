@@ -33,7 +33,7 @@ public:
         });
     }
 
-    /// The value at a new vertex as a corner of a new face; both by the tuples that gave birth to them.
+    /// Returns the value at a new vertex as a corner of a new face. Both are given by the tuples that made them.
     [[nodiscard]] T at(std::pair<tuple_kind, std::size_t> face, std::pair<tuple_kind, std::size_t> vertex) const
     {
         const std::size_t i = vertex.second;
@@ -64,7 +64,7 @@ public:
         const auto c = level().corners()[i / 2];
         return masks::of_three(here(c), masks::middle(here(c), here(i % 2 == 0 ? c.next() : c.prev())), mean(c));
     }
-    /// The same where the tuple of the vertex is in no column.
+    /// Returns the value in the same way if the tuple of the vertex is in no column.
     [[nodiscard]] T at(std::pair<tuple_kind, std::size_t> face, const tuple_elements& vertex) const
     {
         return mean_of_tuple<T>(
@@ -86,7 +86,8 @@ private:
     {
         return means_[c.f().index()];
     }
-    /// The mean over those sides of an edge that lie in the face that gave birth; if none does, over all.
+    /// Returns the value on a side of an edge that lies in the parent of the new face. If there is none, returns the
+    /// mean over all its sides.
     template <edge_element Edge, class F>
     [[nodiscard]] T of_edge(std::pair<tuple_kind, std::size_t> face, const Edge& e, const F& in_face) const
     {
@@ -98,8 +99,9 @@ private:
             return in_face(right);
         return masks::middle(in_face(left), in_face(right));
     }
-    /// The value at a vertex in the face that gave birth; if there is none, or the vertex is not in it, the mean over
-    /// the faces of the edge that did, and else over all around the vertex.
+    /// Returns the value at a vertex in the face that is the parent of the new face. If the parent is an edge of the
+    /// vertex, returns the mean over the faces of that edge. In all other cases, returns the mean over all faces around
+    /// the vertex.
     template <vertex_element Vertex>
     [[nodiscard]] T at_vertex(std::pair<tuple_kind, std::size_t> face, const Vertex& v) const
     {
@@ -145,11 +147,11 @@ private:
 
 } // namespace detail
 
-/// The rule of values at corners (texture coordinates and all else that differs from face to face at a vertex): linear
-/// inside each face, which OpenSubdiv calls "linear all". Where the values of two faces differ along their edge, there
-/// is a seam, and stays. A new vertex has, as a corner of a new face, the mean of the elements of its tuple in the old
-/// face from which the new one comes, or in its own where its tuple has one; where neither has one the mean over the
-/// old faces at its edge or vertex.
+/// The rule of values at corners that are linear inside each face, which OpenSubdiv calls "linear all". Such values are
+/// texture coordinates, and all else that differs from face to face at a vertex. If the values of two faces differ
+/// along their edge, there is a seam, and it stays. A new vertex, as a corner of a new face, has the mean of the
+/// elements of its tuple in one old face. This is the face in the tuple of the vertex or, if it has none, the old face
+/// from which the new face comes. If there is neither, it has the mean over the old faces at its edge or vertex.
 /// Cost: O(corners).
 struct linear_in_faces {
     static constexpr bool is_linear_in_faces() { return true; }
@@ -169,9 +171,9 @@ struct linear_in_faces {
     }
 };
 
-/// The rule of marks on the sides of faces, as half-edges of CGAL and OpenMesh have them: a corner has that of the side
-/// which leads to it. A new side that lies along a side of the face from which its own face comes has the same; all
-/// others have T(), zero where that is left open.
+/// The rule of marks on the sides of faces, as half-edges of CGAL and OpenMesh have them. A corner has the mark of the
+/// side that leads to it. A new side inherits the mark if it lies along a side of the face from which its own face
+/// comes. All others have T(), or zero if T() is uninitialized.
 /// Cost: O(corners) for faces of bounded degree.
 struct along_sides {
     template <class T, finished_step Step>

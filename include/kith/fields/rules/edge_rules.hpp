@@ -15,7 +15,7 @@ namespace kith {
 
 namespace detail {
 
-/// Whether a vertex of the next level was born on an edge: by it, by one of its ends, or by both.
+/// Returns true if a vertex of the next level was made on an edge: by the edge, by one of its ends, or by both.
 template <finished_step Step, edge_element Edge>
 bool is_born_on(const Step& step, std::size_t vertex, const Edge& e)
 {
@@ -29,10 +29,9 @@ bool is_born_on(const Step& step, std::size_t vertex, const Edge& e)
 
 } // namespace detail
 
-/// The rule of values on edges (sharpness, features, tags): a new edge that lies along an old one, so that both of its
-/// ends do, inherits from it, by `inherit(value)`; all others have `born`: a value, or a function of (const auto&
-/// element, values), where the element is the vertex, edge, face or corner that gave birth. The functions may be called
-/// on several threads.
+/// The rule of values on edges (sharpness, features, tags). A new edge both of whose ends lie on an old edge inherits
+/// from it, by `inherit(value)`. All others have `born`: a value, or a function of (const auto& element, values). The
+/// element is the vertex, edge, face or corner that made the new edge. The functions may be called on several threads.
 template <class Inherit = std::identity, class Born = no_value>
 struct along_edges {
     [[no_unique_address]] Inherit inherit{};

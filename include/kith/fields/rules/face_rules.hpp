@@ -12,8 +12,8 @@
 
 namespace kith {
 
-/// The rule of values on faces (material, label, group, hole): a face that is born in a face inherits from that face,
-/// by `inherit(value)`; one that is born by an edge or a vertex, as in Doo-Sabin's scheme, has `born`: a value, or a
+/// The rule of values on faces (material, label, group, hole). A face that is made in a face inherits from that face,
+/// by `inherit(value)`. A face that is made by an edge or a vertex, as in Doo-Sabin's scheme, has `born`: a value, or a
 /// function of (const auto& edge_or_vertex, values). The functions may be called on several threads.
 template <class Inherit = std::identity, class Born = no_value>
 struct from_parent {

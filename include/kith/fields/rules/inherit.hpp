@@ -20,13 +20,13 @@
 
 namespace kith {
 
-/// Of elements that inherit nothing: the value T(), zero where that is left open.
+/// The value of elements that inherit nothing: T(), or zero if T() is uninitialized.
 struct no_value {};
 
 namespace detail {
 
-/// The value of a new element that inherits from none: a constant, or what a function says of the element that gave
-/// birth to it and of the values of the level.
+/// Returns the value of a new element that inherits from none: a constant, or what a function returns. The function
+/// gets the element that made the new one and the values of the level.
 template <class T, class Born, element Element>
 T born_value(const Born& born, const Element& element, std::span<const T> values)
 {
@@ -42,7 +42,8 @@ T born_value(const Born& born, const Element& element, std::span<const T> values
     }
 }
 
-/// A rule that a field keeps: one whose functions capture something can be assigned, too, and is shared then.
+/// A holder of a rule that can be assigned. A rule that cannot be assigned itself, since its functions capture
+/// something, is shared.
 template <class Rule>
 class assignable {
     static constexpr bool is_shared = not std::is_copy_assignable_v<Rule>;
@@ -69,7 +70,7 @@ private:
     std::conditional_t<is_shared, std::shared_ptr<const Rule>, Rule> rule_;
 };
 
-/// Calls f.operator()<kind>(id, tuple) for each new element that has a column in `list`, on threads.
+/// Calls f.operator()<kind>(id, tuple) for each new element that has a column in `list`, on several threads.
 template <level Level, element_ids Ids, class... Columns, class F>
 void for_new_elements(const Level& coarse, const Ids& ids, const std::tuple<Columns...>& list, const F& f)
 {
@@ -82,7 +83,8 @@ void for_new_elements(const Level& coarse, const Ids& ids, const std::tuple<Colu
     };
     std::apply([&](const auto&... c) { (in_column(c), ...); }, list);
 }
-/// Calls f(corner, tuple) for each corner of the next level with the tuple that gave birth to its face, on threads.
+/// Calls f(corner, tuple) for each corner of the next level, on several threads. The tuple is the one that made its
+/// face.
 template <level Level, level_numbering Numbering, class F>
 void for_new_corners(const Level& fine, const Numbering& ids, const F& f)
 {
@@ -100,8 +102,8 @@ auto columns_of_step(const Step& step)
     return columns_of(step.scheme, step.generation);
 }
 
-/// Writes the values of the new elements of a kind. One whose parent is of that kind, too, inherits from it by
-/// `rule.inherit`, and with a condition if inherits(id, parent); all others have `rule.born`.
+/// Writes the values of the new elements of a kind. An element whose parent is of that kind, too, inherits from it by
+/// `rule.inherit`, if the condition inherits(id, parent) holds or none is given. All other elements have `rule.born`.
 template <element_kind Kind, class T, class Rule, finished_step Step, class... Inherits>
 void inherit_values(storage<T>& result, std::span<const T> values, const Rule& rule, const Step& step,
                     const Inherits&... inherits)
@@ -116,7 +118,7 @@ void inherit_values(storage<T>& result, std::span<const T> values, const Rule& r
                     return;
                 }
             }
-            // Where all inherit, `born` need not be a function of such elements.
+            // If all elements with such parents inherit, `born` need not be a function of them.
             if constexpr (not may_inherit or sizeof...(Inherits) != 0)
                 result[id] = born_value<T>(rule.born, tuple_element<K>(step.coarse, tuple), values);
         });

@@ -14,7 +14,7 @@
 
 namespace kith::detail {
 
-/// What keeps the level of a step conforming where its scheme refines some faces only.
+/// True if the scheme of a step has a closure, which keeps the level conforming if only some faces are refined.
 template <finished_step Step>
 inline constexpr bool has_closure =
     is_said<decltype(traits_of<std::remove_cvref_t<decltype(std::declval<const Step&>().scheme)>>.closure)>;
@@ -24,7 +24,7 @@ const auto& closure_of(const Step& step)
     return std::invoke(traits_of<std::remove_cvref_t<decltype(step.scheme)>>.closure, step.scheme);
 }
 
-/// A weighted sum of values, formed in the order in which they come.
+/// A weighted sum of values, formed in the order in which they are added.
 template <affine_value T>
 class blend {
     using number = affine<T>;
@@ -47,7 +47,7 @@ private:
     typename number::sum sum_;
 };
 
-/// The mean of what the elements of a tuple have, each asked by its number.
+/// Returns the mean of the values of the elements of a tuple. The functions return these by number.
 template <affine_value T, class AtVertex, class AtEdge, class AtFace>
 T mean_of_tuple(const tuple_elements& tuple, const AtVertex& at_vertex, const AtEdge& at_edge, const AtFace& at_face)
 {
@@ -60,10 +60,10 @@ T mean_of_tuple(const tuple_elements& tuple, const AtVertex& at_vertex, const At
     return sum.over(tuple.size());
 }
 
-/// What a linear rule says of the tuples of one face or edge; `at(corner)` is the value that a corner has there. The
-/// value of a tuple is the mean of what its elements have, and a vertex has its own, an edge that of its middle, a face
-/// the mean of its corners. But a scheme that makes two vertices of an edge cuts it in thirds, and its faces, too.
-/// Masks are inlined, since g++ hands over arrays of two numbers by a detour through the memory.
+/// The masks of a linear rule for the tuples of one face or edge. The value of a tuple is the mean of the values of its
+/// elements. A vertex has its own value, an edge that of its middle, and a face the mean of its corners. But a scheme
+/// that makes two vertices of an edge cuts edges and faces in thirds. Masks are inlined, since g++ passes arrays of two
+/// numbers through the memory.
 template <affine_value T, bool InThirds>
 struct linear_masks {
     [[nodiscard, gnu::always_inline]] static inline T middle(const T& a, const T& b)
@@ -82,7 +82,8 @@ struct linear_masks {
     {
         return blend<T>(vertex).add(edge).add(face).over(3);
     }
-    /// Of the corners that the face was born with, of which the first is one.
+    /// Returns the mean over the corners that the face was made with, of which the first is one. `at(corner)` is the
+    /// value of a corner.
     template <finished_step Step, face_element Face, class At>
     [[nodiscard]] static T mean([[maybe_unused]] const Step& step, const Face& f, const At& at)
     {

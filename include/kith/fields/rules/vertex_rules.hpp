@@ -18,8 +18,8 @@ namespace kith {
 
 namespace detail {
 
-/// Room for the values at the vertices of the next level; those of the dictionary have T(), zero where that is left
-/// open.
+/// Returns memory for the values at the vertices of the next level. Vertices of the dictionary have T(), or zero if T()
+/// is uninitialized.
 template <class T, finished_step Step>
 storage<T> values_at_new_vertices(const Step& step)
 {
@@ -30,9 +30,9 @@ storage<T> values_at_new_vertices(const Step& step)
 
 } // namespace detail
 
-/// The linear rule of values at vertices: a new vertex has the mean of the elements of its tuple, which may be in no
-/// column, where an edge has the mean of its ends and a face that of its vertices; on edges that are cut in three the
-/// thirds. Cost: O(corners).
+/// The linear rule of values at vertices. A new vertex has the mean of the elements of its tuple, even if that is in no
+/// column. An edge counts as the mean of its ends, a face as that of its vertices. On edges that are cut in three, the
+/// values are those at the thirds. Cost: O(corners).
 struct linear_values {
     template <affine_value T, finished_step Step>
     [[nodiscard]] storage<T> after(std::span<const T> values, const Step& step) const
@@ -88,10 +88,10 @@ private:
                                         Ids::template has<tuple_kind::vfe>;
 };
 
-/// The rule of marks on vertices: a vertex that comes from a vertex inherits from it, by `inherit(value)`; all others
-/// have `born`: a value, or a function of (const auto& element, values), where the element is the edge, face or corner
-/// that gave birth. A vertex of the dictionary has `born` where that is a value, else T(). The functions may be called
-/// on several threads.
+/// The rule of marks on vertices. A vertex that comes from a vertex inherits from it, by `inherit(value)`. All others
+/// have `born`: a value, or a function of (const auto& element, values). The element is the edge, face or corner that
+/// made the vertex. A vertex of the dictionary has `born` if that is a value, else T(). The functions may be called on
+/// several threads.
 template <class Inherit = std::identity, class Born = no_value>
 struct from_vertex {
     [[no_unique_address]] Inherit inherit{};
@@ -108,7 +108,7 @@ struct from_vertex {
     }
 };
 
-/// The rule of values at vertices that are as smooth as the surface: the scheme's own masks. Cost: that of the step
+/// The rule of values at vertices that are as smooth as the surface, by the scheme's own masks. Cost: that of the step
 /// without its connectivity.
 struct by_mask {
     template <affine_value T, finished_step Step>

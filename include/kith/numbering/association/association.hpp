@@ -22,8 +22,8 @@ inline constexpr to_vertex V{};
 inline constexpr to_edge E{};
 inline constexpr to_face F{};
 
-// Scheme texts that say `using namespace kith::targets` find these functions for points, too, such as std::array, and
-// are told that a mask takes vertices.
+// Schemes that say `using namespace kith::targets` find these functions for points, too, such as std::array. The error
+// message then says that a mask takes vertices.
 using kith::average;
 using kith::sum;
 template <diagnostics::point_without_sum Point>
@@ -41,7 +41,7 @@ template <class Weight, diagnostics::point_without_sum Point>
 }
 } // namespace targets
 
-/// What a tuple is to give birth to: V, E or F.
+/// The kind of element that a tuple makes: V, E or F.
 template <class T>
 concept target = std::same_as<T, targets::to_vertex> or std::same_as<T, targets::to_edge> or
                  std::same_as<T, targets::to_face>;
@@ -60,8 +60,8 @@ struct new_vertex {
     [[nodiscard]] face_line<Index> operator>>(new_side<Index> side) const { return {id, side.halfedge}; }
 };
 
-/// The association (tuple, E). A new edge has two sides; an edge that can end up at the boundary must have its face
-/// on the left one.
+/// The association (tuple, E). A new edge has two sides. An edge that can end up at the boundary must have its face on
+/// the left side.
 template <mask_evaluator Space, tuple_kind Kind>
 class edge_association {
 public:
@@ -72,13 +72,13 @@ public:
     [[nodiscard]] index id() const { return space_->template edge_id<Kind>(tuple_); }
     [[nodiscard]] new_side<index> left() const { return {index(2 * id())}; }
     [[nodiscard]] new_side<index> right() const { return {index(2 * id() + 1)}; }
-    /// The side on which a new face lies that runs along a part of `e` on the side from which `e` is seen.
+    /// Returns the side for a new face that runs along a part of `e`, on the side from which `e` is seen.
     template <level Level>
     [[nodiscard]] new_side<index> along(const edge<Level>& e) const
     {
         return {index(2 * id() + (e.seen_from().halfedge() & 1))};
     }
-    /// Says that this is a mistake.
+    /// Reports while compiling that an edge is not assigned.
     template <class Other>
     void operator=(const Other&) const
     {
@@ -90,7 +90,7 @@ private:
     std::size_t tuple_;
 };
 
-/// The association (tuple, V): assigned a mask it makes the vertex, read it is the operand of a mask, `>>` starts a
+/// The association (tuple, V). Assigning a mask to it makes the vertex. In a mask it is an operand, and `>>` starts a
 /// line of a new face with it.
 template <mask_evaluator Space, tuple_kind Kind>
 class vertex_association : public mask_base {
@@ -106,7 +106,7 @@ public:
         space_->template make_vertex<Kind>(tuple_, mask);
     }
     void operator=(const vertex_association& other) const { space_->template make_vertex<Kind>(tuple_, other); }
-    /// Says that this is a mistake.
+    /// Reports while compiling that a vertex is assigned a mask only.
     template <class Other>
     void operator=(const Other&) const
     {
@@ -122,8 +122,8 @@ public:
     [[nodiscard]] new_vertex<index> vertex() const { return {id()}; }
     [[nodiscard]] face_line<index> operator>>(new_side<index> side) const { return vertex() >> side; }
     operator face_line<index>() const { return {id(), Space::none}; }
-    /// Says at which corner of a new face the fan of this vertex starts, and the side that leaves the vertex there:
-    /// what the line of that face says. At the boundary the library turns the fan, it may be left out.
+    /// Sets the start of the fan of this vertex: a corner of a new face, and the side that leaves the vertex there, as
+    /// in the line of that face. A scheme may leave it out at the boundary, where the library turns the fan.
     void starts_at(index corner, new_side<index> side) const { space_->start_fan(id(), corner, side.halfedge); }
 
 private:
@@ -131,7 +131,7 @@ private:
     std::size_t tuple_;
 };
 
-/// The association (tuple, F): assigned the lines of a face it makes the face.
+/// The association (tuple, F). Assigning the lines of a face to it makes the face.
 template <mask_evaluator Space, tuple_kind Kind>
 class face_association {
 public:
@@ -144,14 +144,14 @@ public:
     {
         space_->template make_face<Kind>(tuple_, lines);
     }
-    /// Says that this is a mistake, unless polygon() has.
+    /// Reports while compiling that a face is assigned its lines only, unless polygon() has reported an error.
     template <class Other>
     void operator=(const Other&) const
     {
         static_cast<void>(diagnostics::face_of_other_things<not std::same_as<Other, diagnostics::any_lines>>());
     }
     [[nodiscard]] index id() const { return space_->template face_id<Kind>(tuple_); }
-    /// The number of its k-th corner on the new level.
+    /// Returns the number of the k-th corner of this face on the new level.
     [[nodiscard]] index corner(std::size_t k) const { return space_->first_corner(id()) + index(k); }
 
 private:
@@ -159,9 +159,9 @@ private:
     std::size_t tuple_;
 };
 
-/// A vertex of the new level that belongs to two elements of one kind, to elements which do not touch, or to a tuple
-/// for which the scheme declares no column. Two neighbours are their edge; everything else is kept in a dictionary:
-/// general, slower, and not to be written in for_each: what is made there has no order, and so no numbers. Errors:
+/// A vertex of the new level under a tuple of two elements of one kind, of elements that do not touch, or without a
+/// column. Two neighbours count as their edge; all other tuples are kept in a dictionary, which is general and slower.
+/// Such vertices must not be made in for_each, whose order is undefined: their numbers follow from that order. Errors:
 /// association_error.
 template <mask_evaluator Space>
 class dictionary_association : public mask_base {
@@ -184,13 +184,13 @@ public:
         space_->make_listed_vertex(tuple_, mask);
     }
     void operator=(const dictionary_association& other) const { operator= <dictionary_association>(other); }
-    /// Says that this is a mistake.
+    /// Reports while compiling that a vertex is assigned a mask only.
     template <class Other>
     void operator=(const Other&) const
     {
         static_cast<void>(diagnostics::vertex_of_other_things<(sizeof(Other) > 0)>());
     }
-    /// Remembers a vertex that exists already under this tuple, too. Precondition: the tuple is not in a column.
+    /// Names an existing vertex by this tuple, too. Precondition: the tuple is not in a column.
     template <class Association>
     void refers_to(const Association& other) const
     {
@@ -223,7 +223,7 @@ private:
 
 namespace diagnostics {
 
-/// In place of an association that is none.
+/// A stand-in for an association that does not exist; anything can be assigned to it.
 struct any_association : any_mask {
     template <class Other>
     void operator=(const Other&) const

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-/// The faults of a scheme that an association space finds while the scheme runs. They stay out of the loops: `for_each`
-/// has everything inlined into its loops that is not told otherwise.
+/// The faults of a scheme that an association space finds while the scheme runs. The functions are not inlined, because
+/// `for_each` inlines everything into its loops that is not excluded.
 namespace kith::faults {
 
 struct named_column {
@@ -63,8 +63,8 @@ template <level Level>
         refuse(list_tuple(level, kind, tuple),
                " -> F has " + std::to_string(has) + " vertices; a face has three or more");
 }
-/// What declares the vertex of such a tuple, which no column does; nothing for elements of one kind, of which no column
-/// can speak.
+/// Returns advice to declare the column of such a tuple, which no column declares. It is empty for elements of one
+/// kind, for which there is no column.
 inline std::string column_for(const tuple_elements& tuple)
 {
     std::string letters;
@@ -74,20 +74,21 @@ inline std::string column_for(const tuple_elements& tuple)
     return found == columns_by_letters.end() ? ""
                                              : std::string("declare ") + found->name + " among the new vertices, or ";
 }
-/// Refuses a vertex that no column declares and that the scheme has not set yet.
+/// Throws association_error for a vertex that no column declares and that is read before it is set.
 [[noreturn, gnu::noinline]] inline void read_early(const tuple_elements& tuple)
 {
     const std::string column = column_for(tuple);
     refuse(tuple, " -> V is read before it is set" + (column.empty() ? "" : "; " + column + "set it first"));
 }
-/// A vertex under a tuple that no column declares, in a scheme that numbers its edges.
+/// Throws association_error for a vertex under a tuple that no column declares, in a scheme that declares edges.
 [[noreturn, gnu::noinline]] inline void undeclared(const tuple_elements& tuple)
 {
     refuse(tuple,
            " -> V: a scheme that declares edges cannot make vertices under tuples that no column declares; " +
                column_for(tuple) + "leave edges to be matched");
 }
-/// The same in any scheme, in a loop that may run on threads: its number would be that of its turn.
+/// Throws association_error for a vertex that no column declares, made in a loop that may run on threads. Its number
+/// would follow from the order of the threads.
 [[noreturn, gnu::noinline]] inline void without_order(const tuple_elements& tuple)
 {
     const auto [letter, index] = tuple.front();
@@ -104,7 +105,7 @@ inline constexpr const char* vertex_read_early = " -> V is read before it is set
 inline constexpr const char* vertex_set_twice = " -> V is set twice";
 inline constexpr const char* face_set_twice = " -> F is set twice";
 
-/// A line of a face needs a vertex of the level that is made, of which there are so many.
+/// Throws association_error unless the vertex of a line of a face exists; the new level has `vertices` vertices.
 template <level Level>
 [[gnu::noinline]] void require_vertex(const Level& level, tuple_kind kind, std::size_t tuple, std::size_t vertex,
                                       std::size_t vertices)
@@ -114,7 +115,7 @@ template <level Level>
                " -> F: new vertex " + std::to_string(vertex) + " does not exist, there are " +
                    std::to_string(vertices) + "; vertices of a pass are not part of a level; use one of the new level");
 }
-/// And a side of a new edge that no other face has.
+/// Throws association_error unless a line of a face has a side of a new edge that no other face has.
 template <level Level, std::unsigned_integral Index>
 [[gnu::noinline]] void require_free_side(const Level& level, tuple_kind kind, std::size_t tuple, Index halfedge,
                                          const connectivity<Index>& fine)
@@ -140,13 +141,13 @@ template <level Level, std::unsigned_integral Index>
 
 namespace kith {
 
-/// Which elements of the next level a scheme has made so far, and where it let the fans of its vertices start; vertices
-/// and faces may be asked for and made on several threads. Only spaces that check their scheme keep it.
+/// A record of the elements of the next level that a scheme has made, and of the starts of fans that it has set.
+/// Vertices and faces may be queried and made on several threads. Only spaces that check their scheme keep this record.
 template <std::unsigned_integral Index>
 class made_elements {
 public:
     made_elements() = default;
-    /// Nothing so far, of so many; no fan starts, which is said by `none`.
+    /// Begins with none of these vertices and faces made; `none` stands for a fan whose start is not set.
     made_elements(std::size_t vertices, std::size_t faces, Index none)
         : vertices_(vertices), faces_(faces), starts_(vertices, none)
     {
@@ -156,16 +157,16 @@ public:
     {
         return std::atomic_ref(vertices_[id]).load(std::memory_order_relaxed) != 0;
     }
-    /// Each says whether it was made before.
+    /// Marks a vertex as made and returns true if it was made before; make_face does so for a face.
     bool make_vertex(std::size_t id) { return make(vertices_[id]); }
     bool make_face(std::size_t id) { return make(faces_[id]); }
     void start_fan(std::size_t vertex, Index halfedge) { starts_[vertex] = halfedge; }
     void forget_vertices() { vertices_.assign(vertices_.size(), 0); }
 
-    /// Per vertex and per face; not 0 where it has been made.
+    /// Returns a mark per vertex, which is not 0 if the vertex has been made; faces() returns a mark per face.
     [[nodiscard]] const std::vector<unsigned char>& vertices() const { return vertices_; }
     [[nodiscard]] const std::vector<unsigned char>& faces() const { return faces_; }
-    /// The sides at which the vertices have been told to start.
+    /// Returns the side at which the fan of each vertex starts, or `none` if the scheme has not set it.
     [[nodiscard]] const std::vector<Index>& starts() const { return starts_; }
 
 private:

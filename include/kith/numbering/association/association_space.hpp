@@ -16,10 +16,9 @@ namespace kith {
 
 template <level Level, level_numbering Numbering, values_of_step<Level> Values, bool Checked> class pass_space;
 
-/// The association space of one refinement step: `assoc(f, V)`, `assoc(v, e, E)`, `assoc(c, F)`. Thesis 4.1.
-/// A tuple is an index, and the new element's id is the base of its column plus that index; a table is needed only
-/// where a column leaves tuples out here and there. What is written goes straight into the arrays of the new level,
-/// native or not.
+/// The association space of one refinement step: `assoc(f, V)`, `assoc(v, e, E)`, `assoc(c, F)`. Thesis 4.1. A tuple is
+/// an index, and the new element's id is the base of its column plus that index. A table is needed only if a column
+/// leaves out single tuples. Elements are written straight into the arrays of the new level, native or not.
 template <level Level, level_numbering Numbering, values_of_step<Level> Values, connect Connect, bool Checked,
           class Fine = connectivity<typename Numbering::index_type>>
     requires level_sink<Fine> or std::same_as<Fine, connectivity<typename Numbering::index_type>>
@@ -37,7 +36,7 @@ public:
             made_ = {ids.vertices.total(), ids.faces.total(), none};
     }
 
-    /// assoc(elements..., target): the elements in any order.
+    /// Returns the association assoc(elements..., target); the elements are given in any order.
     template <element X, target Target>
     auto operator()(const X& x, Target to) const
     {
@@ -53,7 +52,7 @@ public:
     {
         return associate(to, x, y, z);
     }
-    /// List forms, lazy: assoc(v.faces(), V) and assoc(f, f.vertices(), V).
+    /// Returns a lazy range of associations: assoc(v.faces(), V) and assoc(f, f.vertices(), V).
     template <class Range, target Target>
         requires requires(const Range& r) { r.map([](const auto& x) { return x; }); }
     auto operator()(const Range& range, Target to) const
@@ -66,7 +65,7 @@ public:
     {
         return range.map([this, x, to](const auto& y) { return (*this)(x, y, to); });
     }
-    /// Says that all others are mistakes.
+    /// Reports while compiling that all other arguments are mistakes.
     template <class... Other>
     auto operator()(const Other&...) const
     {
@@ -74,27 +73,28 @@ public:
         return diagnostics::any_association();
     }
 
-    /// A space between the coarse level and the next one, with vertices under the tuples of these columns, for schemes
-    /// that average several times in a step. It lives as long as the scheme keeps it. Cost: that of its values.
+    /// Returns a pass: a space between the coarse level and the next one, with vertices under the tuples of these
+    /// columns. Schemes use it to average several times in a step. A pass lives as long as the scheme keeps it. Cost:
+    /// that of its values.
     template <class... Columns>
     [[nodiscard]] auto pass(const new_vertices<Columns...>& vertices) const
     {
         return pass(columns(vertices, new_edges(), new_faces()));
     }
-    /// The same with all columns of a scheme, which may run in it: it makes its vertices and no edges and faces.
+    /// Returns a pass with all columns of a scheme, which may run in it. It makes vertices, but no edges and faces.
     template <declared_columns Columns>
     [[nodiscard]] auto pass(const Columns& columns) const
     {
         return pass_space<Level, numbering<Columns, index_type>, Values, Checked>(*coarse_, columns, *values_);
     }
 
-    /// What a mask comes to, without a vertex: a sum that several masks have in common.
+    /// Returns the value of a mask without making a vertex, such as a sum that several masks have in common.
     [[nodiscard]] sum evaluate(const mask auto& mask) const { return mask.evaluate(*values_); }
 
-    /// The vertices that are in no column, moved out of this space.
+    /// Returns the vertices that are in no column, moved out of this space.
     [[nodiscard]] vertex_dictionary<index_type> take_dictionary() { return std::move(dictionary_); }
 
-    /// Which elements have been made; empty unless Checked.
+    /// Returns the record of the elements that have been made; it is empty unless Checked.
     [[nodiscard]] const made_elements<index_type>& made() const { return made_; }
 
 protected:
@@ -115,7 +115,7 @@ private:
     template <element... X>
     static constexpr tuple_kind kind_of = decltype(index_tuple(std::declval<const X&>()...))::kind;
 
-    /// The index of a tuple whose elements touch unless the scheme is wrong.
+    /// Returns the index of a tuple. Errors: association_error if its elements do not touch (only if Checked).
     template <element... X>
     static std::size_t incident(const char* target, const X&... x)
     {
@@ -129,7 +129,8 @@ private:
     template <element... X>
     auto associate(targets::to_vertex, const X&... x) const
     {
-        // Whether two elements of one kind are neighbours only running tells, so they always have the general form.
+        // Only at run time is it known if two elements of one kind are neighbours, so they always have the general
+        // form.
         constexpr tuple_kind kind = kind_of<X...>;
         constexpr bool pair_of_one_kind = sizeof...(X) == 2 and kind == tuple_kind::e;
         if constexpr (pair_of_one_kind or not has_vertices<kind>) {
@@ -155,9 +156,9 @@ private:
         return face_association<const association_space, kind_of<X...>>(*this, incident("F", x...));
     }
 
-    // What associations do.
+    // Operations of associations.
 
-    /// The id of a tuple, which its column may leave out unless the scheme is trusted not to ask then.
+    /// Returns the id of a tuple. Errors: association_error if its column leaves the tuple out (only if Checked).
     template <tuple_kind Kind, element_ids Ids>
     index_type present(const Ids& ids, std::size_t tuple, const char* absent) const
     {
@@ -171,7 +172,7 @@ private:
     {
         return present<Kind>(ids_.vertices, tuple, faults::absent_vertex);
     }
-    // Masks read each association in its own space, so that they may join those of several passes.
+    // A mask reads each association in its own space, so one mask may combine associations of several passes.
     template <tuple_kind Kind>
     decltype(auto) vertex_value(std::size_t tuple) const
     {

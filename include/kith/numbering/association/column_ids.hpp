@@ -16,13 +16,13 @@ namespace kith {
 
 namespace detail {
 
-/// The tuples of a column that a sweep over the elements of a level has found: a run, or the rank of each element.
+/// The tuples of a column that a sweep over the elements of a level has picked: a run, or the rank of each element.
 template <std::unsigned_integral Index>
 class found_tuples {
 public:
     found_tuples() = default;
     found_tuples(std::size_t first, std::size_t count) : first_(first), count_(count) {}
-    /// `before` by element, and once more at the end: how many before it were picked.
+    /// Takes for each element the number of picked elements before it, and once more the number of all at the end.
     found_tuples(storage<Index> before, std::size_t count) : count_(count), before_(std::move(before)) {}
 
     [[nodiscard]] bool is_run() const { return before_.empty(); }
@@ -48,7 +48,8 @@ private:
     storage<Index> before_;
 };
 
-/// Cost: one sweep over the elements, a second one where those that are picked do not follow one another.
+/// Returns the tuples whose elements `keep` picks. Cost: one sweep over the elements, and a second one if the picked
+/// elements are not consecutive.
 template <std::unsigned_integral Index, tuple_kind Kind, level Level, class Keep>
 found_tuples<Index> find_tuples(const Level& level, const Keep& keep)
 {
@@ -59,7 +60,7 @@ found_tuples<Index> find_tuples(const Level& level, const Keep& keep)
             ++x;
         return x;
     };
-    // Where it is no run that shows early: at the first boundary, in the first faces.
+    // If the picked elements do not form one run, this is noticed early, usually at the first boundary face.
     const std::size_t first = run_from(0, false), last = run_from(first, true);
     if (run_from(last, false) == elements.size())
         return {each * first, each * (last - first)};
@@ -75,24 +76,25 @@ found_tuples<Index> find_tuples(const Level& level, const Keep& keep)
 
 } // namespace detail
 
-/// The ids of the new elements of one kind, and where they come from.
+/// The ids of the new elements of one kind, and the tuples that made them.
 template <class I>
 concept element_ids = requires(const I& ids, std::size_t n) {
-    // Some tuples of a kind give birth to elements; all of them do, on any mesh.
+    // True if some tuples of a kind make elements; true if all of them do, on any mesh.
     { I::template has<tuple_kind::v> } -> std::convertible_to<bool>;
     { I::template is_full<tuple_kind::v> } -> std::convertible_to<bool>;
-    // How many elements there are.
+    // The number of elements.
     { ids.total() } -> std::convertible_to<std::size_t>;
-    // The element that a tuple of a kind with elements gave birth to, `none` if that one did not.
+    // The element that a tuple made, or `none` if it made no element. Some tuples of its kind make elements.
     { ids.template id<tuple_kind::v>(n) } -> std::convertible_to<std::size_t>;
     { I::none } -> std::convertible_to<std::size_t>;
-    // The same for a tuple that did.
+    // The element of a tuple that made one.
     { ids.template known_id<tuple_kind::v>(n) } -> std::convertible_to<std::size_t>;
-    // The tuple that gave birth to an element.
+    // The tuple that made an element.
     { ids.origin(n) } -> std::convertible_to<std::pair<tuple_kind, std::size_t>>;
 };
 
-/// The same by column_numbers over a level that is at hand, so that which tuples conditions pick is found by looking.
+/// The ids of the new elements of one kind, computed by column_numbers. The level exists, so the tuples that conditions
+/// pick are found by a sweep over its elements.
 template <std::unsigned_integral Index, class... Columns>
 class column_ids {
     using numbers = column_numbers<Index, detail::found_tuples<Index>, Columns...>;
@@ -103,7 +105,8 @@ public:
     static constexpr Index none = std::numeric_limits<Index>::max();
 
     column_ids() = default;
-    /// Cost: O(1), and one sweep over the tuples of each column with a condition.
+    /// Takes the coarse level and the columns. Cost: O(1), and one sweep over the tuples of each column with a
+    /// condition.
     template <level Level>
     column_ids(const Level& level, const std::tuple<Columns...>& list)
         : numbers_(count_elements(level), list,
@@ -123,16 +126,16 @@ public:
 
     template <tuple_kind Kind>
     static constexpr bool has = numbers::template has<Kind>;
-    /// Every tuple of this kind gives birth, on any mesh.
+    /// True if every tuple of this kind makes an element, on any mesh.
     template <tuple_kind Kind>
     static constexpr bool is_full = numbers::template is_full<Kind>;
 
-    /// The number of new elements, and of those in column i.
+    /// Returns the number of new elements; count(i) those of column i, base(i) those before it.
     [[nodiscard]] std::size_t total() const { return numbers_.total(); }
     [[nodiscard]] std::size_t count(std::size_t i) const { return numbers_.count(i); }
     [[nodiscard]] std::size_t base(std::size_t i) const { return numbers_.base(i); }
 
-    /// The id of the element that a tuple gave birth to, `none` if the column leaves this tuple out.
+    /// Returns the id of the element that a tuple made, or `none` if the column leaves this tuple out.
     template <tuple_kind Kind>
     [[nodiscard]] Index id(std::size_t index) const
     {
@@ -141,7 +144,7 @@ public:
                 return none;
         return known_id<Kind>(index);
     }
-    /// The same. Precondition: the column does not leave this tuple out.
+    /// Returns the id of the element that a tuple made. Precondition: the column does not leave this tuple out.
     template <tuple_kind Kind>
     [[nodiscard]] Index known_id(std::size_t index) const
     {
@@ -150,13 +153,13 @@ public:
         else
             return numbers_.number(numbers::template position<Kind>(), index, tuples_per_element(Kind));
     }
-    /// The ids in column i of tuples that follow one another, all those of some elements. Cost: O(1).
+    /// Returns the ids in column i of consecutive tuples, which are all tuples of some elements. Cost: O(1).
     [[nodiscard]] number_range ids(std::size_t i, const number_range& tuples) const
     {
         return numbers_.numbers(i, tuples);
     }
-    /// The inverse: the tuple that gave birth to an element. Precondition: id < total(). Cost: O(1), O(log n) in a
-    /// column whose tuples do not follow one another.
+    /// Returns the tuple that made an element. Precondition: id < total(). Cost: O(1), O(log n) in a column whose
+    /// tuples are not consecutive.
     [[nodiscard]] std::pair<tuple_kind, std::size_t> origin(std::size_t id) const { return numbers_.origin(id); }
 
 private:

@@ -17,7 +17,7 @@ namespace kith {
 
 namespace detail {
 
-/// Errors: mesh_error where 64 bits are too few.
+/// Returns a + b. Errors: mesh_error if 64 bits are too few.
 constexpr std::uint64_t checked_sum(std::uint64_t a, std::uint64_t b)
 {
     if (a + b < a)
@@ -36,13 +36,13 @@ inline constexpr std::size_t fixed_degree_of = 0;
 template <std::size_t N>
 inline constexpr std::size_t fixed_degree_of<fixed_degree<N>> = N;
 
-/// Picks inner tuples or tuples at the boundary, which has to be known for this.
+/// True if a condition picks inner tuples or tuples at the boundary; the boundary has to be known for this.
 template <class Where>
 inline constexpr bool picks_at_boundary = requires { Where::inner; };
-/// Columns without one have all of their tuples or none, on any mesh.
+/// True if a column has a condition. Without a condition it has all of its tuples or none, on any mesh.
 template <class Where>
 inline constexpr bool has_condition = not std::same_as<Where, everywhere> and not std::same_as<Where, all_or_none>;
-/// Whether nothing but the boundary, of which closed meshes have none, decides which tuples are picked.
+/// Returns true if at most the boundary decides which tuples are picked; closed meshes have no boundary.
 template <class Where>
 constexpr bool picks_without_condition(bool closed)
 {
@@ -51,35 +51,36 @@ constexpr bool picks_without_condition(bool closed)
 
 } // namespace detail
 
-/// Numbers that follow one another, from `begin` to before `end`.
+/// A range of consecutive numbers, from `begin` to before `end`.
 struct number_range {
     std::size_t begin = 0, end = 0;
 
     friend constexpr bool operator==(const number_range&, const number_range&) = default;
 };
 
-/// The tuples of a column that its condition picks; Picked() are all.
+/// The tuples of a column that its condition picks; Picked() stands for all tuples.
 template <class P>
 concept picked_tuples = std::default_initializable<P> and requires(const P& picked) {
-    // The first tuple, where they follow one another.
+    // The first tuple, if the tuples are consecutive.
     { picked.first() } -> std::convertible_to<std::uint64_t>;
-    // How many they are.
+    // The number of tuples.
     { picked.count() } -> std::convertible_to<std::uint64_t>;
 };
 
-/// How the new elements of one kind are numbered, and the corners of new faces: column after column, in each column the
-/// tuples that give birth in their order. All numbers of new elements come from here, whoever knows how many elements
-/// the coarse level has and which tuples the conditions of columns pick; of the latter speaks, for each column, a
-/// `Picked`, with more than the concept says:
+/// The numbers of the new elements of one kind, and of the corners of new faces. They count column after column, and in
+/// each column the tuples that make an element in their order. All numbers of new elements come from this class. It
+/// needs the number of elements of the coarse level, and the tuples that the conditions of columns pick. A `Picked`
+/// describes these tuples for each column, by more functions than the concept requires:
 ///
-///   is_run()             they follow one another
-///   has(index, each)     a tuple is picked, `each` tuples per element; not asked of a run
-///   rank(tuple, each)    how many before a tuple are picked
-///   tuple(rank, each)    the inverse
-///   corners(all), corners_before(tuple)    of faces that have as many corners as their face, or their vertex faces: in
-///                        sum, out of all corners of the coarse level, and before that of a tuple
+///   is_run()             true if the tuples are consecutive
+///   has(index, each)     true if a tuple is picked, with `each` tuples per element; not called for a run
+///   rank(tuple, each)    the number of picked tuples before a tuple
+///   tuple(rank, each)    the inverse of rank
+///   corners(all)         the number of corners of new faces that have as many as their face, or as their vertex has
+///                        faces; `all` is the number of corners of the coarse level
+///   corners_before(tuple)    the number of corners of such faces before that of a tuple
 ///
-/// A Picked needs only those of these functions that are called for its columns.
+/// A Picked needs only the functions that are called for its columns.
 template <std::unsigned_integral Index, picked_tuples Picked, class... Columns>
 class column_numbers {
 public:
@@ -88,7 +89,7 @@ public:
 
     template <tuple_kind Kind>
     static constexpr bool has = ((Columns::kind == Kind) or ...);
-    /// Every tuple of this kind gives birth, on any mesh.
+    /// True if every tuple of this kind makes an element, on any mesh.
     template <tuple_kind Kind>
     static constexpr bool is_full = ((Columns::kind == Kind and std::same_as<decltype(Columns::where), everywhere>) or
                                      ...);
@@ -104,8 +105,8 @@ public:
     }
 
     column_numbers() = default;
-    /// `pick(i, column, tuples)` tells the Picked of a column that has a condition.
-    /// Errors: mesh_error for more elements than 64 bits can number. Cost: that of `pick`.
+    /// Takes the counts of the coarse level and the columns. `pick(i, column, tuples)` returns the Picked of a column
+    /// that has a condition. Errors: mesh_error for more elements than 64 bits can number. Cost: that of `pick`.
     template <class Pick>
     column_numbers(const element_counts& coarse, const std::tuple<Columns...>& list, const Pick& pick)
     {
@@ -114,36 +115,36 @@ public:
         }(std::make_index_sequence<size>());
     }
 
-    /// The number of new elements, of those in column i, and of those before it.
+    /// Returns the number of new elements; count(i) those of column i, base(i) those before it.
     [[nodiscard]] std::uint64_t total() const { return base_[size]; }
     [[nodiscard]] std::uint64_t count(std::size_t i) const { return base_[i + 1] - base_[i]; }
     [[nodiscard]] std::uint64_t base(std::size_t i) const { return base_[i]; }
-    /// The corners of all new faces.
+    /// Returns the number of corners of all new faces.
     [[nodiscard]] std::uint64_t total_corners() const { return first_corner_[size]; }
     [[nodiscard]] const Picked& picked(std::size_t i) const { return picked_[i]; }
     [[nodiscard]] Picked& picked(std::size_t i) { return picked_[i]; }
 
-    /// The number in column i of a tuple that is picked there.
+    /// Returns the number of the element that a picked tuple of column i makes.
     [[nodiscard]] Index number(std::size_t i, const auto& tuple, std::size_t each) const
     {
         if (picked_[i].is_run())
             return Index(start_[i] + index_of(tuple));
         return Index(base_[i] + picked_[i].rank(tuple, each));
     }
-    /// The same where all tuples are.
+    /// Returns the number of the element that a tuple makes, for a kind of which all tuples make an element.
     template <tuple_kind Kind>
         requires is_full<Kind>
     [[nodiscard]] Index number(std::size_t index) const
     {
         return Index(start_[position<Kind>()] + index);
     }
-    /// Whether the tuple with this index is picked in column i.
+    /// Returns true if the tuple with this index is picked in column i.
     [[nodiscard]] bool has_number(std::size_t i, std::size_t index, std::size_t each) const
     {
         return picked_[i].is_run() ? start_[i] + index - base_[i] < count(i) : picked_[i].has(index, each);
     }
-    /// The numbers in column i of tuples that follow one another, of all those of their parents; where some are not
-    /// picked there are fewer.
+    /// Returns the numbers in column i of consecutive tuples, which are all tuples of their parents. If some tuples are
+    /// not picked, there are fewer numbers than tuples.
     [[nodiscard]] number_range numbers(std::size_t i, const number_range& tuples) const
     {
         const auto before = [&](std::uint64_t tuple) {
@@ -154,16 +155,17 @@ public:
         };
         return {before(tuples.begin), before(tuples.end)};
     }
-    /// The inverse: the tuple that gave birth to an element. Precondition: id < total().
+    /// Returns the tuple that made an element. Precondition: id < total().
     [[nodiscard]] std::pair<tuple_kind, std::uint64_t> origin(std::uint64_t id) const
     {
         const std::size_t i = column_of(id);
         return {kinds[i],
                 picked_[i].is_run() ? id - start_[i] : picked_[i].tuple(id - base_[i], tuples_per_element(kinds[i]))};
     }
-    /// How many corners a new face has if its column says it while compiling, else 0. Precondition: id < total().
+    /// Returns the number of corners of a new face if its column fixes it at compile time, else 0. Precondition: id <
+    /// total().
     [[nodiscard]] std::size_t degree(std::uint64_t id) const { return degrees[column_of(id)]; }
-    /// The column of a new element. Precondition: id < total().
+    /// Returns the column of a new element. Precondition: id < total().
     [[nodiscard]] std::size_t column_of(std::uint64_t id) const
     {
         std::size_t i = 0;
@@ -171,7 +173,7 @@ public:
             ++i;
         return i;
     }
-    /// The column of a new face by one of its corners. Precondition: corner < total_corners().
+    /// Returns the column of the new face that has a corner. Precondition: corner < total_corners().
     [[nodiscard]] std::size_t column_of_corner(std::uint64_t corner) const
     {
         std::size_t i = 0;
@@ -179,11 +181,12 @@ public:
             ++i;
         return i;
     }
-    /// How many corners the faces of column i have if it says it while compiling, else 0; and the first corner of all.
+    /// Returns the number of corners of each face of column i if fixed at compile time, else 0. first_corner_in returns
+    /// the first corner of all these faces.
     [[nodiscard]] static constexpr std::size_t degree_in(std::size_t i) { return degrees[i]; }
     [[nodiscard]] std::uint64_t first_corner_in(std::size_t i) const { return first_corner_[i]; }
-    /// The first corner of a face of column i, and the face that has a corner. Preconditions: degree_in(i) != 0, and
-    /// the face is one of the column.
+    /// Returns the first corner of a face of column i; face_of_corner returns the face that has a corner.
+    /// Preconditions: degree_in(i) != 0, and the face is one of the column.
     [[nodiscard]] std::uint64_t first_corner_of(std::size_t i, std::uint64_t face) const
     {
         return first_corner_[i] + degrees[i] * (face - base_[i]);
@@ -192,7 +195,7 @@ public:
     {
         return base_[i] + (corner - first_corner_[i]) / degrees[i];
     }
-    /// The first corner of the face that a tuple in column i gives birth to.
+    /// Returns the first corner of the face that a tuple in column i makes.
     [[nodiscard]] std::uint64_t first_corner(std::size_t i, const auto& tuple) const
     {
         if (degrees[i] == 0)
@@ -232,7 +235,7 @@ private:
     }
 
     std::array<std::uint64_t, size + 1> base_{}, first_corner_{};
-    // Of a column that is a run of tuples: what the index of a tuple and its number differ by.
+    // The difference between the number of an element and the index of its tuple, for columns that are runs of tuples.
     std::array<std::uint64_t, size> start_{};
     std::array<Picked, size> picked_;
 };

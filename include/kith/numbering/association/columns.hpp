@@ -14,12 +14,12 @@
 
 namespace kith {
 
-/// The kinds of tuples of incident elements; thesis table 4.1. Every such tuple is an index: (v), (e), (f) their own
-/// number, (v,f) and (e,f) a corner, (v,e) an end of an edge (2e+s), (v,f,e) a corner and a side of it (2c+s).
-/// (v1,v2) adjacent and (f1,f2) adjacent are an edge.
+/// The kinds of tuples of incident elements; thesis table 4.1. Each such tuple has an index: the number of the element
+/// for (v), (e) and (f); a corner for (v,f) and (e,f); an end of an edge (2e+s) for (v,e); a corner and a side of it
+/// (2c+s) for (v,f,e). Adjacent vertices (v1,v2) and adjacent faces (f1,f2) are the edge between them.
 enum class tuple_kind : unsigned char { v, e, f, vf, ve, ef, vfe };
 
-/// How many elements of each kind a level has.
+/// The numbers of elements of each kind on a level.
 struct element_counts {
     std::uint64_t vertices = 0, edges = 0, faces = 0, corners = 0;
 };
@@ -37,7 +37,7 @@ element_counts count_elements(const Level& level)
     return {level.vertex_count(), level.edge_count(), level.face_count(), level.corner_count()};
 }
 
-/// How many tuples of a kind a level has.
+/// Returns the number of tuples of a kind on a level.
 constexpr std::uint64_t tuple_count(const element_counts& level, tuple_kind kind)
 {
     switch (kind) {
@@ -55,8 +55,8 @@ std::size_t tuple_count(const Level& level, tuple_kind kind)
     return tuple_count(count_elements(level), kind);
 }
 
-/// The elements by which conditions and degrees of a column speak of tuples: the vertex, edge or face itself, the
-/// corner of (v,f), (e,f) and (v,f,e), the edge of (v,e).
+/// Returns the elements to which conditions and degrees of a column refer: the vertex, edge or face itself; the corner
+/// of (v,f), (e,f) and (v,f,e); the edge of (v,e).
 template <tuple_kind Kind, level Level>
 auto tuple_elements_of(const Level& level)
 {
@@ -70,50 +70,50 @@ auto tuple_elements_of(const Level& level)
         return level.corners();
 }
 
-/// How many tuples of a kind share such an element.
+/// Returns the number of tuples of a kind that share such an element.
 constexpr std::size_t tuples_per_element(tuple_kind kind)
 {
     return kind == tuple_kind::ve or kind == tuple_kind::vfe ? 2 : 1;
 }
 
-/// That of the tuple with this index. Precondition: index < tuple_count(level, Kind).
+/// Returns the element of the tuple with this index. Precondition: index < tuple_count(level, Kind).
 template <tuple_kind Kind, level Level>
 auto tuple_element(const Level& level, std::size_t index)
 {
     return tuple_elements_of<Kind>(level)[index / tuples_per_element(Kind)];
 }
 
-/// In place of a count that is not declared; see next_counts.
+/// A stand-in for a count that is not declared; see next_counts.
 struct uncounted {};
-/// All tuples of a column give birth.
+/// The condition of a column of which all tuples make an element.
 struct everywhere {};
-/// All tuples of a column give birth or none, by the form of the scheme.
+/// The condition of a column of which all tuples make an element or none, by the form of the scheme.
 struct all_or_none {
     bool all;
 };
-/// All inner tuples give birth, and those at the boundary that a condition picks. how_many(counts): of a level with
-/// these counts, how many at the boundary are left out.
+/// The condition of a column of which inner tuples make an element, and the boundary tuples that `keep` picks.
+/// how_many(counts) is the number of boundary tuples that are left out on a level with these counts.
 template <class Keep, class HowMany = uncounted>
 struct inside_or {
     static constexpr bool inner = true;
     Keep keep;
     HowMany how_many;
 };
-/// Those tuples at the boundary give birth that a condition picks, how_many(counts).
+/// The condition of a column of which the boundary tuples that `keep` picks make an element, how_many(counts) in all.
 template <class Keep, class HowMany = uncounted>
 struct boundary_where {
     static constexpr bool inner = false;
     Keep keep;
     HowMany how_many;
 };
-/// Those tuples give birth that a condition picks, how_many(counts).
+/// The condition of a column of which the tuples that `keep` picks make an element, how_many(counts) in all.
 template <class Keep, class HowMany = uncounted>
 struct only_where {
     Keep keep;
     HowMany how_many;
 };
 
-/// How many tuples lie at the boundary. Of faces there may be fewer than edges.
+/// Returns the number of boundary tuples. Faces are excluded: fewer of them than edges may lie at the boundary.
 template <tuple_kind Kind>
     requires(Kind != tuple_kind::f)
 constexpr std::uint64_t boundary_tuples(const counts& c)
@@ -121,22 +121,22 @@ constexpr std::uint64_t boundary_tuples(const counts& c)
     return tuples_per_element(Kind) * (Kind == tuple_kind::v ? c.boundary_vertices() : c.boundary_edges);
 }
 
-/// A column: the tuples of one kind that give birth to new elements of one kind, and for faces their degree.
-/// The id of a new element is the base of its column plus the index of its tuple.
-/// What a condition picks follows from no column; said by a function of the counts of a level, or a pointer to one of
-/// them, it lets levels be counted before they are made (countable_scheme).
+/// A column: the tuples of one kind that make new elements of one kind, and for faces their degree. The id of a new
+/// element is the base of its column plus the index of its tuple. No column tells how many tuples a condition picks. A
+/// function of the counts of a level, or a pointer to one of them, can state it. Then levels can be counted before they
+/// are made (countable_scheme).
 template <tuple_kind Kind, class Where = everywhere, class Degree = int>
 struct column {
     static constexpr tuple_kind kind = Kind;
     Where where;
     Degree degree;
 
-    /// All tuples if the condition holds, else none.
+    /// Returns a column with all tuples if the condition holds, else with none.
     [[nodiscard]] constexpr auto when(bool condition) const
     {
         return column<Kind, all_or_none, Degree>{{condition}, degree};
     }
-    /// Only inner tuples.
+    /// Returns a column with inner tuples only.
     [[nodiscard]] constexpr auto inside() const
     {
         const auto never = [](const auto&) { return false; };
@@ -145,25 +145,25 @@ struct column {
         else
             return inside_or(never, &boundary_tuples<Kind>);
     }
-    /// Inner tuples, and those at the boundary that `keep` accepts; `left_out` says how many it does not.
+    /// Returns a column with inner tuples and boundary tuples that `keep` accepts; `left_out` counts the others.
     template <class Keep, class LeftOut = uncounted>
     [[nodiscard]] constexpr auto inside_or(Keep keep, LeftOut left_out = {}) const
     {
         return column<Kind, kith::inside_or<Keep, LeftOut>, Degree>{{keep, left_out}, degree};
     }
-    /// Tuples at the boundary that `keep` accepts; `picked` says how many.
+    /// Returns a column with the boundary tuples that `keep` accepts; `picked` says how many.
     template <class Keep, class Picked = uncounted>
     [[nodiscard]] constexpr auto on_boundary(Keep keep, Picked picked = {}) const
     {
         return column<Kind, kith::boundary_where<Keep, Picked>, Degree>{{keep, picked}, degree};
     }
-    /// Tuples that `keep` accepts; `picked` says how many.
+    /// Returns a column with the tuples that `keep` accepts; `picked` says how many.
     template <class Keep, class Picked = uncounted>
     [[nodiscard]] constexpr auto only(Keep keep, Picked picked = {}) const
     {
         return column<Kind, only_where<Keep, Picked>, Degree>{{keep, picked}, degree};
     }
-    /// The degree of the new faces as a function of the tuple's element; it may be asked on several threads.
+    /// Returns a column with the degree of its faces as a function of the tuple's element, called on several threads.
     template <class Of>
     [[nodiscard]] constexpr auto of_degree(Of of) const
     {
@@ -179,18 +179,18 @@ inline constexpr column<tuple_kind::ve> per_end{};          ///< (v,e)
 inline constexpr column<tuple_kind::ef> per_side{};         ///< (e,f)
 inline constexpr column<tuple_kind::vfe> per_corner_side{}; ///< (v,f,e)
 
-/// A degree known while compiling.
+/// A degree known at compile time.
 template <std::size_t N>
 struct fixed_degree {
     static constexpr std::size_t value = N;
 
     constexpr std::size_t operator()(const auto& /*element*/) const { return N; }
 };
-/// The degree of the face that a new one comes from.
+/// The degree of the face from which a new face comes.
 struct same_degree {
     constexpr std::size_t operator()(const face_element auto& f) const { return f.degree(); }
 };
-/// A column whose new faces are triangles; quads.
+/// Returns a column whose new faces are triangles; quads() returns one whose new faces are quads.
 template <tuple_kind Kind, class Where, class Degree>
 [[nodiscard]] constexpr auto triangles(const column<Kind, Where, Degree>& c)
 {
@@ -202,7 +202,7 @@ template <tuple_kind Kind, class Where, class Degree>
     return c.of_degree(fixed_degree<4>{});
 }
 
-/// The columns that give birth to vertices, in the order of their numbers; those to edges and to faces.
+/// The columns that make vertices, in the order of their numbers; new_edges and new_faces are those of edges and faces.
 template <class... Columns>
 struct new_vertices {
     static constexpr char makes = 'v';
@@ -224,7 +224,7 @@ struct new_faces {
 
 namespace detail {
 
-/// Whether List is new_vertices ('v'), new_edges ('e') or new_faces ('f').
+/// A list of columns of one kind: new_vertices ('v'), new_edges ('e') or new_faces ('f').
 template <class List, char Kind>
 concept list_that_makes = requires { requires List::makes == Kind; };
 
@@ -249,8 +249,8 @@ inline constexpr std::size_t lists_that_make = (std::size_t(list_that_makes<List
 
 } // namespace detail
 
-/// The columns of a scheme: which tuples give birth to vertices, to edges and to faces. The lists stand in any order. A
-/// scheme that declares no edges has them found by matching, which is slower and needs nothing else.
+/// The columns of a scheme: the tuples that make vertices, edges and faces. The lists stand in any order. If a scheme
+/// declares no edges, they are found by matching, which is slower and needs nothing else.
 template <class Vertices, class Edges, class Faces, class Boundary = uncounted>
 struct columns {
     Vertices vertices;
@@ -273,8 +273,8 @@ struct columns {
     }
     constexpr columns(Vertices v, Edges e, Faces f, Boundary b) : vertices(v), edges(e), faces(f), boundary(b) {}
 
-    /// Returns these columns with a function of the counts of a level that says those of the next level's boundary. It
-    /// is needed where vertices tell the degree of new faces, see next_counts.
+    /// Returns these columns with a function that computes the boundary counts of the next level from the counts of a
+    /// level. It is needed if vertices determine the degree of new faces, see next_counts.
     template <class Of>
     [[nodiscard]] constexpr auto with_boundary(Of of) const
     {
@@ -286,7 +286,7 @@ columns(Lists...)
     -> columns<detail::list_type<'v', new_vertices<>, Lists...>, detail::list_type<'e', new_edges<>, Lists...>,
                detail::list_type<'f', new_faces<>, Lists...>>;
 
-/// What a scheme declares: `columns`.
+/// The columns that a scheme declares: `columns`.
 template <class C>
 concept declared_columns = requires(const C& columns) {
     std::tuple_size<std::remove_cvref_t<decltype(columns.vertices.list)>>::value; // of new vertices

@@ -17,7 +17,7 @@
 
 namespace kith {
 
-/// The columns of a scheme for a step that starts at a level of this generation.
+/// Returns the columns of a scheme for a step that starts at a level of this generation.
 template <class Scheme>
     requires requires(const Scheme& s) { s.columns(); } or requires(const Scheme& s) { s.columns(0); }
 constexpr auto columns_of(const Scheme& scheme, [[maybe_unused]] int generation)
@@ -30,7 +30,7 @@ constexpr auto columns_of(const Scheme& scheme, [[maybe_unused]] int generation)
 
 namespace detail {
 
-/// Errors: mesh_error if Index cannot number so many elements with so many numbers each.
+/// Throws mesh_error if Index cannot number `total` elements with `numbers_of_each` numbers each.
 template <std::unsigned_integral Index>
 void require_numbers(std::size_t total, std::size_t numbers_of_each, const char* what)
 {
@@ -40,7 +40,7 @@ void require_numbers(std::size_t total, std::size_t numbers_of_each, const char*
                          "-bit index can number; refine fewer times or use basic_mesh<Point, std::uint64_t>");
 }
 
-/// The degree that all new faces have, when the columns say it while compiling; else 0.
+/// Returns the degree, 3 or 4, that all new faces have if the columns fix it at compile time, else 0.
 template <class... Columns>
 constexpr std::size_t common_degree(const std::tuple<Columns...>*)
 {
@@ -62,7 +62,7 @@ constexpr std::size_t common_degree(const std::tuple<Columns...>*)
 
 } // namespace detail
 
-/// The numbers of a step: the ids of all elements of the next level.
+/// The numbering of a step: the ids of all elements of the next level.
 template <class N>
 concept level_numbering = requires(const N& ids) {
     requires std::unsigned_integral<typename N::index_type>;
@@ -71,15 +71,15 @@ concept level_numbering = requires(const N& ids) {
     requires element_ids<std::remove_cvref_t<decltype(ids.edges)>>;
     requires element_ids<std::remove_cvref_t<decltype(ids.faces)>>;
     requires std::same_as<std::remove_cvref_t<decltype(ids.dictionary)>, vertex_dictionary<typename N::index_type>>;
-    // The columns declare edges; without them they are matched.
+    // True if the columns declare edges; otherwise edges are matched.
     { N::has_edges } -> std::convertible_to<bool>;
-    // How many corners all new faces have, where that is known while compiling, else 0.
+    // The number of corners of each new face if it is known at compile time, else 0.
     { N::common_degree } -> std::convertible_to<std::size_t>;
 };
 
-/// The ids of all elements of the next level, in closed form from the columns, and those vertices that are in none. It
-/// is all that remains of an association space once the level is made: which element belongs to a tuple, and, by
-/// `origin`, which tuple to an element.
+/// The ids of all elements of the next level, in closed form from the columns, and the vertices that are in no column.
+/// It is all that remains of an association space once the level is made. It gives the element that a tuple made and,
+/// by `origin`, the tuple that made an element.
 template <declared_columns Columns, std::unsigned_integral Index>
 class numbering {
     template <class List>
@@ -93,7 +93,7 @@ public:
     using index_type = Index;
     using columns_type = Columns;
     static constexpr bool has_edges = std::tuple_size_v<decltype(Columns::edges.list)> != 0;
-    /// Number of corners of every new face when it is known while compiling, else 0.
+    /// The number of corners of each new face if it is known at compile time, else 0.
     static constexpr std::size_t common_degree = detail::common_degree(
         static_cast<const decltype(Columns::faces.list)*>(nullptr));
 
@@ -103,7 +103,8 @@ public:
     vertex_dictionary<Index> dictionary; ///< filled by the step; empty for schemes that use none
 
     numbering() = default;
-    /// Errors: mesh_error if the next level has more elements than Index can number; nothing is allocated for it then.
+    /// Takes the coarse level and the columns. Errors: mesh_error if the next level has more elements than Index can
+    /// number; nothing is allocated for it then.
     template <level Level>
     numbering(const Level& coarse, const Columns& columns)
         : vertices(coarse, columns.vertices.list)

@@ -7,7 +7,7 @@ namespace kith {
 
 namespace detail {
 
-/// What a pass has of its own; a base, so that it is there before the space that refers to it.
+/// The data that a pass owns. It is a base class, so that it exists before the space that refers to it.
 template <level_numbering Numbering, value_space Values>
 struct pass_parts {
     Numbering ids;
@@ -17,8 +17,8 @@ struct pass_parts {
 
 } // namespace detail
 
-/// The association space of one of the passes of a step; thesis 4.1, chained. Its vertices are of no level: they are
-/// set and read as others are and go with it.
+/// The association space of one of the passes of a step; thesis 4.1, chained. Its vertices belong to no level. They are
+/// set and read as others are and exist as long as the pass.
 template <level Level, level_numbering Numbering, values_of_step<Level> Values, bool Checked>
 class pass_space : detail::pass_parts<Numbering, Values>,
                    public association_space<Level, Numbering, Values, connect::nothing, Checked> {
@@ -34,7 +34,8 @@ public:
     pass_space(const pass_space&) = delete;
     pass_space& operator=(const pass_space&) = delete;
 
-    /// The same space to be written anew, in the same memory. Errors: association_error inside for_each and in_blocks.
+    /// Returns the space to be written anew, in the same memory. Errors: association_error inside for_each and
+    /// in_blocks.
     const pass_space& again() const
     {
         if (detail::in_loop_body)

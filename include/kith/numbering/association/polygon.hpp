@@ -15,12 +15,12 @@ template <class Association>
 typename Association::index index_of_line(const Association&);
 } // namespace detail
 
-/// What says a line of a new face: assoc(v, V), or that and a side.
+/// A source of a line of a new face: assoc(v, V), or a vertex with its side.
 template <class T>
 concept face_line_source = requires(const T& x) { face_line<decltype(detail::index_of_line(x))>(x); };
 
-/// A new face: its vertices counter-clockwise, each with the side that leaves it (`assoc(v, V) >> side`); the sides may
-/// be left out where the scheme declares no edges.
+/// Returns the lines of a new face: its vertices counter-clockwise, each with the side that leaves it (`assoc(v, V) >>
+/// side`). The sides may be left out if the scheme declares no edges.
 template <face_line_source First, face_line_source... More>
     requires(sizeof...(More) >= 2)
 auto polygon(const First& first, const More&... more)
@@ -29,7 +29,8 @@ auto polygon(const First& first, const More&... more)
     return std::array<line, 1 + sizeof...(More)>{line(first), line(more)...};
 }
 
-/// The same from a range of elements and the line that each of them gives; `line_of` has to outlive the result.
+/// Returns the lines of a new face from a range of elements; line_of(element) gives each line and must outlive the
+/// result.
 template <class Range, class LineOf>
     requires requires(const Range& range, const LineOf& line_of) {
         { line_of(*range.begin()) } -> face_line_source;
@@ -40,7 +41,7 @@ auto polygon(const Range& range, const LineOf& line_of)
     return range.map([&line_of](const auto& x) { return line(line_of(x)); });
 }
 
-/// The same from a range of associations: polygon(assoc(f, f.vertices(), V)).
+/// Returns the lines of a new face from a range of associations: polygon(assoc(f, f.vertices(), V)).
 template <class Range>
     requires requires(const Range& range) {
         { *range.begin() } -> face_line_source;
@@ -51,7 +52,7 @@ auto polygon(const Range& range)
     return range.map([](const auto& association) { return line(association); });
 }
 
-/// Says what is wrong with any other.
+/// Reports while compiling what is wrong with any other arguments.
 template <class First, class... More>
 auto polygon(const First&, const More&...)
 {

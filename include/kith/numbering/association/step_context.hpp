@@ -9,7 +9,7 @@
 
 namespace kith {
 
-/// A level, or a block of its faces with what belongs to them: what `for_each` goes over.
+/// A level, or a block of its faces with the elements that belong to them, over which `for_each` loops.
 template <class L>
 concept level_or_block = requires(const L& elements) {
     elements.vertices();
@@ -19,8 +19,8 @@ concept level_or_block = requires(const L& elements) {
     { elements.is_closed() } -> std::convertible_to<bool>; // of the whole level
 };
 
-/// What a scheme is called with, and what it calls its rules and its split with: `auto& [coarse, assoc, generation] =
-/// r;` All of it stays while the scheme runs.
+/// The argument with which a scheme is called, and its rules and its split: `auto& [coarse, assoc, generation] = r;`
+/// All members stay valid while the scheme runs.
 template <class R>
 concept step_context = requires(const R& r) {
     requires weight_number<typename R::scalar>;                       // the weights of its masks

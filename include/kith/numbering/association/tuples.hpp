@@ -13,7 +13,7 @@
 
 namespace kith {
 
-/// A tuple of elements as an index; `not_incident` when its elements do not touch.
+/// A tuple of elements as an index; `not_incident` if its elements do not touch.
 template <tuple_kind Kind>
 struct tuple_index {
     static constexpr tuple_kind kind = Kind;
@@ -21,8 +21,8 @@ struct tuple_index {
     std::size_t value;
 };
 
-/// The index of a tuple. `Touch`: its elements are known to be incident, so the last way in which they may be is not
-/// looked at; a branch that is never taken would keep the compiler from moving what a loop reads out of the loop.
+/// Returns the index of a tuple. If `Touch` is true, its elements are known to be incident, so the last possible
+/// incidence is not tested. A branch that is never taken would keep the compiler from moving loads out of a loop.
 template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::v> index_tuple(const vertex<L>& v)
 {
@@ -43,14 +43,14 @@ tuple_index<tuple_kind::vf> index_tuple(const corner<L>& c)
 {
     return {c.index()};
 }
-/// Cost: O(degree of f), for faces of many corners O(the smaller of degree and valence).
+/// Returns the index of (v,f). Cost: O(degree of f), for faces of many corners O(the smaller of degree and valence).
 template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::vf> index_tuple(const vertex<L>& v, const face<L>& f)
 {
     const auto first = f.first_corner();
     auto c = first;
     if (f.degree() > 64) {
-        for (const auto& around : v.corners()) { // and in the face, by turns
+        for (const auto& around : v.corners()) { // search around the vertex and in the face by turns
             if (around.f() == f)
                 return {around.index()};
             if (c.v() == v)
@@ -85,7 +85,7 @@ tuple_index<tuple_kind::ef> index_tuple(const edge<L>& e, const face<L>& f)
         return {c.across().index()};
     return {tuple_index<tuple_kind::ef>::not_incident};
 }
-/// Side 0 of a corner is its next edge, side 1 its previous one.
+/// Returns the index of (v,f,e). Side 0 of a corner is its next edge, side 1 its previous one.
 template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::vfe> index_tuple(const corner<L>& c, const edge<L>& e)
 {
@@ -98,7 +98,7 @@ tuple_index<tuple_kind::vfe> index_tuple(const corner<L>& c, const edge<L>& e)
 template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::vfe> index_tuple(const vertex<L>& v, const face<L>& f, const edge<L>& e)
 {
-    // The edge says where the vertex is in a face that has both.
+    // The edge gives the place of the vertex in a face that has both.
     const corner<L> side = e.seen_from();
     for (const bool across : {false, true}) {
         if (across and side.is_boundary())
@@ -111,7 +111,7 @@ tuple_index<tuple_kind::vfe> index_tuple(const vertex<L>& v, const face<L>& f, c
     }
     return {tuple_index<tuple_kind::vfe>::not_incident};
 }
-/// Two neighbours are an edge; any two vertices may be asked for. Cost: O(valence).
+/// Returns the edge between two neighbours as their index. Any two vertices may be given. Cost: O(valence).
 template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
 {
@@ -120,8 +120,8 @@ tuple_index<tuple_kind::e> index_tuple(const vertex<L>& a, const vertex<L>& b)
             return {e.index()};
     return {tuple_index<tuple_kind::e>::not_incident};
 }
-/// Two faces with a common edge are that edge, the first one in a's order if they share several; any two faces may be
-/// asked for. Cost: O(degree).
+/// Returns the common edge of two faces as their index, the first one in the order of `a` if they share several. Any
+/// two faces may be given. Cost: O(degree).
 template <bool Touch = false, walkable_level L>
 tuple_index<tuple_kind::e> index_tuple(const face<L>& a, const face<L>& b)
 {
@@ -131,7 +131,7 @@ tuple_index<tuple_kind::e> index_tuple(const face<L>& a, const face<L>& b)
     return {tuple_index<tuple_kind::e>::not_incident};
 }
 
-// The order of elements in a tuple is free.
+// The elements of a tuple may be given in any order.
 template <bool Touch = false, element A, element B>
     requires(element_letter<A> == 'f' and element_letter<B> != 'f') or
             (element_letter<A> == 'e' and element_letter<B> == 'v') or
@@ -150,7 +150,7 @@ auto index_tuple(const A& a, const B& b, const C& c)
         return index_tuple<Touch>(a, c, b);
 }
 
-/// A tuple as its elements, for tuples that are not incident and for messages: letters and numbers, sorted.
+/// A tuple as the letters and numbers of its elements, sorted; for tuples that are not incident and for messages.
 using tuple_elements = std::vector<std::pair<char, std::size_t>>;
 
 template <element... X>
@@ -170,7 +170,7 @@ template <element... X>
     return result;
 }
 
-/// The elements of the tuple with this kind and index: the inverse of index_tuple.
+/// Returns the elements of the tuple with this kind and index: the inverse of index_tuple.
 template <level Level>
 [[gnu::noinline]] tuple_elements list_tuple(const Level& level, tuple_kind kind, std::size_t index)
 {
@@ -195,7 +195,7 @@ template <level Level>
     return {};
 }
 
-/// The tuple of these elements, with this index, as it is looked up in a dictionary: two neighbours are their edge.
+/// Returns the tuple of these elements, with this index, as a dictionary stores it: two neighbours are their edge.
 template <level Level, tuple_kind Kind, element... X>
 [[gnu::noinline]] tuple_elements listed_tuple(const Level& level, tuple_index<Kind> tuple, const X&... x)
 {

@@ -13,12 +13,13 @@ struct block_elements {
     all_elements<Level, Element> all;
     std::size_t number, count;
 
-    /// Where this part of `size` things begins and ends.
+    /// Returns where this part of `size` elements begins; end() returns where it ends.
     [[nodiscard]] std::size_t begin(std::size_t size) const { return size * number / count; }
     [[nodiscard]] std::size_t end(std::size_t size) const { return size * (number + 1) / count; }
 };
 
-/// Part `number` of `count` of a level: some consecutive faces, the vertices and edges that belong to them, and so on.
+/// A part of a level, `number` of `count`: some consecutive faces and the vertices, edges and corners that belong to
+/// them.
 template <level Level>
 class block_of_level {
 public:
@@ -31,7 +32,7 @@ public:
     [[nodiscard]] auto edges() const { return part(level_->edges()); }
     [[nodiscard]] auto faces() const { return part(level_->faces()); }
     [[nodiscard]] auto corners() const { return part(level_->corners()); }
-    /// Of the whole level.
+    /// Returns true if the whole level is closed.
     [[nodiscard]] bool is_closed() const { return level_->is_closed(); }
 
 private:
@@ -45,7 +46,7 @@ private:
     std::size_t number_, count_;
 };
 
-/// for_each and for_each_by_number over the elements of a block.
+/// Calls f on the elements of a block, in the order of their numbers; for_each calls f as it does on a level.
 template <level Level, element Element, class F>
 void for_each_by_number(const block_elements<Level, Element>& range, const F& f)
 {
@@ -66,9 +67,9 @@ void for_each(const block_elements<Level, Element>& range, const F& f)
     }
 }
 
-/// Calls body(part of r) for parts of the coarse level that fit the cache, so that what one loop of the body fetches is
-/// still there for the next. The loops of the body must not read what they make: only the coarse level and what was
-/// made before. Each thread of OpenMP takes consecutive parts. Errors: as for_each.
+/// Calls body(part of r) for parts of the coarse level that fit the cache. Data that one loop of the body fetches is
+/// then still there for the next loop. The loops of the body must not read elements that they make, only the coarse
+/// level and elements made before. Each OpenMP thread takes consecutive parts. Errors: as for_each.
 template <level Level, mask_evaluator Space, class Scalar, class Body>
 void in_blocks(const refinement<Level, Space, Scalar>& r, const Body& body)
 {

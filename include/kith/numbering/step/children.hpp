@@ -14,12 +14,12 @@
 
 namespace kith {
 
-/// The kinds of elements. Every tuple is listed with one element, its parent: (v) with the vertex, (e) and (v,e) with
-/// the edge, (f), (v,f), (e,f) and (v,f,e) with the face. So every new element has one parent, and the children of an
-/// element are those of its tuples.
+/// The kinds of elements. Every tuple has one element as its parent: (v) the vertex; (e) and (v,e) the edge; (f),
+/// (v,f), (e,f) and (v,f,e) the face. So every new element has one parent, and the children of an element are those
+/// that its tuples make.
 enum class element_kind : unsigned char { vertex, edge, face };
 
-/// The kind of the parent of all tuples of a kind.
+/// Returns the kind of the parent of all tuples of a kind.
 constexpr element_kind parent_kind(tuple_kind kind)
 {
     switch (kind) {
@@ -30,7 +30,7 @@ constexpr element_kind parent_kind(tuple_kind kind)
     }
 }
 
-/// The number of the parent of a tuple, where `face_of(corner)` tells the face of a corner. Cost: O(1).
+/// Returns the number of the parent of a tuple; face_of(corner) returns the face of a corner. Cost: O(1).
 template <std::invocable<std::size_t> FaceOf>
 std::size_t parent_by(tuple_kind kind, std::size_t tuple, const FaceOf& face_of)
 {
@@ -42,7 +42,7 @@ std::size_t parent_by(tuple_kind kind, std::size_t tuple, const FaceOf& face_of)
     default: return tuple;
     }
 }
-/// The same at a level.
+/// Returns the number of the parent of a tuple of a level.
 template <level Level>
 std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
 {
@@ -50,8 +50,8 @@ std::size_t parent(const Level& level, tuple_kind kind, std::size_t tuple)
         kind, tuple, [&](std::size_t corner) -> std::size_t { return level.corners()[corner].f().index(); });
 }
 
-/// The face from which a new element comes: the parent of its tuple or, where that is an edge or a vertex, the face at
-/// it with the smallest number. Cost: O(faces at it).
+/// Returns the face from which a new element comes: the parent of its tuple. If that is an edge or a vertex, it is the
+/// face with the smallest number there. Cost: O(faces at the parent).
 template <level Level>
 std::size_t parent_face(const Level& level, tuple_kind kind, std::size_t tuple)
 {
@@ -71,14 +71,14 @@ std::size_t parent_face(const Level& level, tuple_kind kind, std::size_t tuple)
     }
 }
 
-/// Elements of each kind whose numbers follow one another here and there: increasing ranges with gaps between.
+/// Ranges of consecutive numbers for elements of each kind, increasing and with gaps between them.
 struct element_ranges {
     std::vector<number_range> vertices, edges, faces;
 
     friend bool operator==(const element_ranges&, const element_ranges&) = default;
 };
 
-/// The ranges of one kind: ranges.*of_kind(kind).
+/// Returns the member with the ranges of one kind: ranges.*of_kind(kind).
 constexpr std::vector<number_range> element_ranges::* of_kind(element_kind kind)
 {
     switch (kind) {
@@ -88,7 +88,7 @@ constexpr std::vector<number_range> element_ranges::* of_kind(element_kind kind)
     }
 }
 
-/// Tells, of tuples of a column that follow one another, which elements they gave birth to.
+/// The ids of new elements that can be found for a range of consecutive tuples of a column.
 template <class I>
 concept numbers_of_tuples = requires(const I& ids, std::size_t column, const number_range& tuples) {
     { I::size } -> std::convertible_to<std::size_t>;
@@ -98,8 +98,9 @@ concept numbers_of_tuples = requires(const I& ids, std::size_t column, const num
 
 namespace detail {
 
-/// The tuples of a kind that have these parents follow one another, as ends of edges and corners of faces do.
-/// `first_corner(face)` tells where the corners of a face begin, and, of the number of faces, where all end.
+/// Returns the tuples of a kind that have these parents. They are consecutive, as ends of edges and corners of faces
+/// are. `first_corner(face)` returns the first corner of a face; for the number of faces it returns the number of
+/// corners.
 template <std::invocable<std::size_t> FirstCorner>
 number_range tuples_of(tuple_kind kind, const number_range& parents, const FirstCorner& first_corner)
 {
@@ -130,7 +131,7 @@ std::vector<number_range> children_among(const Ids& ids, const element_ranges& p
     return result;
 }
 
-/// The children of elements of a level by the numbers of a step from it alone.
+/// Returns the children of elements of a level, computed from the numbering of the step alone.
 template <class Ids, std::invocable<std::size_t> FirstCorner>
     requires requires(const Ids& ids) {
         requires numbers_of_tuples<std::remove_cvref_t<decltype(ids.vertices)>>;
@@ -146,9 +147,9 @@ element_ranges children_by(const Ids& ids, const element_ranges& parents, const 
 
 } // namespace detail
 
-/// The children of elements of a level, as ranges of numbers of the next level. The children of all elements are all
-/// elements that have a column, and those of two elements have none in common; so over several levels descendants are
-/// children of children.
+/// Returns the children of elements of a level, as ranges of numbers of the next level. The children of all elements
+/// are all elements that have a column, and two elements have no children in common. So the descendants over several
+/// levels are children of children.
 /// Preconditions: `ids` is the numbering of the step from `level`; ranges increase and do not overlap.
 /// Cost: O(ranges).
 template <level Level, level_numbering Numbering>

@@ -16,18 +16,18 @@
 
 namespace kith {
 
-/// The elements that make up a part of a level: of its vertices, edges and faces the numbers in the level, in the order
-/// of the part. They increase; a vertex whose faces in the part form several fans is there once per fan.
+/// The elements of a part of a level: the number in the level of each vertex, edge and face of the part, in the order
+/// of the part. The numbers increase. A vertex whose faces in the part form several fans occurs once per fan.
 template <std::unsigned_integral Index>
 struct part_numbers {
-    /// The corners of a face in the level: its first one, and how many.
+    /// The corners of a face in the level: its first corner, and their count.
     struct face_corners {
         Index first, count;
     };
 
     std::span<const Index> vertices, edges, faces;
-    std::size_t degree = 0;                  ///< of all faces, where they have one
-    std::span<const face_corners> corners{}; ///< else: those of each face
+    std::size_t degree = 0;                  ///< of all faces, if they have one degree; else 0
+    std::span<const face_corners> corners{}; ///< if `degree` is 0: the corners of each face
 
     [[nodiscard]] std::size_t vertex_count() const { return vertices.size(); }
     [[nodiscard]] std::size_t edge_count() const { return edges.size(); }
@@ -55,7 +55,7 @@ struct part_numbers {
     }
 };
 
-/// A step that has been made, as state of a level sees it.
+/// The result of a step, as the state of a level sees it.
 template <scheme Scheme, level Level, level_numbering Numbering, mesh Fine>
 struct step_result {
     using numbering_type = Numbering;
@@ -66,10 +66,10 @@ struct step_result {
     const Numbering& ids; ///< of the next level
     const Fine& fine_mesh;
 
-    /// The elements of the next level, of a native one that has no more its faces and corners; for a mesh of another
-    /// library a sweep over it.
+    /// Returns the elements of the next level; for a native mesh without edges, only its faces and corners. Cost: for a
+    /// mesh of another library a sweep over it.
     [[nodiscard]] level_of<Fine> fine() const { return level_of<Fine>(fine_mesh); }
-    /// How many vertices it has, with those of the dictionary.
+    /// Returns the number of vertices of the next level, with those of the dictionary.
     [[nodiscard]] std::size_t fine_vertices() const
     {
         if constexpr (requires { fine_mesh.topology(); })
@@ -79,7 +79,7 @@ struct step_result {
     }
 };
 
-/// A step that has been made, as rules of fields see it: step_result.
+/// The result of a step, as rules of fields see it: step_result.
 template <class S>
 concept finished_step = requires(const S& step) {
     requires scheme<std::remove_cvref_t<decltype(step.scheme)>>;       // with its state of the coarse level
@@ -90,35 +90,35 @@ concept finished_step = requires(const S& step) {
     { step.fine_vertices() } -> std::convertible_to<std::size_t>;      // with those of the dictionary
 };
 
-/// State of a level is what a scheme keeps by the numbers of a level's elements, such as creases. The scheme names it
-/// in its traits(), `.state`: one object, a std::tie of several, or a scheme of which this one is made. Its class has
+/// True if a scheme has state of a level: data that it keeps by the numbers of a level's elements, such as creases. Its
+/// traits() name the state, `.state`: one object, a std::tie of several, or another scheme on which it is built.
+/// The class of the state has
 ///
 ///   T after(level, numbering) const      the state of the next level, made by a step with this numbering, or
-///   T after(const auto& step) const      the same for one that asks for more: step_result
+///   T after(const auto& step) const      the same from a step_result, for a state that needs more
 ///
 /// and, to be refined in tiles and on ranks,
 ///
-///   T of_part(part_numbers) const        that of a part of the level
-///   void add_part(const T&, part_numbers)  the inverse: takes over what the state of a part says, for
-///                                        exchanging_refinement
+///   T of_part(part_numbers) const        the state of a part of the level
+///   void add_part(const T&, part_numbers)  the inverse: takes over the state of a part, for exchanging_refinement
 ///   void pack(out) const                 out.add(value), out.add_array(values): plain values, as a message
 ///   void unpack(in)                      in.get<T>(), in.get_array<std::vector<T>>(): the same in the same order
 ///
 /// It may have
 ///
-///   void require_one_each(level) const   throws mesh_error for a state of another level, before that is
+///   void require_one_each(level) const   throws mesh_error for a state of another level, before that level is
 ///                                        refined or cut
 ///
-///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) of
-///                                        which it says something, in values that can be copied as bytes: all that
-///                                        the state of a part says beside what that of a part without elements does.
-///                                        Without this function the state may depend on any element
+///   void for_each_place(f) const         f(tuple_kind, number, value) for each vertex, edge and face (v, e, f) with a
+///                                        value, which can be copied as bytes. The values are all that the state of a
+///                                        part holds beyond the state of an empty part. Without this function the
+///                                        state may depend on any element
 ///
-/// It follows from the numbers of the elements and from the step, not from where vertices are: state of levels that are
-/// there stays when points move. Conditions of columns may look at it; `when` and counts of later levels as far as that
-/// of a part without elements tells, such as a number of steps. `reach` holds for that of every level.
+/// State follows from the numbers of the elements and from the step, not from points: it stays when points move.
+/// Conditions of columns may read it. `when` and the counts of later levels may read only data that the state of an
+/// empty part has, too, such as a number of steps. `reach` holds for the state of every level.
 ///
-/// `refine`, `hierarchy` and the tiles of all kinds do the rest. `field` is such a class for values on elements.
+/// `refine`, `hierarchy` and all kinds of tiles do the rest. `field` is such a class for values on elements.
 template <scheme Scheme>
 inline constexpr bool has_state = detail::is_said<decltype(traits_of<Scheme>.state)>;
 
@@ -140,7 +140,7 @@ constexpr bool names_state()
     }
 }
 
-/// All state of a scheme, and of the schemes of which it is made: std::tuple<State&...>.
+/// Returns all state of a scheme, and of the schemes on which it is built: std::tuple<State&...>.
 template <scheme Scheme>
 constexpr auto states_of([[maybe_unused]] Scheme& scheme)
 {
@@ -155,7 +155,7 @@ constexpr auto states_of([[maybe_unused]] Scheme& scheme)
         if constexpr (is_named) {
             const auto one = []<class State>(State& state) {
                 if constexpr (requires { std::remove_const_t<State>::traits(); })
-                    return states_of(state); // a scheme of which this one is made
+                    return states_of(state); // a scheme on which this one is built
                 else
                     return std::tie(state);
             };
@@ -176,7 +176,7 @@ void for_each_state(Scheme& scheme, const F& f)
 {
     std::apply([&](auto&... state) { (f(state), ...); }, states_of(scheme));
 }
-/// Calls f with each state of one and the same of another scheme of that type.
+/// Calls f with each state of a scheme and the corresponding state of another scheme of that type.
 template <scheme Scheme, class F>
 void for_each_state(Scheme& scheme, const Scheme& other, const F& f)
 {
@@ -187,7 +187,7 @@ void for_each_state(Scheme& scheme, const Scheme& other, const F& f)
     }(std::make_index_sequence<std::tuple_size_v<decltype(ours)>>());
 }
 
-/// Errors: those of each state that can tell that it is of another level.
+/// Throws mesh_error if a state can tell that it belongs to another level.
 template <scheme Scheme, level Level>
 void require_states_of(const Level& level, const Scheme& scheme)
 {
@@ -197,7 +197,7 @@ void require_states_of(const Level& level, const Scheme& scheme)
     });
 }
 
-/// What require_input asks, and that the state of the scheme is that of this level.
+/// Throws mesh_error if require_input does, or if the state of the scheme can tell that it belongs to another level.
 template <scheme Scheme, level Level>
 void require_control_level(const Scheme& scheme, const Level& level, int generation)
 {
@@ -228,8 +228,8 @@ State next_state(const State& state, const Step& step)
 
 } // namespace detail
 
-/// Makes a scheme the scheme of the next level, which a step has made of a level of this generation with this
-/// numbering: its state becomes that of the level.
+/// Advances a scheme to the next level: its state becomes that of the level that a step has made, with this numbering,
+/// of a level of this generation.
 template <scheme Scheme, level Level, level_numbering Numbering, mesh Fine>
 void advance(Scheme& scheme, const Level& coarse, int generation, const Numbering& ids, const Fine& fine)
 {
@@ -245,7 +245,7 @@ void advance(Scheme& scheme, const Level& coarse, int generation, const Numberin
     }
 }
 
-/// Exchanges the state of two schemes of one type. What else they hold, which need not be assignable, is the same in
+/// Exchanges the state of two schemes of one type. Their other members, which need not be assignable, are the same in
 /// both.
 template <scheme Scheme>
 void swap_states(Scheme& a, Scheme& b)
@@ -274,14 +274,14 @@ State state_of_part(const State& state, const part_numbers<Index>& part)
         return state;
 }
 
-/// Makes a scheme that of a part of a level, of which another one that is the same but for its state, or itself, is the
-/// scheme.
+/// Sets the state of a scheme to that of a part of a level. `of_level` is the scheme of the level: it is the same but
+/// for its state, or `scheme` itself.
 template <scheme Scheme, std::unsigned_integral Index>
 void restrict_state(Scheme& scheme, const Scheme& of_level, const part_numbers<Index>& part)
 {
     for_each_state(scheme, of_level, [&](auto& state, const auto& whole) { state = state_of_part(whole, part); });
 }
-/// The scheme of a part of a level: the same, with the state of that part.
+/// Returns the scheme of a part of a level: the same scheme with the state of that part.
 template <scheme Scheme, std::unsigned_integral Index>
 Scheme scheme_of_part(Scheme scheme, const part_numbers<Index>& part)
 {

@@ -15,7 +15,7 @@ namespace kith {
 
 namespace detail {
 
-/// The tuples of a column of which only the number is known.
+/// The tuples of a column if only their number is known.
 class counted_tuples {
 public:
     counted_tuples() = default;
@@ -29,13 +29,13 @@ private:
     std::uint64_t count_ = 0;
 };
 
-/// A condition that says how many edges are marked, and how many tuples it picks then.
+/// A condition that tells how many edges are marked, and how many tuples it picks then.
 template <class Where>
 concept counts_marks = requires(const Where& where, const counts& c, std::uint64_t n) {
     { where.keep.marked(c, 0) } -> std::convertible_to<std::uint64_t>;
     { where.keep.before(n, n) } -> std::convertible_to<std::uint64_t>;
 };
-/// It says which ones, too, where the marked edges come first.
+/// A condition that also tells which tuples it picks, if the marked edges come first.
 template <class Where>
 concept numbers_by_marks = counts_marks<Where> and requires(const Where& where, std::uint64_t n) {
     { where.keep.picked(n, n) } -> std::convertible_to<std::uint64_t>;
@@ -45,7 +45,8 @@ concept counts_tuples = requires(const Where& where, const counts& c) {
     { std::invoke(where.how_many, c) } -> std::convertible_to<std::uint64_t>;
 };
 
-/// How many of so many tuples a condition picks. Where it does not say, there is no boundary.
+/// Returns the number of tuples that a condition picks out of `tuples`. If the condition does not state it, there is no
+/// boundary.
 template <class Where>
 counted_tuples count_picked(const Where& where, std::uint64_t tuples, const counts& c, int generation)
 {
@@ -65,14 +66,15 @@ template <class List>
 struct counted_columns;
 template <template <class...> class List, class... C>
 struct counted_columns<List<C...>> {
-    /// How many tuples each column has is known, or nothing but the boundary keeps it from being so.
+    /// True if the number of tuples of each column is known; all_inside is also true if only the boundary keeps it
+    /// unknown.
     static constexpr bool all = ((not has_condition<decltype(C::where)> or counts_tuples<decltype(C::where)> or
                                   counts_marks<decltype(C::where)>) and
                                  ...);
     static constexpr bool all_inside = ((not has_condition<decltype(C::where)> or counts_tuples<decltype(C::where)> or
                                          counts_marks<decltype(C::where)> or picks_at_boundary<decltype(C::where)>) and
                                         ...);
-    /// So are the corners of the new faces.
+    /// True if the number of corners of the new faces is known, too.
     static constexpr bool corners = ((fixed_degree_of<decltype(C::degree)> != 0 or
                                       (std::same_as<decltype(C::degree), same_degree> and C::kind == tuple_kind::f and
                                        not has_condition<decltype(C::where)>)) and
@@ -91,10 +93,10 @@ struct counted_columns<List<C...>> {
 
 } // namespace detail
 
-/// Columns from which the counts of the next level follow: edges are declared, and each condition says how many tuples
-/// it picks; and the boundary edges of the next level are those sides of edges that no corner has, where the degrees of
-/// all faces are fixed or `same_degree`, or else are said (`with_boundary`). `Closed`: there is no boundary to speak
-/// of.
+/// Columns from which the counts of the next level follow. They declare edges, and each condition says how many tuples
+/// it picks. The boundary edges of the next level are the sides of edges that no corner has. They can be counted if the
+/// degree of each new face is fixed or `same_degree`; else `with_boundary` gives them. If `Closed` is true, there is no
+/// boundary.
 template <class Columns, bool Closed = false>
 concept countable_columns = std::tuple_size_v<decltype(Columns::edges.list)> != 0 and
                             (Closed ? detail::counted_columns<decltype(Columns::vertices)>::all_inside and
@@ -106,7 +108,7 @@ concept countable_columns = std::tuple_size_v<decltype(Columns::edges.list)> != 
                                           (detail::counted_columns<decltype(Columns::faces)>::corners or
                                            std::invocable<decltype(Columns::boundary), const counts&>));
 
-/// The counts of the next level. Precondition: the level is closed if `Closed`. Cost: O(1).
+/// Returns the counts of the next level. Precondition: the level is closed if `Closed`. Cost: O(1).
 template <bool Closed, declared_columns Columns>
     requires countable_columns<Columns, Closed>
 counts next_counts(const Columns& columns, const counts& c, int generation)

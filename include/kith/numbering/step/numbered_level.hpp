@@ -10,16 +10,17 @@
 
 namespace kith {
 
-/// A native level whose elements say that they have other numbers than their places in its arrays: those of the same
-/// elements in another mesh. A step then reads in the order of this mesh and writes what would come of the other one.
-/// Ranges go by place: `coarse.vertices()[i].index()` need not be i.
+/// A native level whose elements have other numbers than their places in its arrays: the numbers of the same elements
+/// in another mesh. A step then reads in the order of this mesh and writes the next level of the other mesh. Ranges go
+/// by place: `coarse.vertices()[i].index()` need not be i.
 template <class Point, std::unsigned_integral Index, int Degree>
 class numbered_level : public native_level<Point, Index, Degree> {
     using native = native_level<Point, Index, Degree>;
     static_assert(Degree != 0);
 
 public:
-    /// Preconditions: those of native_level, and the numbers are of this mesh. Both must outlive the view.
+    /// Takes a mesh and the numbers of its elements. Preconditions: those of native_level, and the numbers are of this
+    /// mesh. Both must outlive the view.
     numbered_level(const basic_mesh<Point, Index>& mesh, const element_numbers<Index>& numbers)
         : native(mesh), vertices_(numbers.vertices.data()), edges_(numbers.edges.data()), faces_(numbers.faces.data())
     {

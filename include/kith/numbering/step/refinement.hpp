@@ -33,13 +33,13 @@ struct refinement {
     int generation;      ///< steps since the control mesh
 };
 
-/// The type in which a scheme forms its weights.
+/// The number type in which a scheme computes its weights.
 template <has_scalar Refinement>
 using scalar_type = typename Refinement::scalar;
 
 namespace detail {
 
-/// Calls f(id, degree) for each new face, on threads; `degree()` says how many corners it will have.
+/// Calls f(id, degree) for each new face, on threads; `degree()` returns the number of its corners.
 template <level Level, level_numbering Numbering, declared_columns Columns, class F>
 void for_new_faces(const Level& coarse, const Numbering& ids, const Columns& columns, const F& f)
 {
@@ -54,7 +54,7 @@ void for_new_faces(const Level& coarse, const Numbering& ids, const Columns& col
     std::apply([&](const auto&... c) { (in_column(c), ...); }, columns.faces.list);
 }
 
-/// 3 or 4 if all new faces have so many corners, else 0.
+/// Returns 3 or 4 if all new faces have that many corners, else 0.
 template <level Level, level_numbering Numbering, declared_columns Columns>
 int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& columns)
 {
@@ -73,7 +73,7 @@ int degree_of_all(const Level& coarse, const Numbering& ids, const Columns& colu
     return common == 3 or common == 4 ? int(common) : 0;
 }
 
-/// As many `none`, written by all threads.
+/// Returns `size` times `none`, written by all threads.
 template <std::unsigned_integral Index>
 storage<Index> none_yet(std::size_t size)
 {
@@ -84,7 +84,7 @@ storage<Index> none_yet(std::size_t size)
     return result;
 }
 
-/// Allocates the connectivity of the next level as far as its numbering tells it.
+/// Returns the connectivity of the next level, allocated as far as its numbering determines it.
 template <connect Connect, bool Checked, level Level, level_numbering Numbering, declared_columns Columns>
 auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& columns)
 {
@@ -106,7 +106,7 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
                 corners = fine.sum_degrees();
             }
         }
-        // Where edges are matched there may be two half-edges for each corner.
+        // If edges are matched, there may be two half-edges for each corner.
         require_numbers<index>(corners, Connect == connect::everything and not Numbering::has_edges ? 2 : 1, "corners");
         if (fine.degree == 0)
             fine.corner_face = storage<index>(corners);
@@ -122,8 +122,8 @@ auto allocate_level(const Level& coarse, const Numbering& ids, const Columns& co
     return fine;
 }
 
-/// At the boundary a fan has to start where nothing lies clockwise: behind the boundary edge that leaves the vertex.
-/// `parallel`: no vertex has several fans there.
+/// Starts the fan of each boundary vertex behind the boundary edge that leaves the vertex: no face lies clockwise of
+/// it. Precondition if `parallel`: no vertex has several fans at the boundary.
 template <std::unsigned_integral Index>
 void turn_boundary_fans(connectivity<Index>& fine, bool parallel)
 {
@@ -149,7 +149,8 @@ void turn_boundary_fans(connectivity<Index>& fine, bool parallel)
     });
 }
 
-/// What cannot be seen while a scheme runs: elements that were never made, and faces that form no manifold.
+/// Throws association_error for faults that cannot be seen while a scheme runs: elements that were never made, and
+/// faces that form no manifold. Starts the fans for which the scheme has set no start.
 template <level Level, level_numbering Numbering, std::unsigned_integral Index>
 void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>& fine, const made_elements<Index>& made)
 {
@@ -195,7 +196,8 @@ void check_level(const Level& coarse, const Numbering& ids, connectivity<Index>&
         }
 }
 
-/// And vertices at which several fans of faces meet. Precondition: fans start where they have to at the boundary.
+/// Throws association_error for vertices at which several fans of faces meet. Precondition: boundary fans have been
+/// turned.
 template <level Level, level_numbering Numbering, std::unsigned_integral Index>
 void check_fans(const Level& coarse, const Numbering& ids, const connectivity<Index>& fine)
 {
@@ -218,7 +220,7 @@ void check_fans(const Level& coarse, const Numbering& ids, const connectivity<In
     }
 }
 
-/// One step of a scheme. What is no function of a step is told in one sentence, so no concept asks for it before.
+/// Calls a scheme for one step. If it is no function of a step, one sentence says so; no concept requires it before.
 template <class Scheme, step_context Refinement>
 void call(const Scheme& scheme, const Refinement& r)
 {
@@ -231,8 +233,8 @@ void call(const Scheme& scheme, const Refinement& r)
 } // namespace detail
 
 /// Runs a scheme once: fills `values` with the values of the next level and returns its connectivity, as far as
-/// `Connect` asks. Of the scheme only its call operator is needed here: a function of a step_context is as good.
-/// The vertices that are in no column are handed to `dictionary`, unless it is null.
+/// `Connect` asks. Only the call operator of the scheme is needed here, so a function of a step_context is as good.
+/// Hands the vertices that are in no column to `dictionary`, unless it is null.
 /// Errors: association_error for faults of the scheme. Cost: that of the scheme.
 template <connect Connect, bool Checked, level Level, class Scheme, level_numbering Numbering, declared_columns Columns,
           values_of_step<Level> Values>
@@ -255,7 +257,7 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
         if constexpr (Numbering::has_edges) {
             if (fine.corners() != 2 * fine.edges())
                 detail::turn_boundary_fans(fine, not Checked);
-            // A scheme for closed meshes may make anything at the rim of a part, which is given ghosts for that.
+            // A scheme for closed meshes may make anything at the cut of a part, which is given ghosts for that.
             if constexpr (Checked)
                 if (coarse.is_closed() or not needs_closed<Scheme>)
                     detail::check_fans(coarse, ids, fine);
@@ -269,8 +271,8 @@ auto run_scheme(const Level& coarse, const Scheme& scheme, int generation, const
     return fine;
 }
 
-/// The same with the next level written into a sink, which has room. Precondition: the scheme is trusted and declares
-/// its edges.
+/// Runs a scheme once and writes the next level into a sink, which has room. Precondition: the scheme is trusted and
+/// declares its edges.
 template <level_sink Sink, level Level, scheme Scheme, level_numbering Numbering>
 void run_scheme_into(Sink& fine, const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids,
                      vertex_dictionary<typename Numbering::index_type>* dictionary = nullptr)

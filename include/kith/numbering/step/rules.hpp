@@ -10,7 +10,7 @@
 
 namespace kith {
 
-/// What is done with all elements of one kind: at_vertices, at_edges, at_faces, at_corners.
+/// A rule for all elements of one kind: at_vertices, at_edges, at_faces, at_corners.
 template <class Elements, class Body>
 class rule {
 public:
@@ -19,10 +19,10 @@ public:
     {
     }
 
-    /// The same where the condition holds, else nothing.
+    /// Returns this rule if the condition holds, else a rule that does nothing.
     [[nodiscard]] rule when(bool condition) const { return rule(elements_, body_, applies_ and condition); }
 
-    /// On the elements of a level or a part of it.
+    /// Applies the rule to the elements of a level or a part of it.
     template <step_context R>
     void operator()(const R& r) const
     {
@@ -43,7 +43,7 @@ private:
     bool applies_;
 };
 
-/// The rule of all vertices: body(v) is the mask of the new point (v), or makes what it makes by itself.
+/// Returns the rule of all vertices: body(v) returns the mask of the new point (v), or makes elements itself.
 template <class Body>
 [[nodiscard]] auto at_vertices(const Body& body)
 {
@@ -65,15 +65,15 @@ template <class Body>
     return rule([](const auto& level) { return level.corners(); }, body);
 }
 
-/// The rule of vertices whose points stay, as in interpolating schemes.
+/// Returns the rule of vertices whose points stay, as in interpolating schemes.
 [[nodiscard]] inline auto kept_vertices()
 {
     return at_vertices([](auto v) { return v; });
 }
 
-/// Makes the points of the next level by these rules and connects them by the split, in the order and in the parts that
-/// suit the machine: no rule may read what the others make. What they all read is made before, in a loop of its own.
-/// Errors: as for_each. Cost: that of the rules.
+/// Makes the points of the next level by these rules and connects them by the split. Order and parts are those that
+/// suit the machine. No rule may read points that other rules make. Points that all rules read are made before, in a
+/// loop of their own. Errors: as for_each. Cost: that of the rules.
 template <class Split, step_context R, class... Rules>
 void subdivide(const Split& split, const R& r, const Rules&... rules)
 {

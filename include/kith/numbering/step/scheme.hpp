@@ -16,12 +16,12 @@
 
 namespace kith {
 
-/// A scheme is a function object on a refinement, with the columns it fills:
+/// A scheme: a function object on a refinement, with the columns that it fills:
 ///
-///   columns() or columns(generation)    which tuples give birth to what
+///   columns() or columns(generation)    the tuples that make vertices, edges and faces
 ///   operator()(refinement)              one step
 ///
-/// and, if it has more to say, `static constexpr auto traits()`: scheme_traits.
+/// and, if it states more, `static constexpr auto traits()`: scheme_traits.
 template <class S>
 concept scheme = requires(const S& s) {
     requires std::copy_constructible<S>; // each level has its own
@@ -35,14 +35,14 @@ using columns_type = decltype(columns_of(std::declval<const Scheme&>(), 0));
 template <scheme Scheme, std::unsigned_integral Index>
 using numbering_of = numbering<columns_type<Scheme>, Index>;
 
-/// A scheme whose levels can be counted before they are made; a scheme that takes closed meshes only need say nothing
-/// of the boundary.
+/// A scheme whose levels can be counted before they are made. A scheme for closed meshes only need not count the
+/// boundary.
 template <class S>
 concept countable_scheme = scheme<S> and
                            countable_columns<decltype(columns_of(std::declval<const S&>(), 0)), needs_closed<S>>;
 
-/// A scheme that has more state beside one that makes its steps, plain(): such as with_fields. A step is made by that
-/// one, which is compiled once, whatever lies beside it.
+/// A scheme that has state beside another scheme, plain(), which makes its steps; with_fields is such a scheme. The
+/// steps of plain() are compiled once, for any state beside it.
 template <class S>
 concept wrapped_scheme = scheme<S> and requires(const S& s) {
     requires scheme<std::remove_cvref_t<decltype(s.plain())>>;
@@ -50,14 +50,14 @@ concept wrapped_scheme = scheme<S> and requires(const S& s) {
     requires not std::same_as<S, std::remove_cvref_t<decltype(s.plain())>>;
 };
 
-/// A scheme that says in its traits() how far its masks reach: `reach`, a function of k, is the number of rings of
-/// faces (that share a vertex) needed around some faces of a level, so that on the next level k rings around their
-/// children are right: points, faces and fans within. The proofs are in docs/distributed.md.
+/// A scheme that states in its traits() how far its masks reach. `reach` is a function of k: the number of rings of
+/// faces (that share a vertex) needed around some faces of a level. Then k rings around their children are right on the
+/// next level: points, faces and fans within. The proofs are in docs/distributed.md.
 template <class S>
 concept reaching_scheme = scheme<S> and detail::says_reach<S, traits_type<S>>;
 
-/// The rings of faces needed around some faces of a level for `rings` rings after so many steps. Where the scheme
-/// speaks of several steps, what lies between may be wrong at the rim.
+/// Returns the number of rings of faces needed around some faces of a level for `rings` rings after `steps` steps. If
+/// `reach` of the scheme takes several steps, levels between may be wrong at the cut.
 template <reaching_scheme S>
 constexpr int reach_of(const S& scheme, int rings, int steps = 1)
 {
@@ -70,7 +70,7 @@ constexpr int reach_of(const S& scheme, int rings, int steps = 1)
     }
 }
 
-/// The counts of the next level. Cost: O(1).
+/// Returns the counts of the next level. Cost: O(1).
 template <countable_scheme S>
 counts next_counts(const S& scheme, const counts& coarse, int generation)
 {
@@ -79,8 +79,8 @@ counts next_counts(const S& scheme, const counts& coarse, int generation)
 
 namespace detail {
 
-/// Whether ids follow from tuples in one way in meshes that differ in the order of their elements: no column picks
-/// tuples by a condition or, in a closed mesh, none but by the boundary.
+/// Returns true if ids follow from tuples in one way in meshes that differ in the order of their elements. Then no
+/// column has a condition or, in a closed mesh, a condition on anything but the boundary.
 template <class... Columns>
 constexpr bool is_free_of_order(const std::tuple<Columns...>*, bool closed)
 {
@@ -98,17 +98,17 @@ constexpr bool is_free_of_order(bool closed)
 
 } // namespace detail
 
-/// A scheme that may be given a part of a mesh, or a mesh in another order of its elements: the same bits.
+/// A scheme that makes the same bits of a part of a mesh, and of a mesh in another order of its elements.
 template <class Scheme, class Index>
 concept separable_scheme = is_trusted<Scheme> and countable_scheme<Scheme> and
                            numbering_of<Scheme, Index>::has_edges and
                            detail::says_ignores_numbers<Scheme, traits_type<Scheme>>;
-/// One that may refine a mesh in another order of its elements, with the numbers of the given one.
+/// A scheme that may refine a mesh in another order of its elements, with the numbers of the given mesh.
 template <class Scheme, class Index>
 concept orderable_scheme = separable_scheme<Scheme, Index> and numbering_of<Scheme, Index>::common_degree != 0 and
                            detail::is_free_of_order<Scheme>(true);
 
-/// Throws mesh_error when no scheme of this type can take the faces of this level of a control mesh, or its boundary.
+/// Throws mesh_error if no scheme of this type can take the faces of this level of a control mesh, or its boundary.
 template <scheme S, level Level>
 void require_shape(const Level& level)
 {
@@ -130,7 +130,7 @@ void require_shape(const Level& level)
 
 namespace detail {
 
-/// Asks what the scheme says in its traits of levels that it cannot take.
+/// Calls traits().require of the scheme, if there is one, which throws for levels that the scheme cannot take.
 template <scheme S, level Level>
 void require_by_traits([[maybe_unused]] const S& scheme, const Level& level, int generation)
 {
@@ -146,7 +146,7 @@ void require_by_traits([[maybe_unused]] const S& scheme, const Level& level, int
 
 } // namespace detail
 
-/// Throws mesh_error when the scheme cannot take this level of a control mesh, or has options with which it can take
+/// Throws mesh_error if the scheme cannot take this level of a control mesh, or has options with which it can take
 /// none.
 template <scheme S, level Level>
 void require_input(const S& scheme, const Level& level, int generation = 0)

@@ -13,51 +13,51 @@ namespace kith {
 /// The faces that a scheme takes.
 enum class face_shape : unsigned char { any, triangles, quads };
 
-/// The type of a fact that a scheme leaves unsaid.
+/// The type of a fact that a scheme leaves out.
 struct unsaid {
     friend bool operator==(unsaid, unsaid) = default;
 };
 
-/// What a scheme says of itself beside its columns and its step, in one place:
+/// The facts that a scheme states beside its columns and its step, in one place:
 ///
 ///   static constexpr auto traits() { return kith::scheme_traits{.name = "my-scheme", .closed_only = true}; }
 ///
-/// Every fact may be left out; those that are said stand in this order, as designated initialisers do. A word that is
-/// not one of them does not compile. The functions are lambdas or pointers to members. Those that depend on options of
-/// the scheme take it as their first argument:
+/// Every fact may be left out; the stated facts are in this order, as designated initialisers are. A word that is not
+/// one of them does not compile. The functions are lambdas or pointers to members. A function that depends on options
+/// of the scheme takes the scheme as its first argument:
 ///
 ///   .reach = [](const my_scheme& s, int rings) { return rings / 2 + s.width; }
 template <class Require = unsaid, class Reach = unsaid, class IsMarked = unsaid, class State = unsaid,
           class IgnoresNumbers = unsaid, class Closure = unsaid>
 struct scheme_traits {
     std::string_view name = "scheme";   ///< for messages
-    face_shape faces = face_shape::any; ///< others are refused
+    face_shape faces = face_shape::any; ///< other faces are refused
     bool closed_only = false;           ///< a boundary is refused
-    bool trusted = false; ///< its text has been tested with every association checked: they need no check any more
-    /// Its members beside `state` are constants, which belong to no element: a table of weights, a function. Tiles and
-    /// ranks ask for this word where a member is a container, a pointer or a class that owns memory.
+    bool trusted = false;               ///< tested with every association checked; its steps are not checked any more
+    /// True if the members beside `state` are constants that belong to no element: a table of weights, a function.
+    /// Tiles and ranks require this fact if a member is a container, a pointer or a class that owns memory.
     bool constants_only = false;
-    int valence = 0; ///< of all inner vertices that a step has made, where it is the same everywhere; else 0
-    /// void require(const auto& level, int generation): throws mesh_error for a control mesh that it cannot take, and
-    /// for options with which it can take none.
+    int valence = 0; ///< of all inner vertices that a step has made, if it is the same everywhere; else 0
+    /// The function void require(const auto& level, int generation). It throws mesh_error for a control mesh that the
+    /// scheme cannot take, and for options with which it can take none.
     Require require{};
-    /// int reach(int rings), or reach(int rings, int steps) where several steps together use up fewer than one after
-    /// the other: the rings of faces around a tile that they use up; see reaching_scheme. Tiles, `evaluator` and
-    /// `refine` believe it; `require_reach` tries what it says of single steps on a mesh.
+    /// The function int reach(int rings): the rings of faces around a tile that a step uses up; see reaching_scheme. It
+    /// is reach(int rings, int steps) if several steps together use up fewer rings than one after the other. Tiles,
+    /// `evaluator` and `refine` trust it; `require_reach` tests it for single steps on a mesh.
     Reach reach{};
-    /// bool is_marked(const auto& edge): for tiles, where columns pick edges by marks; see marks_edges.
+    /// The function bool is_marked(const auto& edge), for tiles, if columns pick edges by marks; see marks_edges.
     IsMarked is_marked{};
-    /// Its state of a level, such as creases: a pointer to the member, or [](auto& scheme) -> auto& {...}; see
+    /// The state of a level, such as creases: a pointer to the member, or [](auto& scheme) -> auto& {...}; see
     /// level_state.
     State state{};
-    /// bool ignores_numbers(): it keeps nothing by the numbers of elements, so that it may be given levels whose
-    /// elements are in another order. One with state says it of itself, [](const my_scheme& s) {...}: it may be empty.
-    /// Its masks follow from the mesh and from what its == compares, since what has been recorded of one scheme is used
-    /// for all that are equal; those without members all are.
+    /// The function bool ignores_numbers(): true if the scheme keeps nothing by the numbers of elements, so that it may
+    /// be given levels in another order of their elements. A scheme with state, which may be empty, takes itself:
+    /// [](const my_scheme& s) {...}. Masks must follow from the mesh and from the members that == compares, because
+    /// records of one scheme are used for all equal schemes. Schemes without members are all equal.
     IgnoresNumbers ignores_numbers{};
-    /// What keeps its levels conforming where it refines some faces only, [](const auto& scheme) -> const auto& {...}.
-    /// `lies_on_side(corner)`: the corner lies inside a side of its face and is none of those the face was born with.
-    /// `is_pair(face, face)`: both are parts of one face, of which the next level is made.
+    /// The closure that keeps levels conforming if only some faces are refined, [](const auto& scheme) -> const auto&
+    /// {...}. `lies_on_side(corner)`: the corner lies inside a side of its face and is no corner with which the face
+    /// was made. `is_pair(face, face)`: both faces are parts of one face, of which the next level is made.
     Closure closure{};
 };
 
@@ -71,7 +71,7 @@ inline constexpr bool is_scheme_traits<scheme_traits<Facts...>> = true;
 template <class Fact>
 inline constexpr bool is_said = not std::same_as<std::remove_cvref_t<Fact>, unsaid>;
 
-/// A fact that may, but need not take the scheme as its first argument.
+/// A fact that is a function, with or without the scheme as its first argument.
 template <class Fact, class S, class... Arguments>
 concept fact_about = std::invocable<const Fact&, const S&, Arguments...> or std::invocable<const Fact&, Arguments...>;
 template <class Fact, class S, class... Arguments>
@@ -94,8 +94,8 @@ constexpr bool answers()
         return false;
 }
 
-// A member of that name, whatever it is and whoever may see it: then it hides, or is ambiguous with, another of that
-// name.
+// has_WORD is true if a class has a member of that name, of any kind and access: that member hides, or is ambiguous
+// with, another member of that name.
 #define KITH_HAS_MEMBER(word)                                                                                          \
     struct with_##word {                                                                                               \
         int word;                                                                                                      \
@@ -121,7 +121,7 @@ inline constexpr bool says_reach = says_reach_of_steps<S, Traits> or answers<int
 template <class S, class Traits>
 inline constexpr bool says_ignores_numbers = answers<bool, decltype(Traits::ignores_numbers), S>();
 
-/// What is said has the right signature.
+/// Asserts that the stated facts have the right signatures.
 template <class S, class Traits>
 consteval void require_signatures()
 {
@@ -162,22 +162,22 @@ consteval auto checked_traits()
 
 } // namespace detail
 
-/// Traits of a scheme: its own, or the defaults. A fact of the wrong signature does not compile, nor does a traits() of
-/// another type.
+/// The traits of a scheme: its own, or the defaults. A fact of the wrong signature does not compile, nor does a
+/// traits() of another type.
 template <class S>
 inline constexpr auto traits_of = detail::checked_traits<S>();
 
-/// The type of what a scheme says of itself.
+/// The type of the traits of a scheme.
 template <class S>
 using traits_type = std::remove_const_t<decltype(traits_of<S>)>;
 
-/// The name of a scheme, which programs, messages and journals call it by.
+/// Returns the name of a scheme, which programs, messages and journals use.
 template <class S>
 constexpr std::string_view scheme_name()
 {
     return traits_of<S>.name;
 }
-/// The meshes that a scheme takes, and whether what it makes goes without checks (`trusted`).
+/// The meshes that a scheme takes; is_trusted is true if the elements that it makes are not checked (`trusted`).
 template <class S>
 inline constexpr bool needs_triangles = traits_of<S>.faces == face_shape::triangles;
 template <class S>
@@ -187,7 +187,7 @@ inline constexpr bool needs_closed = traits_of<S>.closed_only;
 template <class S>
 inline constexpr bool is_trusted = traits_of<S>.trusted;
 
-/// Whether a scheme may be given levels whose elements are in another order.
+/// Returns true if a scheme may be given levels whose elements are in another order.
 template <class S>
 constexpr bool ignores_numbers([[maybe_unused]] const S& scheme)
 {

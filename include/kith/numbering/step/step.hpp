@@ -19,7 +19,7 @@
 
 namespace kith {
 
-/// One step over the points of a level: the next level as a native mesh, and its numbering.
+/// Makes one step over the points of a level. Returns the next level as a native mesh and sets `ids` to its numbering.
 /// Errors: mesh_error for more elements than the index can number, association_error for faults of the scheme.
 template <connect Connect, level Level, scheme Scheme>
 auto refine_level(const Level& coarse, const Scheme& scheme, int generation,
@@ -54,7 +54,7 @@ decltype(auto) with_native_level(const basic_mesh<Point, Index>& mesh, const F& 
     }
 }
 
-/// One step from a native mesh. Precondition: it has its edges. Errors: as `refine_level`, and for faces that the
+/// Makes one step from a native mesh. Precondition: it has its edges. Errors: as `refine_level`, and for faces that the
 /// scheme does not take.
 template <connect Connect, scheme Scheme, class Point, std::unsigned_integral Index>
 basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
@@ -67,8 +67,8 @@ basic_mesh<Point, Index> refine_mesh(const basic_mesh<Point, Index>& mesh, const
             mesh, [&](const auto& level) { return refine_level<Connect>(level, scheme, mesh.generation(), ids); });
 }
 
-/// Whether the next level of a closed one, which is numbered so, is closed: a scheme may make faces around holes.
-/// Cost: O(1), of a scheme that makes faces of several degrees and cannot count them O(new faces).
+/// Returns true if the next level of a closed level is closed; `ids` is its numbering. A scheme may make faces around
+/// holes. Cost: O(1); O(new faces) for a scheme that makes faces of several degrees and cannot count them.
 template <level Level, scheme Scheme, level_numbering Numbering>
 bool stays_closed(const Level& coarse, const Scheme& scheme, int generation, const Numbering& ids)
 {
@@ -86,8 +86,8 @@ bool stays_closed(const Level& coarse, const Scheme& scheme, int generation, con
     }
 }
 
-/// One step into a mesh of another library: straight where the scheme is trusted and declares its edges. Errors: as
-/// `refine_level`, and those of `make_room`.
+/// Makes one step and writes the next level into a mesh of another library, directly if the scheme is trusted and
+/// declares its edges. Errors: as `refine_level`, and those of `make_room`.
 template <class Point, level Level, scheme Scheme>
 void refine_level_into(level_writer<Point, typename Level::index_type>& fine, const Level& coarse, const Scheme& scheme,
                        int generation, numbering_of<Scheme, typename Level::index_type>& ids)
@@ -104,8 +104,8 @@ void refine_level_into(level_writer<Point, typename Level::index_type>& fine, co
     }
 }
 
-/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_into`, and for faces that the
-/// scheme does not take.
+/// Makes one step from a native mesh and writes the next level into a mesh of another library. Precondition: the native
+/// mesh has its edges. Errors: as `refine_level_into`, and for faces that the scheme does not take.
 template <scheme Scheme, class Point, std::unsigned_integral Index>
 void refine_mesh_into(level_writer<Point, Index>& fine, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                       numbering_of<Scheme, Index>& ids)
@@ -119,12 +119,12 @@ void refine_mesh_into(level_writer<Point, Index>& fine, const basic_mesh<Point, 
 
 namespace detail {
 
-/// What writes a level.
+/// A function that writes a level.
 template <class Point>
 using level_source = std::function<void(level_writer<Point, std::uint32_t>&)>;
 
-/// What is returned is made in place, in a function of its own: g++ before 14 would copy a mesh of OpenMesh out of an
-/// inner block.
+/// Returns a mesh written by write(level_writer). The mesh is made in place, in a function of its own: g++ before 14
+/// would copy a mesh of OpenMesh out of an inner block.
 template <class Point, fillable_mesh M, class Write>
 M make_here(const M& source, const Write& write)
 {
@@ -134,11 +134,11 @@ M make_here(const M& source, const Write& write)
     return result;
 }
 
-/// The same, compiled in the library that `is_compiled_mesh` tells of.
+/// Returns a mesh as make_here does, but is compiled in the library that `is_compiled_mesh` names.
 template <fillable_mesh M, class Point>
 M make_in_library(const M& source, const level_source<Point>& write);
 
-/// A mesh of the type of `source`, written by write(level_writer).
+/// Returns a mesh of the type of `source`, written by write(level_writer).
 template <class Point, fillable_mesh M, class Write>
 M made_like(const M& source, const Write& write)
 {
@@ -150,8 +150,8 @@ M made_like(const M& source, const Write& write)
 
 } // namespace detail
 
-/// One step to a mesh of the type of `source`, from which it was refined. Errors: as `refine_level`, and those of
-/// `make_room` or `build`.
+/// Makes one step and returns the next level as a mesh of the type of `source`, from which it was refined. Errors: as
+/// `refine_level`, and those of `make_room` or `build`.
 template <mesh M, level Level, scheme Scheme>
 M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, int generation,
                     numbering_of<Scheme, typename Level::index_type>& ids)
@@ -168,8 +168,8 @@ M refine_level_like(const M& source, const Level& coarse, const Scheme& scheme, 
     }
 }
 
-/// The same from a native mesh. Precondition: it has its edges. Errors: as `refine_level_like`, and for faces that the
-/// scheme does not take.
+/// Makes one step from a native mesh and returns the next level as a mesh of the type of `source`. Precondition: the
+/// native mesh has its edges. Errors: as `refine_level_like`, and for faces that the scheme does not take.
 template <mesh M, scheme Scheme, class Point, std::unsigned_integral Index>
 M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const Scheme& scheme,
                    numbering_of<Scheme, Index>& ids)
@@ -182,8 +182,8 @@ M refine_mesh_like(const M& source, const basic_mesh<Point, Index>& mesh, const 
     }
 }
 
-/// Stands for nothing that goes along with a refinement. `advance` makes what goes along that of the next level, whose
-/// points it may change, and returns false if the refinement is to stop.
+/// A stand-in for data that is carried along with a refinement, if there is none. `advance` makes such data that of the
+/// next level, whose points it may change, and returns false to stop the refinement.
 struct nothing_carried {
     template <finished_step Step, mesh Fine>
     bool advance(const Step&, Fine&) const
@@ -192,8 +192,8 @@ struct nothing_carried {
     }
 };
 
-/// Makes a native mesh its next level, and the scheme and what goes along those of that level. Returns what `carried`
-/// says: false stops the refinement. Precondition: the mesh has its edges. Errors: as `refine_mesh`.
+/// Makes a native mesh its next level, and advances the scheme and the data carried along to that level. Returns false
+/// if `carried` stops the refinement. Precondition: the mesh has its edges. Errors: as `refine_mesh`.
 template <connect Connect, scheme Scheme, class Point, std::unsigned_integral Index, class Carried>
 bool make_next_level(basic_mesh<Point, Index>& mesh, Scheme& scheme, Carried& carried)
 {
@@ -209,7 +209,7 @@ bool make_next_level(basic_mesh<Point, Index>& mesh, Scheme& scheme, Carried& ca
     return goes_on;
 }
 
-/// Makes so many steps with all connectivity. Returns false if `carried` stops them.
+/// Makes `steps` steps with all connectivity. Returns false if `carried` stops them.
 template <scheme Scheme, class Point, std::unsigned_integral Index, class Carried = const nothing_carried>
 bool make_levels(basic_mesh<Point, Index>& mesh, Scheme& scheme, int steps, Carried& carried = {})
 {

@@ -13,7 +13,7 @@
 
 namespace kith {
 
-/// Some faces of a mesh as a mesh of their own, and where its elements come from.
+/// A mesh of some faces of another mesh, and the elements of that mesh from which its elements come.
 template <class Point, std::unsigned_integral Index>
 struct submesh {
     basic_mesh<Point, Index> mesh;
@@ -21,13 +21,13 @@ struct submesh {
         face_from;                              ///< increasing; a vertex with several fans comes several times
     std::vector<unsigned char> edge_is_turned;  ///< its side 0 is the other mesh's side 1
     std::vector<unsigned char> edge_is_new_rim; ///< it has lost a face
-    std::vector<typename part_numbers<Index>::face_corners> corners_from; ///< where faces have several degrees
+    std::vector<typename part_numbers<Index>::face_corners> corners_from; ///< if faces have several degrees
 
     [[nodiscard]] part_numbers<Index> numbers() const
     {
         return {vertex_from, edge_from, face_from, std::size_t(mesh.topology().degree), corners_from};
     }
-    /// Of the vertices that come from one, all but the first are copies.
+    /// Returns true if the vertex is a copy: of the vertices that come from one vertex, all but the first are copies.
     [[nodiscard]] bool is_copy(std::size_t vertex) const
     {
         return vertex != 0 and vertex_from[vertex] == vertex_from[vertex - 1];
@@ -36,8 +36,8 @@ struct submesh {
 
 namespace detail {
 
-/// Starts the fans that have a rim, and gives every fan a vertex of its own; `vertex_from` tells what each comes from
-/// and grows with them. Fans without a rim stay to be started.
+/// Starts the fans that have a boundary, and gives every fan a vertex of its own. `vertex_from` tells from which vertex
+/// each of them comes, and grows with them. Fans without a boundary remain to be started.
 template <std::unsigned_integral Index, class From>
 void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
 {
@@ -75,11 +75,11 @@ void split_fans(connectivity<Index>& fine, std::vector<From>& vertex_from)
 
 } // namespace detail
 
-/// Takes submeshes out of one mesh. Cost of each: O(n log n) for n elements.
+/// A cutter of submeshes of one mesh. Cost of each submesh: O(n log n) for n elements.
 template <class Point, std::unsigned_integral Index>
 class submesh_cutter {
 public:
-    /// Precondition: the mesh has its edges; it must outlive the cutter.
+    /// Takes a mesh, which must outlive the cutter. Precondition: the mesh has its edges.
     explicit submesh_cutter(const basic_mesh<Point, Index>& mesh)
         : mesh_(mesh)
         , vertex_(mesh.vertex_count(), none)
@@ -88,8 +88,8 @@ public:
     {
     }
 
-    /// Returns the faces within `rings` rings of the seeds, increasing. A ring is the faces that share a vertex with
-    /// the faces before. Precondition: the seeds are increasing.
+    /// Returns the faces within `rings` rings of the seeds, increasing. A ring consists of the faces that share a
+    /// vertex with the faces before. Precondition: the seeds are increasing.
     [[nodiscard]] std::vector<Index> faces_around(std::span<const Index> seeds, int rings);
     /// Returns the submesh of these faces. Precondition: the faces are increasing.
     [[nodiscard]] submesh<Point, Index> cut(std::span<const Index> faces);
@@ -97,7 +97,7 @@ public:
 private:
     static constexpr Index none = connectivity<Index>::none;
 
-    /// Removes the marks that a call left which ended by an exception.
+    /// Removes the marks that are left by a call that ended by an exception.
     void begin()
     {
         if (is_marked_)
@@ -109,7 +109,7 @@ private:
     {
         return corner != none and face_[mesh_.topology().face_of(corner)] != none;
     }
-    /// Sorts what is marked: by looking at all marks where that is cheaper.
+    /// Sorts the marked elements, by a sweep over all marks if that is cheaper.
     static void put_in_order(std::vector<Index>& members, const std::vector<Index>& marks)
     {
         if (members.size() < marks.size() / 16) {
@@ -145,11 +145,11 @@ private:
     }
 
     const basic_mesh<Point, Index>& mesh_;
-    std::vector<Index> vertex_, edge_, face_; // the numbers in the submesh at work; none outside of it
-    bool is_marked_ = false;                  // a call is at work, or has ended by an exception
+    std::vector<Index> vertex_, edge_, face_; // the numbers in the submesh that is being cut, else none
+    bool is_marked_ = false;                  // a call is running, or has ended by an exception
 };
 
-// Outside of the class, so that what declares it `extern template` does not compile them.
+// Defined outside of the class, so that files that declare it `extern template` do not compile them.
 
 template <class Point, std::unsigned_integral Index>
 std::vector<Index> submesh_cutter<Point, Index>::faces_around(std::span<const Index> seeds, int rings)
@@ -224,7 +224,7 @@ submesh<Point, Index> submesh_cutter<Point, Index>::cut(std::span<const Index> f
     }
 
     detail::split_fans(fine, result.vertex_from);
-    const auto first_of = [&](Index old) { // the corner here that is this corner there
+    const auto first_of = [&](Index old) { // the corner of the submesh that comes from a corner of the mesh
         const Index f = t.face_of(old);
         return Index(fine.first_corner(face_[f]) + (old - t.first_corner(f)));
     };

@@ -15,20 +15,20 @@
 
 namespace kith {
 
-/// For each element of a mesh the number of the same element in another mesh, which differs in the order of its
-/// elements only: first corners of faces, sides of edges and starts of fans are the same.
+/// The number of each element of a mesh in another mesh, which differs only in the order of its elements. First corners
+/// of faces, sides of edges and starts of fans are the same.
 template <std::unsigned_integral Index>
 struct element_numbers {
     storage<Index> vertices, edges, faces;
-    storage<Index> corners; ///< where faces have several degrees; else they follow from the faces
-    std::size_t degree = 0; ///< of all faces where they have one
+    storage<Index> corners; ///< if faces have several degrees; else they follow from the faces
+    std::size_t degree = 0; ///< of all faces if they have one degree; else 0
 
-    /// Those of the vertices, edges or faces: v, e, f.
+    /// Returns the numbers of the vertices, edges or faces: v, e, f.
     [[nodiscard]] const storage<Index>& of(tuple_kind kind) const
     {
         return kind == tuple_kind::v ? vertices : kind == tuple_kind::e ? edges : faces;
     }
-    /// The index of a tuple in the other mesh.
+    /// Returns the index of a tuple in the other mesh.
     template <tuple_kind Kind>
     [[nodiscard]] std::size_t tuple(std::size_t index) const
     {
@@ -51,17 +51,18 @@ private:
     }
 };
 
-/// A mesh whose elements have been put in another order, and their numbers in the mesh that was given.
+/// A mesh whose elements have been put in another order, and their numbers in the given mesh.
 template <class Point, std::unsigned_integral Index>
 struct ordered_mesh {
     basic_mesh<Point, Index> mesh;
     element_numbers<Index> numbers;
 };
 
-/// Whether faces that share an edge often lie far apart in the order of the faces, as in many files from scanners and
-/// remeshing: across more than half of the sides lies a face further than 1024 away, and not near one that lies
-/// across from one of the two faces before. Then most of what a step reads around a vertex comes from outside the
-/// caches. Faces that lie far away but follow one another, as where a mesh has been refined, are fetched ahead.
+/// Returns true if faces that share an edge often lie far apart in the order of the faces, as in many scanned or
+/// remeshed meshes. Then most data that a step reads around a vertex comes from outside the caches. A neighbour of a
+/// face counts as far if it is more than 1024 faces away. Exempt are neighbours close to a face across from one of the
+/// two faces before: faces that follow one another, as where a mesh has been refined, are fetched ahead. The result is
+/// true if more than half of the sides have a far neighbour.
 /// Precondition: the mesh has its edges. Cost: that of a look at one or two thousand faces.
 template <std::unsigned_integral Index>
 bool is_scattered(const connectivity<Index>& mesh)
@@ -74,7 +75,7 @@ bool is_scattered(const connectivity<Index>& mesh)
             if (const Index across = mesh.across(c); across != mesh.none)
                 f(std::size_t(mesh.face_of(across)));
     };
-    const auto follows = [&](std::size_t face, std::size_t before) { // one that lies across from that one
+    const auto follows = [&](std::size_t face, std::size_t before) { // `face` is near one across from `before`
         bool found = false;
         for_across(before, [&](std::size_t other) { found |= distance(face, other) <= faces_ahead; });
         return found;
@@ -89,9 +90,9 @@ bool is_scattered(const connectivity<Index>& mesh)
     return far > sides / 2;
 }
 
-/// The faces in an order in which those that lie close together on the surface follow one another: clump after clump,
-/// each breadth first, the next from the front of those before it. Precondition: the mesh has its edges. Cost:
-/// O(corners).
+/// Returns the faces in an order in which faces that lie close together on the surface follow one another. The order
+/// goes clump after clump, each breadth first; the next clump starts at the front of those before it. Precondition: the
+/// mesh has its edges. Cost: O(corners).
 template <std::unsigned_integral Index>
 storage<Index> surface_order(const connectivity<Index>& mesh)
 {
@@ -125,8 +126,8 @@ storage<Index> surface_order(const connectivity<Index>& mesh)
     return order;
 }
 
-/// The mesh with its faces in that order, vertices and edges as the faces meet them. Precondition: it has its edges,
-/// and all its vertices are in faces. Cost: O(corners).
+/// Returns the mesh with its faces in surface_order, and vertices and edges in the order in which the faces meet them.
+/// Precondition: the mesh has its edges, and all its vertices are in faces. Cost: O(corners).
 template <class Point, std::unsigned_integral Index>
 ordered_mesh<Point, Index> in_surface_order(const basic_mesh<Point, Index>& given)
 {
@@ -170,7 +171,7 @@ ordered_mesh<Point, Index> in_surface_order(const basic_mesh<Point, Index>& give
 
 namespace detail {
 
-/// Of the new elements of one kind.
+/// Returns the numbers of the new elements of one kind.
 template <std::unsigned_integral Index, level Level, element_ids Ids, class... Columns>
 storage<Index> numbers_of_children(const element_numbers<Index>& numbers, const Level& coarse, const Ids& ids,
                                    const std::tuple<Columns...>& list)
@@ -189,8 +190,8 @@ storage<Index> numbers_of_children(const element_numbers<Index>& numbers, const 
 
 } // namespace detail
 
-/// The numbers of the elements of the next level, which a step has just made with these ids. Precondition: its columns
-/// do not leave tuples out here and there, and all new faces have one degree. Cost: O(elements).
+/// Returns the numbers of the elements of the next level, which a step has just made with these ids. Precondition: no
+/// column leaves out single tuples, and all new faces have one degree. Cost: O(elements).
 template <std::unsigned_integral Index, level Level, level_numbering Numbering, declared_columns Columns>
 element_numbers<Index> after(const element_numbers<Index>& numbers, const Level& coarse, const Numbering& ids,
                              const Columns& columns)
